@@ -2,9 +2,9 @@
 
 Run with `make benchmark`. Writes docs/benchmarks/two_arms.md. Poses are random, over a table with a few boxes; in every second
 problem of Baxter the hands change sides, so that the arms have to pass each other. A problem counts as solved when the motion
-passed its report and a judge: the robot's own meshes in coal at dense samples, arm against arm and against the obstacles,
-Pinocchio's poses of both tools at the end, and the limits. Times are CPU times of whole calls of `mp.plan`; what is built once per
-robot is there before.
+passed its report and a judge: the robot's own meshes in coal at dense samples, arm against arm and among the obstacles,
+Pinocchio's poses of both tools at the end, and the limits. Times are CPU times of whole calls of `mp.plan`; what is built once
+per robot is there before.
 """
 
 import argparse

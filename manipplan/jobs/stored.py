@@ -123,11 +123,16 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     found = (*fingerprint(arm), outlines(arm))
     tools = tuple(data["tools"])
     parts = [[name, type(part.solid).__name__, part.frame] for name, part in arm.carried.items()]
-    if arm.joint_names != names or arm.tools != tools or parts != data["parts"] or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
+    if (
+        arm.joint_names != names
+        or arm.tools != tools
+        or parts != data["parts"]
+        or not all(_same(a, b) for a, b in zip(found, stored, strict=True))
+    ):
         said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {' and '.join(arm.tools)}"
         wanted = (
-            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {' and '.join(tools)}, and links as when the plan "
-            "was saved. Its files were changed, or it is another robot: give the right robot="
+            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {' and '.join(tools)}, and links as when the "
+            "plan was saved. Its files were changed, or it is another robot: give the right robot="
         )
         raise FileFormatError("robot", said, wanted)
     other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]

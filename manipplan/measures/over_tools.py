@@ -44,10 +44,12 @@ class OverTools(Measure):
         if not isinstance(self.measure, Measure):
             raise InvalidInputError("measure", self.measure, "a Measure, such as mp.Yoshikawa()")
         if self.measure.over_tools or not self.measure.grows:
-            raise InvalidInputError("measure", self.measure.name, "a measure of one tool that is at least 0 and better when larger")
+            raise InvalidInputError(
+                "measure", self.measure.name, "a measure of one tool that is at least 0 and better when larger"
+            )
         if self.weights is None:
             return
-        if not isinstance(self.weights, Mapping | Sequence) or isinstance(self.weights, str) or not self.weights:
+        if not isinstance(self.weights, Mapping | list | tuple) or not self.weights:
             raise InvalidInputError("weights", self.weights, "a mapping from names of tools to numbers above zero")
         pairs = tuple(sorted((str(name), weight) for name, weight in dict(self.weights).items()))
         checked = tuple((name, number(f"weights[{name!r}]", weight, above=0.0)) for name, weight in pairs)
@@ -84,10 +86,10 @@ class OverTools(Measure):
         return bends + outer
 
     def _derivatives(self, posture: Posture, *, second: bool = False) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """Σ_k c_k ∇m_k, Σ_k c_k ∇²m_k, and Σ_kl c_kl ∇m_k ∇m_lᵀ, with c_k and c_kl the derivatives by m_k, and by m_k and m_l."""
+        """Σ_k c_k ∇m_k, Σ_k c_k ∇²m_k and Σ_kl c_kl ∇m_k ∇m_lᵀ, with c_k, c_kl the derivatives by m_k, and by m_k and m_l."""
         tools, n = posture.tools(), posture.q.shape[0]
         values = [each.placed(self.measure.value) for each in tools.values()]
-        total, first, mixed = self._combined(list(tools), values)
+        _, first, mixed = self._combined(list(tools), values)
         gradients = [_column(each, self.measure.gradient, n) for each in tools.values()]
         slopes = sum((c * slope for c, slope in zip(first, gradients, strict=True)), ca.SX(n, 1))
         bends, outer = ca.SX(n, n), ca.SX(n, n)

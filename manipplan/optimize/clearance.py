@@ -81,7 +81,8 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     The second argument is a `ClearanceRow.column`. Only joints between the two move the point relative to the plane: the sign
     σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the point as
     carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane. If
-    neither of two joints carries the other, at most one carries the point, j, and one the plane, i: then it is -n · (z_i x c_j).
+    neither of two joints carries the other, at most one, j, carries the point and one, i, the plane: then it is
+    -n · (z_i x c_j).
     """
     chain, model = kinematics.symbolic.chain, kinematics.robot.model
     q, n = chain.q, kinematics.robot.n
@@ -112,7 +113,8 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
             first, second = (i, j) if carries[j + 1, i + 1] else (j, i)
             bend = both * ca.dot(
                 plane_normal,
-                (1 + sign[i]) * ca.cross(spin[first], velocity[second]) + (1 - sign[i]) * ca.cross(spin[second], velocity[first]),
+                (1 + sign[i]) * ca.cross(spin[first], velocity[second])
+                + (1 - sign[i]) * ca.cross(spin[second], velocity[first]),
             )
             hessian[i, j] = hessian[j, i] = bend
     column = ca.vertcat(carrier, other, point, normal, offset, keep)

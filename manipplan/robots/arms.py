@@ -44,7 +44,9 @@ def one_tool(robot: "Robot", work: str) -> "Robot":
     """The robot itself if it has one tool; otherwise raises InvalidInputError: `work` is done with one arm."""
     if len(robot.tools) > 1:
         each = " or ".join(f"robot.arm({tool!r})" for tool in robot.tools)
-        raise InvalidInputError("robot", f"{robot.name}, with {len(robot.tools)} tools", f"an arm with one tool: {work}. Use {each}")
+        raise InvalidInputError(
+            "robot", f"{robot.name}, with {len(robot.tools)} tools", f"an arm with one tool: {work}. Use {each}"
+        )
     return robot
 
 
@@ -77,7 +79,9 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
     model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
     kept = list(joints)
-    limits = {kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")}
+    limits = {
+        kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
+    }
     states = NamedStates({name: state[kept] for name, state in robot.states.items()})
     return replace(
         robot,

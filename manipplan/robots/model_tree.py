@@ -36,6 +36,13 @@ def axis_of(joint: pin.JointModel) -> Array:
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 
+def joint_types(model: pin.Model, unlimited: Sequence[bool]) -> tuple[str, ...]:
+    """'revolute', 'continuous' or 'prismatic' for each joint, of which some have no position limits."""
+    kinds = {False: "revolute", True: "continuous"}
+    joints = zip(list(model.joints)[1:], unlimited, strict=True)
+    return tuple("prismatic" if is_prismatic(joint) else kinds[endless] for joint, endless in joints)
+
+
 def joint_tree(model: pin.Model) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """The joint before each joint (n,), 0: the world, and whether joint j carries joint i, as [i, j] of (n + 1, n + 1).
 

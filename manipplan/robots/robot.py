@@ -213,20 +213,13 @@ class Robot(Pictured):
         return (self.tool, *self.other_tools)
 
     def joints_of(self, tool: str) -> tuple[int, ...]:
-        """Indices of the active joints that move a tool.
-
-        Raises UnknownNameError when the robot has no such tool; the nearest names are listed.
-        """
+        """Indices of the active joints that move a tool; raises UnknownNameError for a tool that the robot does not have."""
         return tuple(carriers(self.model, known_tool(self, "tool", tool)))
 
     def arm(self, tool: str, q: ArrayLike | None = None) -> "Robot":
-        """The arm of one tool: the joints that move it; the others are locked, and their links are still checked.
+        """The arm of one tool; other joints are locked at q (n,), by default `neutral`, and their links are still checked.
 
         A saved plan of it does not say how to build it: give `robot=` when it is loaded.
-
-        Args:
-            tool: one of `tools`.
-            q: (n,) where the others are locked [rad or m]; default `neutral`.
 
         Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
         """
@@ -243,13 +236,7 @@ class Robot(Pictured):
     @property
     def joint_types(self) -> tuple[str, ...]:
         """'revolute', 'continuous' or 'prismatic' for each active joint."""
-        kinds = []
-        for i, joint in enumerate(self.model.joints[1:]):
-            if model_tree.is_prismatic(joint):
-                kinds.append("prismatic")
-            else:
-                kinds.append("continuous" if np.isinf(self.limits.lower[i]) else "revolute")
-        return tuple(kinds)
+        return model_tree.joint_types(self.model, np.isinf(self.limits.lower).tolist())
 
     @property
     def endless(self) -> NDArray[np.bool_]:

@@ -32,7 +32,9 @@ class Seen:
         if task.relative_to is None:
             return cls(tool=chain.tool, jacobian=chain.jacobian)
         frame, carrier = _placed(chain, task.relative_to)
-        own = jacobian_of(chain.model, _carriers(chain, carrier), chain.tool.origin)  # of the tool's origin, were it fixed there
+        own = jacobian_of(
+            chain.model, _carriers(chain, carrier), chain.tool.origin
+        )  # of the tool's origin, were it fixed there
         turned = frame.rotation.T
         apart = chain.jacobian - own
         jacobian = ca.vertcat(turned @ apart[:3, :], turned @ apart[3:, :])

@@ -66,9 +66,7 @@ class Task:
         return cls(name="planar", world_rows=_LINEAR[:2], relative_to=relative_to)
 
     @classmethod
-    def pointing(
-        cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5, *, relative_to: str | None = None
-    ) -> "Task":
+    def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5, *, relative_to: str | None = None) -> "Task":
         """Position and direction of a tool axis (3,) given in the tool's frame, 5 rows: rotation about it is free."""
         _, _, basis = np.linalg.svd(_unit("axis", axis)[None, :])
         across = tuple((0.0, 0.0, 0.0, *(float(x) for x in row)) for row in basis[1:])

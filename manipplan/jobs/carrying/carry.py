@@ -1,4 +1,4 @@
-"""carry: several tools of a robot hold an object, such as a tray, and move it along a path."""
+"""carry: two tools of a robot hold an object, such as a tray, and move it along a path."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -25,7 +25,6 @@ from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import known_tool
 from manipplan.robots.robot import Robot
 from manipplan.search.sampling import sample_layers
-from manipplan.search.steps import check_epsilon
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.checks import Array, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -36,6 +35,8 @@ from manipplan.timing.retime import check_timing_limits, retime
 
 #: Clearance that configurations keep beyond the required one, for the motion between positions [m].
 SPARE = 0.003
+#: Number of places at which the nearest bodies are looked for.
+PLACES = 401
 #: Number of times at which the tools are compared with each other and with the path.
 TIMES = 4001
 
@@ -101,19 +102,19 @@ def carry(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
-    """Move an object that several tools hold along a path: timed, and checked with all arms together.
+    """Move an object that two tools hold along a path: timed, and checked with both arms together.
 
-    One arm leads: its motion is the best continuous one through all configurations at the positions, as in `follow`. The next
-    arm has those of its configurations that are free of the first, and so on; where that fails, another arm leads. The arms are
-    joined into one motion, which is checked arm against arm. From Pinocchio's kinematics at many times the report gives the
-    largest distance and angle by which a tool leaves its pose relative to the first tool.
+    One arm leads: its motion is the best continuous one through all configurations at the positions, as in `follow`. The other
+    arm has those of its configurations that are free of the first; where that fails, the other arm leads. The arms are joined
+    into one motion, which is checked arm against arm. From Pinocchio's kinematics at many times the report gives the largest
+    distance and angle by which the second tool leaves its pose relative to the first.
 
     Joints that move several tools, such as a torso, stand still.
 
     Args:
         robot: a robot with several tools. Attach the object to one of them, so that it is checked, too.
         path: of the object in the world; `CartesianPath.line(start, goal)` for two poses.
-        grasps: for each tool that holds the object its pose (4, 4), or pin.SE3, in the object's frame.
+        grasps: for both tools that hold the object their poses (4, 4), or pin.SE3, in the object's frame.
         scene: obstacles; None: none. The arms are always checked against themselves and each other.
         posture: (n,) where the joints stand still that do not move along; default `robot.neutral`.
         positions, epsilon, samples, seed: as in `follow`.
@@ -226,10 +227,10 @@ def carry(
 
 
 def _grasps(robot: Robot, grasps: Mapping[str, Any]) -> dict[str, Array]:
-    """The grasps as matrices, of at least two tools."""
-    if not isinstance(grasps, Mapping) or len(grasps) < 2:
-        names = ", ".join(robot.tools)
-        raise InvalidInputError("grasps", grasps, f"a mapping from at least two of the tools {names} to poses in the object's frame")
+    """The grasps of both tools as matrices."""
+    if not isinstance(grasps, Mapping) or len(grasps) != 2:
+        wanted = f"a mapping from two of the tools {', '.join(robot.tools)} to poses in the object's frame"
+        raise InvalidInputError("grasps", grasps, wanted)
     return {known_tool(robot, "grasps", tool): pose_matrix(f"grasps[{tool!r}]", pose) for tool, pose in grasps.items()}
 
 
@@ -253,10 +254,11 @@ def _excess(errors: Mapping[str, tuple[float, float]], allowed: Tolerance) -> st
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Together:
-    """What the motions of several arms have in common.
+    """What the motions of both arms have in common.
 
     Attributes:
         still: (n,) where the joints are that do not move along.
+        epsilon: (1,) or one per joint of an arm: maximum step between positions [rad or m].
         tolerance: of each tool on its own path.
     """
 
@@ -273,29 +275,28 @@ class _Together:
         Raises PlanningError with the reason of the first order where none does.
         """
         reasons = []
-        for order in permutations(arms):
+        for lead, follow in permutations(arms):
             try:
-                return self._in_order(order)
+                return self._in_order(lead, follow)
             except PlanningError as error:
-                reasons.append(f"{order[0].tool} leads: {error}")
+                reasons.append(f"{lead.tool} leads: {error}")
         raise PlanningError("; ".join(reasons))
 
-    def _in_order(self, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:
-        model, parts, seeds = self.scene.collision_model(self.robot), [], []
-        q = np.tile(self.still, (len(arms[0].layers.q), 1))
-        for k, arm in enumerate(arms):
-            own = arm.beside(model, q, self.clearance + SPARE) if k == len(arms) - 1 else arm
-            assert own.layers.sampler is not None
-            epsilon = check_epsilon(self.epsilon, own.layers.sampler.spec.robot.endless)
-            refined, searched, found = own.courses(epsilon, self.tolerance)
-            parts.append((refined, arm.joints))
-            seeds.append((searched, arm.joints))
-            assert own.layers.s is not None
-            q[:, arm.joints] = refined(own.layers.s)
-        seed = side_by_side(seeds, self.still)
-        for chosen in ([*parts], [*parts[:-1], seeds[-1]]):
-            joint = side_by_side(chosen, self.still)
+    def _in_order(self, lead: LoneArm, follow: LoneArm) -> tuple[JointPath, JointPath]:
+        model, s = self.scene.collision_model(self.robot), lead.layers.s
+        assert s is not None
+        refined, searched = lead.courses(self.epsilon, self.tolerance)
+        q = np.tile(self.still, (len(s), 1))
+        q[:, lead.joints] = refined(s)
+        beside = follow.beside(model, q, self.clearance + SPARE)
+        refined_beside, searched_beside = beside.courses(self.epsilon, self.tolerance)
+        seed = self._of_both((searched, lead.joints), (searched_beside, follow.joints))
+        for own in (refined_beside, searched_beside):  # what is refined knows nothing of the other arm
+            joint = self._of_both((refined, lead.joints), (own, follow.joints))
             if model.path_is_free(joint, CHECK_STEP, self.clearance):
                 return joint, seed
-        bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, 401)))
+        bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PLACES)))
         raise PlanningError(f"between the positions {bodies}; take more positions")
+
+    def _of_both(self, *parts: tuple[JointPath, list[int]]) -> JointPath:
+        return side_by_side(parts, self.still)

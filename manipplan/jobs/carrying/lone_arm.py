@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
@@ -53,8 +54,8 @@ class LoneArm:
             m.append(values[free])
         return replace(self, layers=replace(self.layers, q=tuple(kept), m=tuple(m)))
 
-    def courses(self, epsilon: Array, tolerance: Tolerance) -> tuple[JointPath, JointPath, Array]:
-        """The joint path of the largest minimum manipulability, refined, and as searched, with its configurations (L, n').
+    def courses(self, epsilon: ArrayLike, tolerance: Tolerance) -> tuple[JointPath, JointPath]:
+        """The joint path of the largest minimum manipulability, refined, and the one that was searched.
 
         Raises PlanningError where no continuous path leads through the configurations.
         """
@@ -63,7 +64,7 @@ class LoneArm:
         if not found.connected:
             raise PlanningError(f"{self.tool}: {found.message}")
         refined = refine(layers, found)
-        return self._joined(refined.q, tolerance), self._joined(found.q, tolerance), found.q
+        return self._joined(refined.q, tolerance), self._joined(found.q, tolerance)
 
     def _joined(self, q: Array, tolerance: Tolerance) -> JointPath:
         sampler, s = self.layers.sampler, self.layers.s

@@ -107,7 +107,7 @@ class PoseGoal:
         return f"{name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
 
 
-#: One goal: (n,) [rad or m], the name of a state, a pose of the tool, a PoseGoal, or one of these two for each of several tools.
+#: One goal: (n,) [rad or m], the name of a state, a pose of the tool, a PoseGoal, or one of these two for several tools each.
 OneGoal: TypeAlias = ArrayLike | str | pin.SE3 | PoseGoal | Mapping[str, ArrayLike | pin.SE3 | PoseGoal]
 #: A goal, or several, of which one is chosen.
 Goal: TypeAlias = OneGoal | Sequence[OneGoal]

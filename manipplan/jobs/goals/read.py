@@ -15,8 +15,8 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: The forms of a goal, for messages.
 FORMS = (
-    "a configuration (n,), the name of a state, a pose (4, 4) or pin.SE3, a PoseGoal, a mapping from tools to poses, or a list of "
-    "these"
+    "a configuration (n,), the name of a state, a pose (4, 4) or pin.SE3, a PoseGoal, a mapping from tools to poses, or a list "
+    "of these"
 )
 
 
@@ -39,8 +39,9 @@ class Target:
     @property
     def goal(self) -> OneGoal:
         """The goal as a user may give it."""
-        given = next(each for each in (self.q, self.pose, self.tools) if each is not None)
-        return given
+        if self.q is not None:
+            return self.q
+        return self.pose if self.pose is not None else dict(self.tools or {})
 
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""

@@ -46,7 +46,7 @@ class OwnArm:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Joined:
-    """Configurations (k, n) that reach a goal of several tools, perhaps in collision, and those that do not, with the reason."""
+    """Configurations (k, n) that reach a goal of several tools, perhaps in collision; those that do not, with the reason."""
 
     q: Array
     useless: tuple[tuple[Array, str], ...]
@@ -104,7 +104,7 @@ def reaching_tools(
 def _solutions(
     robot: Robot, tool: str, goal: PoseGoal, places: Array, start: Array, held: NDArray[np.bool_]
 ) -> tuple[Array, NDArray[np.int64], tuple[Array, str]]:
-    """Configurations (k, n) that reach the goal of one tool, the torso (k,) of each, and the nearest one where there is none."""
+    """Configurations (k, n) that reach the goal of one tool, the torso (k,) of each, and the nearest one if there is none."""
     own = own_arms(robot)[tool]
     joints, near = list(own.joints), start[list(own.joints)]
     moved = [_seen_from(robot, own, goal, torso) for torso in places]
@@ -167,9 +167,7 @@ def _best(robot: Robot, tool: str, q: Array, start: Array, integral: PathIntegra
     return chosen
 
 
-def _joined(
-    robot: Robot, solutions: Sequence[tuple[tuple[int, ...], Array, NDArray[np.int64]]], places: Array
-) -> Array:
+def _joined(robot: Robot, solutions: Sequence[tuple[tuple[int, ...], Array, NDArray[np.int64]]], places: Array) -> Array:
     """All configurations (k, n) that have a solution of each arm with the same torso."""
     found = [np.zeros((0, robot.n))]
     for number, torso in enumerate(places):
