@@ -118,13 +118,15 @@ class OverTools(Measure):
         for _ in range(DOUBLED):
             root = ca.sqrt(root)
         value = least / root
-        # with t_k = s / m_k: ∂s/∂m_k = t_k^17, ∂²s/∂m_k∂m_l = 17 (t_k^17 t_l^17 / s - δ_kl t_k^17 / m_k)
+        # with t_k = s / m_k, whose 16th powers add up to 1: ∂s/∂m_k = t_k^17, and ∂²s/∂m_k∂m_l = 17 t_k^17 t_l^17 / s for k ≠ l,
+        # -17 t_k^17 / m_k Σ_{l≠k} t_l^16 for k = l
         power = 2**DOUBLED + 1
         ratios = [floor / root / each for each in safe]
-        first = [_doubled(t) * t for t in ratios]
+        powers = [_doubled(t) for t in ratios]
+        first = [each * t for each, t in zip(powers, ratios, strict=True)]
         mixed = [[power * a * b / (floor / root) for b in first] for a in first]
         for k, each in enumerate(safe):
-            mixed[k][k] -= power * first[k] / each
+            mixed[k][k] = -power * first[k] / each * sum((p for j, p in enumerate(powers) if j != k), ca.SX(0.0))
         return value, first, mixed
 
 

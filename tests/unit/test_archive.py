@@ -126,9 +126,9 @@ def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_
     pose = planar.at(changed_plan.robot.base).base
     robot = planar.at(np.eye(4) if other == "base" else pose)
     if other in ("block", "shape"):
-        robot = robot.with_tool(changed_plan.robot.tools[0][1] @ changed_plan.robot.tools[1][1])
+        robot = robot.with_tool(changed_plan.robot.added_frames[0].pose @ changed_plan.robot.added_frames[1].pose)
     if other == "shape":  # of the same bounding box
-        place = np.linalg.inv(changed_plan.robot.tools[1][1])
+        place = np.linalg.inv(changed_plan.robot.added_frames[1].pose)
         robot = robot.attach(mp.Mesh(triangles=DIAMOND, name="block").at(place))
     with pytest.raises(mp.FileFormatError, match="it is another robot"):
         mp.Plan.load(tmp_path, robot=robot)
