@@ -41,6 +41,7 @@ from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wai
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
+from manipplan.jobs.reports.tools import ToolFigure
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
@@ -195,6 +196,7 @@ __all__ = [
     "Task",
     "TiltLimit",
     "Tolerance",
+    "ToolFigure",
     "Tracking",
     "Trajectory",
     "UnknownNameError",

@@ -118,7 +118,7 @@ class OverTools(Measure):
         for _ in range(DOUBLED):
             root = ca.sqrt(root)
         value = least / root
-        # with t_k = s / m_k, whose 16th powers add up to 1: ∂s/∂m_k = t_k^17, and ∂²s/∂m_k∂m_l = 17 t_k^17 t_l^17 / s for k ≠ l,
+        # with t_k = s / m_k, whose 16th powers add up to 1: ∂s/∂m_k = t_k^17; ∂²s/∂m_k∂m_l = 17 t_k^17 t_l^17 / s for k ≠ l,
         # -17 t_k^17 / m_k Σ_{l≠k} t_l^16 for k = l
         power = 2**DOUBLED + 1
         ratios = [floor / root / each for each in safe]
