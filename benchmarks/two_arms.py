@@ -39,6 +39,8 @@ DEPTH, SIDE, ACROSS = (0.55, 0.8), (0.12, 0.45), (0.05, 0.2)
 OVER = (0.3, 0.5, 0.05)
 #: Number of pairs of solutions that are tried for a free configuration of a pair of poses.
 TRIES = 60
+#: Number of values of the redundant joint for which they are solved.
+SAMPLES = 8
 
 Array = NDArray[np.float64]
 Goal = dict[str, Array]
@@ -179,7 +181,9 @@ def over_the_table(rng: np.random.Generator, height: float, *, crossed: bool) ->
 
 def free_pair(robot: mp.Robot, scene: mp.Scene, poses: Sequence[Array], rng: np.random.Generator) -> Array | None:
     """A random free configuration with both tools at their poses; None where none was found."""
-    sets = [mp.inverse_kinematics(robot.arm(tool), pose).q for tool, pose in zip(robot.tools, poses, strict=True)]
+    sets = [
+        mp.inverse_kinematics(robot.arm(tool), pose, samples=SAMPLES).q for tool, pose in zip(robot.tools, poses, strict=True)
+    ]
     if not all(map(len, sets)):
         return None
     model = scene.collision_model(robot)
@@ -260,7 +264,7 @@ def solve(name: str, cases: Sequence[Case]) -> str:
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--problems", type=int, default=50, help="number of problems of Baxter, of which half change sides")
-    parser.add_argument("--others", type=int, default=10, help="number of problems of each other robot")
+    parser.add_argument("--others", type=int, default=5, help="number of problems of each other robot")
     parser.add_argument("--seed", type=int, default=0, help="seed of the problems")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)

@@ -303,7 +303,7 @@ def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
 def test_the_fingerprint_is_the_product_of_exponentials(seed, prismatic):
     """The tool's pose at any q comes from the screws alone, as Pinocchio has it."""
     arm = chain(seed, prismatic)
-    home, screws = fingerprint(arm)
+    [home], screws = fingerprint(arm)
     q = np.random.default_rng(seed).uniform(-3, 3, arm.n)
     pose = np.eye(4)
     for screw, each in zip(screws, q, strict=True):

@@ -97,13 +97,13 @@ class PoseGoal:
         position, rotation = (float(each[0]) for each in self.distances(place[None]))
         return position, rotation
 
-    def missed_by(self, robot: Robot, q: Array, tool: str) -> str:
-        """How far a tool is outside the tolerance at q (n,); "" where the goal is reached."""
-        position, rotation = self.errors(robot, q, tool)
+    def missed_by(self, robot: Robot, q: Array, tool: str | None = None) -> str:
+        """How far a tool, by default the first, is outside the tolerance at q (n,); "" where the goal is reached."""
+        position, rotation = self.errors(robot, q, tool or robot.tool)
         most = self.allowed
         if position <= most[0] + REACHED and rotation <= most[1] + REACHED:
             return ""
-        name = "the tool" if len(robot.tools) == 1 else tool
+        name = "the tool" if tool is None or len(robot.tools) == 1 else tool
         return f"{name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
 
 

@@ -46,7 +46,7 @@ class Target:
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""
         if self.pose is not None:
-            return self.pose.missed_by(robot, q, robot.tool)
+            return self.pose.missed_by(robot, q)
         if self.tools is not None:
             return "; ".join(filter(None, (pose.missed_by(robot, q, tool) for tool, pose in self.tools.items())))
         assert self.q is not None
