@@ -181,9 +181,8 @@ def over_the_table(rng: np.random.Generator, height: float, *, crossed: bool) ->
 
 def free_pair(robot: mp.Robot, scene: mp.Scene, poses: Sequence[Array], rng: np.random.Generator) -> Array | None:
     """A random free configuration with both tools at their poses; None where none was found."""
-    sets = [
-        mp.inverse_kinematics(robot.arm(tool), pose, samples=SAMPLES).q for tool, pose in zip(robot.tools, poses, strict=True)
-    ]
+    ends = zip(robot.tools, poses, strict=True)
+    sets = [mp.inverse_kinematics(robot.arm(tool), pose, samples=SAMPLES).q for tool, pose in ends]
     if not all(map(len, sets)):
         return None
     model = scene.collision_model(robot)

@@ -56,7 +56,9 @@ assert plan.report.passed
 
 figure = plt.figure(figsize=(8.5, 7.0), layout="constrained")
 ax = figure.add_subplot(projection="3d")
-viz.plot_arm(robot, plan.path, scene, ax=ax)
+viz.plot_arm(robot, plan.path, scene, places=3, ax=ax)
+ax.view_init(elev=32, azim=-12)
+ax.set(xlim=(-0.2, 1.1), ylim=(-0.65, 0.65), zlim=(-0.4, 0.9))
 plt.show()
 
 # %%
