@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 import manipplan as mp
 from manipplan.collision.body_motion import body_motion
 from manipplan.jobs.carrying.held import tool_poses
+from manipplan.jobs.goals.goal_file import goals_from_yaml
 from manipplan.optimize.clearance import ClearanceRow, row_functions
 from manipplan.paths.cartesian import Offset
 
@@ -266,6 +267,24 @@ def test_a_plan_is_the_same_when_it_is_loaded(swapped, tmp_path):
     assert loaded.robot.tools == TOOLS
     assert loaded.report == plan.report
     np.testing.assert_array_equal(loaded.trajectory.q, plan.trajectory.q)
+
+
+def test_goals_of_both_tools_in_a_file(baxter, tmp_path):
+    file = tmp_path / "goals.yml"
+    left, right = (
+        "{position: [0.7, 0.2, 0.1], rotation: [3.1416, 0, 0]}",
+        "{position: [0.7, -0.2, 0.1], rotation: [1, 0, 0, 0]}",
+    )
+    file.write_text(f"goals:\n- tools: {{left_gripper: {left}, right_gripper: {right}}}\n")
+    [goal] = goals_from_yaml(file, baxter)
+    assert list(goal) == list(TOOLS)
+    np.testing.assert_allclose(goal["right_gripper"].matrix, down(0.7, -0.2, 0.1), atol=1e-12)
+    file.write_text(f"goals:\n- tools: {{left_griper: {left}}}\n")
+    with pytest.raises(mp.InvalidInputError, match=r"goals\[0\]\.tools.*left_gripper"):
+        goals_from_yaml(file, baxter)
+    file.write_text("goals:\n- tools: {left_gripper: {position: [0.7, 0.2, 0.1]}}\n")
+    with pytest.raises(mp.FileFormatError, match=r"goals\[0\]\.tools\.left_gripper"):
+        goals_from_yaml(file, baxter)
 
 
 def test_one_hand_moves_and_the_other_ends_where_it_began(baxter, scene):
