@@ -287,12 +287,14 @@ def test_goals_of_both_tools_in_a_file(baxter, tmp_path):
         goals_from_yaml(file, baxter)
 
 
+@pytest.mark.slow
 def test_one_hand_moves_and_the_other_ends_where_it_began(baxter, scene):
     plan = mp.plan(baxter, baxter.neutral, {"left_gripper": down(0.7, 0.2, 0.1)}, scene)
     right = list(baxter.joints_of("right_gripper"))
     np.testing.assert_array_equal(plan.path.goal[right], baxter.neutral[right])
 
 
+@pytest.mark.slow
 def test_the_torso_helps_both_arms():
     robot = mp.load_robot("tiago_dual")
     q = robot.neutral.copy()
@@ -350,6 +352,7 @@ def tray_at(x, y, z, turn=0.0):
     return pose
 
 
+@pytest.mark.slow
 def test_both_arms_carry_a_tray(baxter, scene, tmp_path):
     grasps = {"left_gripper": grasp(1), "right_gripper": grasp(-1)}
     way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15, 0.2))
