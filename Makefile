@@ -93,6 +93,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/again.py
 	$(BIN)/python benchmarks/check_trajectories.py
 	$(BIN)/python benchmarks/pose_goals.py
+	$(BIN)/python benchmarks/two_arms.py
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/tool_paths.py
 	$(BIN)/python benchmarks/follow_starts.py

@@ -206,8 +206,8 @@ def covered(folder: Path) -> list[str]:
     """Which arms of the catalogue each has a closed form or an exact method for."""
     names = run_peer("ssik", {"arm": "", "count": 0}, folder, "solutions")["names"]
     closed, known = [], []
-    for name in mp.available_robots():
-        robot = mp.load_robot(name)
+    arms = [(name, robot) for name in mp.available_robots() if len((robot := mp.load_robot(name)).tools) == 1]
+    for name, robot in arms:
         if closed_form(robot) is not None:
             closed.append(name)
         if "prismatic" in robot.joint_types:
@@ -219,7 +219,7 @@ def covered(folder: Path) -> list[str]:
         problem = {"axes": screws.axes, "points": screws.points, "home": screws.home, "locked": locked}
         if run_peer("eaik", problem, folder, "solutions")["known"]:
             known.append(name)
-    total = len(mp.available_robots())
+    total = len(arms)
     shipped = [name for name, prebuilt in SSIK.items() if prebuilt in names]
     return [
         f"Of the {total} arms of the catalogue manipplan has a closed form for {len(closed)} and random starts for the others; "

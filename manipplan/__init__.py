@@ -25,6 +25,7 @@ from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
+from manipplan.jobs.carrying.carry import carry
 from manipplan.jobs.check import check
 from manipplan.jobs.following.follow import follow
 from manipplan.jobs.goals.candidates import GoalCandidate
@@ -40,6 +41,7 @@ from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wai
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
+from manipplan.jobs.reports.tools import ToolFigure
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
@@ -49,6 +51,7 @@ from manipplan.measures.limited import JointLimitPenalised
 from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
+from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.optimize.certificate import Certificate, LimitApproach
@@ -156,6 +159,7 @@ __all__ = [
     "NoPath",
     "Obstacle",
     "OtherGoal",
+    "OverTools",
     "PartialPlan",
     "PathClearance",
     "PathCost",
@@ -194,6 +198,7 @@ __all__ = [
     "Task",
     "TiltLimit",
     "Tolerance",
+    "ToolFigure",
     "Tracking",
     "Trajectory",
     "UnknownNameError",
@@ -203,6 +208,7 @@ __all__ = [
     "Yoshikawa",
     "available_measures",
     "available_robots",
+    "carry",
     "check",
     "dynamic_ellipsoid",
     "fewest_interruptions",

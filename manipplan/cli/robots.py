@@ -25,5 +25,5 @@ def robots(name: Positional[str | None] = None, /) -> None:
         for k, each in enumerate(names):
             tell(k / len(names), f"loading {each}")
             robot = load_robot(each)
-            table.add_row(each, str(robot.n), terminal_text(robot.tool))
+            table.add_row(each, str(robot.n), terminal_text(", ".join(robot.tools)))
     console.print(table)

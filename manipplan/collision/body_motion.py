@@ -15,6 +15,9 @@ prismatic joint, bounds a point's acceleration: its part by joints i < j is |z_i
     |p''| <= Σ_j λ_j (v_j² + 2 v_j Σ_{i < j} v_i + a_j),   (3)
 
 without v_j² for a prismatic joint j, and without v_i for a prismatic joint i.
+
+"Between" goes through the last joint that carries both: from there on, joints that carry only the other body count with those
+that carry the first, as one chain from the other body to the first.
 """
 
 import ctypes
@@ -29,7 +32,7 @@ from numpy.typing import NDArray
 from manipplan.collision.covers.fitting import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of
-from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import native_code
@@ -50,7 +53,7 @@ class _Arm(ctypes.Structure):
     _fields_ = [
         (name, _N if name in ("n", "bodies") else _P)
         for name in (
-            *("n", "fixed", "axes", "slides", "bodies", "joint", "points", "radii", "body", "below"),
+            *("n", "before", "carries", "fixed", "axes", "slides", "bodies", "joint", "points", "radii", "body", "below"),
             *("moved", "lever", "row"),
         )
     ]
@@ -83,7 +86,7 @@ class BodyMotion:
         carriers = carrier[pairs]
         #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
-        #: (p,) the body of each pair that is farther from the base, and the joint of the other body
+        #: (p,) the body of each pair whose joint has the higher number, and the joint of the other body
         self.body: BodyIndices = pairs[np.arange(len(pairs)), carriers.argmax(axis=1)]
         self.below: BodyIndices = carriers.min(axis=1)
         kinds = {kind: pair for pair, kind in enumerate(zip(self.body.tolist(), self.below.tolist(), strict=True))}
@@ -96,7 +99,10 @@ class BodyMotion:
         self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
         self._axes = [axis_of(joint) for joint in robot.joints[1:]]
         self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
+        self._before, self._carries = joint_tree(robot)
         self._arrays = {
+            "before": self._before,
+            "carries": self._carries,
             "fixed": np.array([np.concatenate([turn.ravel(), origin]) for turn, origin in self._placements]),
             "axes": np.array(self._axes),
             "slides": self.slides.astype(np.int64),
@@ -147,37 +153,44 @@ class BodyMotion:
 
     def _motion_by_numpy(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         """As `motion`."""
-        rotations, origins, axes = self._chain(q)
-        bodies, where = np.unique(rows * len(self.radii) + self.body[pairs], return_inverse=True)
-        row, body = np.divmod(bodies, len(self.radii))
-        joint = self.joint[body]
-        points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
-        n = q.shape[1]
-        moved = np.zeros((len(bodies), n + 1))  # column j: Σ D_i over the joints i > j
-        for j in range(n, 0, -1):
-            step = change[row, j - 1] * (joint >= j)
-            if not self.slides[j - 1]:
-                lever = points - origins[row, j][:, None]
-                along = np.einsum("uki,ui->uk", lever, axes[row, j])
-                square = np.einsum("uki,uki->uk", lever, lever) - along**2
-                step *= np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[:, j]
-            moved[:, j - 1] = moved[:, j] + step
-        return np.asarray(moved[where, self.below[pairs]])
+        rotations, origins, axes = self._frames(q)
+        moved, n = np.zeros(len(rows)), q.shape[1]
+        kinds = self.joint[self.body[pairs]] * (n + 1) + self.below[pairs]
+        for kind in np.unique(kinds):
+            joint, other = divmod(int(kind), n + 1)
+            here = np.flatnonzero(kinds == kind)
+            row, body = rows[here], self.body[pairs[here]]
+            points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
+            for j in self._between(joint, other):
+                step = change[row, j - 1]
+                if not self.slides[j - 1]:
+                    lever = points - origins[row, j][:, None]
+                    along = np.einsum("uki,ui->uk", lever, axes[row, j])
+                    square = np.einsum("uki,uki->uk", lever, lever) - along**2
+                    step = step * (np.sqrt(np.maximum(square.max(axis=1), 0.0)) + self.radii[body] + moved[here])
+                moved[here] += step
+        return moved
+
+    def _between(self, joint: int, other: int) -> list[int]:
+        """The joints between two, from `joint` down to the last one that carries both, and from there up to `other`."""
+        only, others = (np.flatnonzero(self._carries[a] > self._carries[b]) for a, b in ((joint, other), (other, joint)))
+        return [*only[::-1].tolist(), *others.tolist()]
 
     def largest(self, q: Array, change: Array) -> Array:
         """The largest bound of any pair at each of the configurations q (m, n), (m,) [m]."""
         rows = np.repeat(np.arange(len(q)), len(self._kinds))
         return np.asarray(self.motion(q, change, rows, np.tile(self._kinds, len(q))).reshape(len(q), -1).max(axis=1))
 
-    def _chain(self, q: Array) -> tuple[Array, Array, Array]:
+    def _frames(self, q: Array) -> tuple[Array, Array, Array]:
         """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world and joint frames, in the world."""
         m, n = q.shape
         rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
         rotations[:, 0] = np.eye(3)
         for j, (axis, (rotation, origin)) in enumerate(zip(self._axes, self._placements, strict=True), start=1):
-            before = rotations[:, j - 1]
+            parent = self._before[j - 1]
+            before = rotations[:, parent]
             frame = before @ rotation
-            origins[:, j] = origins[:, j - 1] + before @ origin
+            origins[:, j] = origins[:, parent] + before @ origin
             axes[:, j] = frame @ axis
             if self.slides[j - 1]:
                 rotations[:, j] = frame

@@ -17,6 +17,8 @@ enum { FREE, TOUCHING, UNDECIDED };
 
 typedef struct {
     long n;                 /* number of joints */
+    const long *before;     /* (n) the joint before each; 0: the world */
+    const long *carries;    /* (n + 1, n + 1) [i, j]: whether joint j carries joint i, or is it */
     const double *fixed;    /* (n, 12) rotation and origin of each joint in the frame of the joint before it, at q = 0 */
     const double *axes;     /* (n, 3) axis in the joint's frame */
     const long *slides;     /* (n) whether the joint is prismatic */
@@ -118,7 +120,7 @@ static void place(const World *w, const double *q) {
             memcpy(moved, turn, sizeof turn);
         }
         double joint[12];
-        compose(frames + 12 * j, w->fixed + 12 * j, joint);
+        compose(frames + 12 * w->before[j], w->fixed + 12 * j, joint);
         compose(joint, moved, frames + 12 * (j + 1));
     }
     for (long b = 0; b < w->bodies; b++)
@@ -832,13 +834,15 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
 }
 
 /* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
-   speeds (n), in the world. */
+   speeds (n), in the world: joints that carry only `first` count negative. */
 static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
     for (int i = 0; i < 3; i++) turning[i] = moving[i] = 0;
-    for (long j = first + 1; j <= last; j++) {
-        const double *frame = w->frames + 12 * j;
+    const long *with_first = w->carries + first * (w->n + 1), *with_last = w->carries + last * (w->n + 1);
+    for (long j = 1; j <= w->n; j++) {
+        if (with_first[j] == with_last[j]) continue;
+        const double *frame = w->frames + 12 * j, own = with_last[j] ? speed[j - 1] : -speed[j - 1];
         double axis[3], arc[3];
-        for (int i = 0; i < 3; i++) axis[i] = speed[j - 1] * dot(frame + 3 * i, w->axes + 3 * (j - 1));
+        for (int i = 0; i < 3; i++) axis[i] = own * dot(frame + 3 * i, w->axes + 3 * (j - 1));
         cross(frame + 9, axis, arc);
         for (int i = 0; i < 3; i++) {
             if (w->slides[j - 1]) moving[i] += axis[i];
@@ -1000,7 +1004,7 @@ void manipplan_witnesses(const World *w, const double *q, long m, const long *bo
             for (int i = 0; i < 3; i++) axis[i] = dot(frame + 3 * i, own);
             for (int side = 0; side < 2; side++) {
                 const double *p = side ? b : a;
-                if (j > (side ? second : first)) continue;
+                if (!w->carries[(side ? second : first) * (w->n + 1) + j]) continue;
                 double lever[3] = {p[0] - frame[9], p[1] - frame[10], p[2] - frame[11]};
                 double moved[3];
                 cross(axis, lever, moved);

@@ -1,9 +1,9 @@
-; distances.c 9391b76530810ce68101481a40622f4330e43e0cc83710f71e819e002dfe61b5: written by make kernel
+; distances.c 3928454bb04df1539e093432d7438726523cc7486f0b6f7b2634011ca2639926: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
 
@@ -37,13 +37,13 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   br i1 %14, label %15, label %46
 
 15:                                               ; preds = %13
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %17 = icmp eq ptr %3, null
   br i1 %17, label %245, label %18
 
 18:                                               ; preds = %15
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   %21 = load i64, ptr %16, align 8
   %22 = icmp sgt i64 %21, 0
   br i1 %22, label %23, label %245
@@ -85,29 +85,29 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   br i1 %47, label %51, label %48
 
 48:                                               ; preds = %46
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   %50 = load ptr, ptr %49, align 8
   br label %51
 
 51:                                               ; preds = %46, %48
   %52 = phi ptr [ %50, %48 ], [ null, %46 ]
   tail call fastcc void @place(ptr noundef nonnull %0, ptr noundef %1)
-  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
+  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
   %54 = load i64, ptr %53, align 8
   %55 = icmp sgt i64 %54, 0
   br i1 %55, label %56, label %163
 
 56:                                               ; preds = %51
-  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
-  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
-  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
-  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
+  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %61 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
-  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
+  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
   %63 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
   %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 21
-  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
+  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
   %67 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
   %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
   %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
@@ -252,15 +252,15 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 
 163:                                              ; preds = %158, %76, %51
   %164 = phi i32 [ 0, %51 ], [ %78, %76 ], [ %160, %158 ]
-  %165 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
+  %165 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
   %166 = load i64, ptr %165, align 8
   %167 = icmp sgt i64 %166, 0
   br i1 %167, label %168, label %245
 
 168:                                              ; preds = %163
-  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
-  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
+  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
   %172 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
   %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
   %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
@@ -398,9 +398,9 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %7, label %15, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %12 = load i64, ptr %11, align 8
   %13 = mul i64 %12, 24
   tail call void @llvm.memset.p0.i64(ptr align 8 %10, i8 0, i64 %13, i1 false)
@@ -413,9 +413,9 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 
 17:                                               ; preds = %8, %15
   %18 = phi ptr [ %14, %8 ], [ null, %15 ]
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   br label %23
 
 22:                                               ; preds = %46, %15
@@ -482,9 +482,9 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   br i1 %9, label %17, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %14 = load i64, ptr %13, align 8
   %15 = mul i64 %14, 24
   tail call void @llvm.memset.p0.i64(ptr align 8 %12, i8 0, i64 %15, i1 false)
@@ -497,9 +497,9 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 19:                                               ; preds = %10, %17
   %20 = phi ptr [ %16, %10 ], [ null, %17 ]
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   br label %26
 
 24:                                               ; preds = %40, %17
@@ -568,8 +568,8 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   store i64 0, ptr %6, align 8
   store i64 -1, ptr %7, align 8
   %10 = icmp sgt i64 %2, 0
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   br label %13
 
 13:                                               ; preds = %77, %8
@@ -839,17 +839,17 @@ declare double @llvm.fabs.f64(double) #3
 define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #4 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %6 = load ptr, ptr %5, align 8
   tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %6, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
   %7 = load i64, ptr %0, align 8
   %8 = icmp sgt i64 %7, 0
-  br i1 %8, label %9, label %27
+  br i1 %8, label %9, label %29
 
 9:                                                ; preds = %2
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
   %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
   %13 = load ptr, ptr %12, align 8
   %14 = getelementptr inbounds i8, ptr %3, i64 8
   %15 = getelementptr inbounds i8, ptr %3, i64 16
@@ -864,299 +864,304 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %24 = getelementptr inbounds i8, ptr %3, i64 88
   %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
   %26 = load ptr, ptr %25, align 8
-  br label %36
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %28 = load ptr, ptr %27, align 8
+  br label %38
 
-27:                                               ; preds = %193, %2
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %29 = load i64, ptr %28, align 8
-  %30 = icmp sgt i64 %29, 0
-  br i1 %30, label %31, label %195
+29:                                               ; preds = %198, %2
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %31 = load i64, ptr %30, align 8
+  %32 = icmp sgt i64 %31, 0
+  br i1 %32, label %33, label %200
 
-31:                                               ; preds = %27
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %35 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  br label %196
+33:                                               ; preds = %29
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
+  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  br label %201
 
-36:                                               ; preds = %9, %193
-  %37 = phi i64 [ 0, %9 ], [ %144, %193 ]
-  %38 = mul nsw i64 %37, 3
-  %39 = getelementptr inbounds double, ptr %11, i64 %38
+38:                                               ; preds = %9, %198
+  %39 = phi i64 [ 0, %9 ], [ %149, %198 ]
+  %40 = mul nsw i64 %39, 3
+  %41 = getelementptr inbounds double, ptr %11, i64 %40
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
-  %40 = getelementptr inbounds i64, ptr %13, i64 %37
-  %41 = load i64, ptr %40, align 8
-  %42 = icmp eq i64 %41, 0
-  br i1 %42, label %55, label %43
+  %42 = getelementptr inbounds i64, ptr %13, i64 %39
+  %43 = load i64, ptr %42, align 8
+  %44 = icmp eq i64 %43, 0
+  br i1 %44, label %57, label %45
 
-43:                                               ; preds = %36
+45:                                               ; preds = %38
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %3, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
-  %44 = getelementptr inbounds double, ptr %1, i64 %37
-  %45 = load double, ptr %44, align 8
-  br label %46
+  %46 = getelementptr inbounds double, ptr %1, i64 %39
+  %47 = load double, ptr %46, align 8
+  br label %48
 
-46:                                               ; preds = %43, %46
-  %47 = phi i64 [ 0, %43 ], [ %53, %46 ]
-  %48 = getelementptr inbounds double, ptr %39, i64 %47
-  %49 = load double, ptr %48, align 8
-  %50 = fmul double %45, %49
-  %51 = add nuw nsw i64 %47, 9
-  %52 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %51
-  store double %50, ptr %52, align 8
-  %53 = add nuw nsw i64 %47, 1
-  %54 = icmp eq i64 %53, 3
-  br i1 %54, label %90, label %46
+48:                                               ; preds = %45, %48
+  %49 = phi i64 [ 0, %45 ], [ %55, %48 ]
+  %50 = getelementptr inbounds double, ptr %41, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = fmul double %47, %51
+  %53 = add nuw nsw i64 %49, 9
+  %54 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %53
+  store double %52, ptr %54, align 8
+  %55 = add nuw nsw i64 %49, 1
+  %56 = icmp eq i64 %55, 3
+  br i1 %56, label %92, label %48
 
-55:                                               ; preds = %36
-  %56 = getelementptr inbounds double, ptr %1, i64 %37
-  %57 = load double, ptr %56, align 8
-  %58 = tail call double @llvm.sin.f64(double %57)
-  %59 = tail call double @llvm.cos.f64(double %57)
-  %60 = fsub double 1.000000e+00, %59
-  %61 = load double, ptr %39, align 8
-  %62 = fmul double %61, %60
-  %63 = fmul double %61, %62
-  %64 = fadd double %59, %63
-  %65 = getelementptr inbounds double, ptr %39, i64 1
-  %66 = load double, ptr %65, align 8
-  %67 = fmul double %66, %62
-  %68 = getelementptr inbounds double, ptr %39, i64 2
-  %69 = load double, ptr %68, align 8
-  %70 = fmul double %58, %69
-  %71 = fsub double %67, %70
-  %72 = fmul double %62, %69
-  %73 = fmul double %58, %66
-  %74 = fadd double %73, %72
-  %75 = fmul double %60, %66
-  %76 = fmul double %61, %75
-  %77 = fadd double %76, %70
-  %78 = fmul double %66, %75
-  %79 = fadd double %59, %78
-  %80 = fmul double %75, %69
-  %81 = fmul double %58, %61
-  %82 = fsub double %80, %81
-  %83 = fmul double %60, %69
-  %84 = fmul double %61, %83
-  %85 = fsub double %84, %73
-  %86 = fmul double %66, %83
-  %87 = fadd double %81, %86
-  %88 = fmul double %69, %83
-  %89 = fadd double %59, %88
-  store double %64, ptr %3, align 16
-  store double %71, ptr %14, align 8
-  store double %74, ptr %15, align 16
-  store double %77, ptr %16, align 8
-  store double %79, ptr %17, align 16
-  store double %82, ptr %18, align 8
-  store double %85, ptr %19, align 16
-  store double %87, ptr %20, align 8
-  store double %89, ptr %21, align 16
+57:                                               ; preds = %38
+  %58 = getelementptr inbounds double, ptr %1, i64 %39
+  %59 = load double, ptr %58, align 8
+  %60 = tail call double @llvm.sin.f64(double %59)
+  %61 = tail call double @llvm.cos.f64(double %59)
+  %62 = fsub double 1.000000e+00, %61
+  %63 = load double, ptr %41, align 8
+  %64 = fmul double %63, %62
+  %65 = fmul double %63, %64
+  %66 = fadd double %61, %65
+  %67 = getelementptr inbounds double, ptr %41, i64 1
+  %68 = load double, ptr %67, align 8
+  %69 = fmul double %68, %64
+  %70 = getelementptr inbounds double, ptr %41, i64 2
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %60, %71
+  %73 = fsub double %69, %72
+  %74 = fmul double %64, %71
+  %75 = fmul double %60, %68
+  %76 = fadd double %75, %74
+  %77 = fmul double %62, %68
+  %78 = fmul double %63, %77
+  %79 = fadd double %78, %72
+  %80 = fmul double %68, %77
+  %81 = fadd double %61, %80
+  %82 = fmul double %77, %71
+  %83 = fmul double %60, %63
+  %84 = fsub double %82, %83
+  %85 = fmul double %62, %71
+  %86 = fmul double %63, %85
+  %87 = fsub double %86, %75
+  %88 = fmul double %68, %85
+  %89 = fadd double %83, %88
+  %90 = fmul double %71, %85
+  %91 = fadd double %61, %90
+  store double %66, ptr %3, align 16
+  store double %73, ptr %14, align 8
+  store double %76, ptr %15, align 16
+  store double %79, ptr %16, align 8
+  store double %81, ptr %17, align 16
+  store double %84, ptr %18, align 8
+  store double %87, ptr %19, align 16
+  store double %89, ptr %20, align 8
+  store double %91, ptr %21, align 16
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %22, i8 0, i64 24, i1 false)
-  br label %90
+  br label %92
 
-90:                                               ; preds = %46, %55
+92:                                               ; preds = %48, %57
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
-  %91 = mul nsw i64 %37, 12
-  %92 = getelementptr inbounds double, ptr %6, i64 %91
-  %93 = getelementptr inbounds double, ptr %26, i64 %91
-  %94 = getelementptr inbounds double, ptr %93, i64 9
-  %95 = getelementptr inbounds double, ptr %93, i64 10
-  %96 = getelementptr inbounds double, ptr %93, i64 11
-  %97 = load double, ptr %94, align 8
-  %98 = load double, ptr %95, align 8
-  %99 = load double, ptr %96, align 8
-  br label %100
+  %93 = getelementptr inbounds i64, ptr %26, i64 %39
+  %94 = load i64, ptr %93, align 8
+  %95 = mul nsw i64 %94, 12
+  %96 = getelementptr inbounds double, ptr %6, i64 %95
+  %97 = mul nsw i64 %39, 12
+  %98 = getelementptr inbounds double, ptr %28, i64 %97
+  %99 = getelementptr inbounds double, ptr %98, i64 9
+  %100 = getelementptr inbounds double, ptr %98, i64 10
+  %101 = getelementptr inbounds double, ptr %98, i64 11
+  %102 = load double, ptr %99, align 8
+  %103 = load double, ptr %100, align 8
+  %104 = load double, ptr %101, align 8
+  br label %105
 
-100:                                              ; preds = %111, %90
-  %101 = phi i64 [ 0, %90 ], [ %122, %111 ]
-  %102 = mul nuw nsw i64 %101, 3
-  %103 = getelementptr inbounds double, ptr %92, i64 %102
-  %104 = add nuw nsw i64 %102, 1
-  %105 = getelementptr inbounds double, ptr %92, i64 %104
-  %106 = add nuw nsw i64 %102, 2
-  %107 = getelementptr inbounds double, ptr %92, i64 %106
-  %108 = load double, ptr %103, align 8
-  %109 = load double, ptr %105, align 8
-  %110 = load double, ptr %107, align 8
-  br label %124
+105:                                              ; preds = %116, %92
+  %106 = phi i64 [ 0, %92 ], [ %127, %116 ]
+  %107 = mul nuw nsw i64 %106, 3
+  %108 = getelementptr inbounds double, ptr %96, i64 %107
+  %109 = add nuw nsw i64 %107, 1
+  %110 = getelementptr inbounds double, ptr %96, i64 %109
+  %111 = add nuw nsw i64 %107, 2
+  %112 = getelementptr inbounds double, ptr %96, i64 %111
+  %113 = load double, ptr %108, align 8
+  %114 = load double, ptr %110, align 8
+  %115 = load double, ptr %112, align 8
+  br label %129
 
-111:                                              ; preds = %124
-  %112 = fmul double %108, %97
-  %113 = fmul double %109, %98
-  %114 = fadd double %112, %113
-  %115 = fmul double %110, %99
-  %116 = fadd double %114, %115
-  %117 = add nuw nsw i64 %101, 9
-  %118 = getelementptr inbounds double, ptr %92, i64 %117
-  %119 = load double, ptr %118, align 8
-  %120 = fadd double %119, %116
-  %121 = getelementptr inbounds double, ptr %4, i64 %117
-  store double %120, ptr %121, align 8
-  %122 = add nuw nsw i64 %101, 1
-  %123 = icmp eq i64 %122, 3
-  br i1 %123, label %143, label %100
+116:                                              ; preds = %129
+  %117 = fmul double %113, %102
+  %118 = fmul double %114, %103
+  %119 = fadd double %117, %118
+  %120 = fmul double %115, %104
+  %121 = fadd double %119, %120
+  %122 = add nuw nsw i64 %106, 9
+  %123 = getelementptr inbounds double, ptr %96, i64 %122
+  %124 = load double, ptr %123, align 8
+  %125 = fadd double %124, %121
+  %126 = getelementptr inbounds double, ptr %4, i64 %122
+  store double %125, ptr %126, align 8
+  %127 = add nuw nsw i64 %106, 1
+  %128 = icmp eq i64 %127, 3
+  br i1 %128, label %148, label %105
 
-124:                                              ; preds = %124, %100
-  %125 = phi i64 [ 0, %100 ], [ %141, %124 ]
-  %126 = getelementptr inbounds double, ptr %93, i64 %125
-  %127 = load double, ptr %126, align 8
-  %128 = fmul double %108, %127
-  %129 = add nuw nsw i64 %125, 3
-  %130 = getelementptr inbounds double, ptr %93, i64 %129
-  %131 = load double, ptr %130, align 8
-  %132 = fmul double %109, %131
-  %133 = fadd double %128, %132
-  %134 = add nuw nsw i64 %125, 6
-  %135 = getelementptr inbounds double, ptr %93, i64 %134
+129:                                              ; preds = %129, %105
+  %130 = phi i64 [ 0, %105 ], [ %146, %129 ]
+  %131 = getelementptr inbounds double, ptr %98, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fmul double %113, %132
+  %134 = add nuw nsw i64 %130, 3
+  %135 = getelementptr inbounds double, ptr %98, i64 %134
   %136 = load double, ptr %135, align 8
-  %137 = fmul double %110, %136
+  %137 = fmul double %114, %136
   %138 = fadd double %133, %137
-  %139 = add nuw nsw i64 %125, %102
-  %140 = getelementptr inbounds double, ptr %4, i64 %139
-  store double %138, ptr %140, align 8
-  %141 = add nuw nsw i64 %125, 1
-  %142 = icmp eq i64 %141, 3
-  br i1 %142, label %111, label %124
+  %139 = add nuw nsw i64 %130, 6
+  %140 = getelementptr inbounds double, ptr %98, i64 %139
+  %141 = load double, ptr %140, align 8
+  %142 = fmul double %115, %141
+  %143 = fadd double %138, %142
+  %144 = add nuw nsw i64 %130, %107
+  %145 = getelementptr inbounds double, ptr %4, i64 %144
+  store double %143, ptr %145, align 8
+  %146 = add nuw nsw i64 %130, 1
+  %147 = icmp eq i64 %146, 3
+  br i1 %147, label %116, label %129
 
-143:                                              ; preds = %111
-  %144 = add nuw nsw i64 %37, 1
-  %145 = mul nsw i64 %144, 12
-  %146 = getelementptr inbounds double, ptr %6, i64 %145
-  %147 = load double, ptr %22, align 8
-  %148 = load double, ptr %23, align 16
-  %149 = load double, ptr %24, align 8
-  br label %150
+148:                                              ; preds = %116
+  %149 = add nuw nsw i64 %39, 1
+  %150 = mul nsw i64 %149, 12
+  %151 = getelementptr inbounds double, ptr %6, i64 %150
+  %152 = load double, ptr %22, align 8
+  %153 = load double, ptr %23, align 16
+  %154 = load double, ptr %24, align 8
+  br label %155
 
-150:                                              ; preds = %161, %143
-  %151 = phi i64 [ 0, %143 ], [ %172, %161 ]
-  %152 = mul nuw nsw i64 %151, 3
-  %153 = getelementptr inbounds double, ptr %4, i64 %152
-  %154 = add nuw nsw i64 %152, 1
-  %155 = getelementptr inbounds double, ptr %4, i64 %154
-  %156 = add nuw nsw i64 %152, 2
-  %157 = getelementptr inbounds double, ptr %4, i64 %156
-  %158 = load double, ptr %153, align 8
-  %159 = load double, ptr %155, align 8
-  %160 = load double, ptr %157, align 8
-  br label %174
+155:                                              ; preds = %166, %148
+  %156 = phi i64 [ 0, %148 ], [ %177, %166 ]
+  %157 = mul nuw nsw i64 %156, 3
+  %158 = getelementptr inbounds double, ptr %4, i64 %157
+  %159 = add nuw nsw i64 %157, 1
+  %160 = getelementptr inbounds double, ptr %4, i64 %159
+  %161 = add nuw nsw i64 %157, 2
+  %162 = getelementptr inbounds double, ptr %4, i64 %161
+  %163 = load double, ptr %158, align 8
+  %164 = load double, ptr %160, align 8
+  %165 = load double, ptr %162, align 8
+  br label %179
 
-161:                                              ; preds = %174
-  %162 = fmul double %158, %147
-  %163 = fmul double %159, %148
-  %164 = fadd double %162, %163
-  %165 = fmul double %160, %149
-  %166 = fadd double %164, %165
-  %167 = add nuw nsw i64 %151, 9
-  %168 = getelementptr inbounds double, ptr %4, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fadd double %169, %166
-  %171 = getelementptr inbounds double, ptr %146, i64 %167
-  store double %170, ptr %171, align 8
-  %172 = add nuw nsw i64 %151, 1
-  %173 = icmp eq i64 %172, 3
-  br i1 %173, label %193, label %150
+166:                                              ; preds = %179
+  %167 = fmul double %163, %152
+  %168 = fmul double %164, %153
+  %169 = fadd double %167, %168
+  %170 = fmul double %165, %154
+  %171 = fadd double %169, %170
+  %172 = add nuw nsw i64 %156, 9
+  %173 = getelementptr inbounds double, ptr %4, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = fadd double %174, %171
+  %176 = getelementptr inbounds double, ptr %151, i64 %172
+  store double %175, ptr %176, align 8
+  %177 = add nuw nsw i64 %156, 1
+  %178 = icmp eq i64 %177, 3
+  br i1 %178, label %198, label %155
 
-174:                                              ; preds = %174, %150
-  %175 = phi i64 [ 0, %150 ], [ %191, %174 ]
-  %176 = getelementptr inbounds double, ptr %3, i64 %175
-  %177 = load double, ptr %176, align 8
-  %178 = fmul double %158, %177
-  %179 = add nuw nsw i64 %175, 3
-  %180 = getelementptr inbounds double, ptr %3, i64 %179
-  %181 = load double, ptr %180, align 8
-  %182 = fmul double %159, %181
-  %183 = fadd double %178, %182
-  %184 = add nuw nsw i64 %175, 6
+179:                                              ; preds = %179, %155
+  %180 = phi i64 [ 0, %155 ], [ %196, %179 ]
+  %181 = getelementptr inbounds double, ptr %3, i64 %180
+  %182 = load double, ptr %181, align 8
+  %183 = fmul double %163, %182
+  %184 = add nuw nsw i64 %180, 3
   %185 = getelementptr inbounds double, ptr %3, i64 %184
   %186 = load double, ptr %185, align 8
-  %187 = fmul double %160, %186
+  %187 = fmul double %164, %186
   %188 = fadd double %183, %187
-  %189 = add nuw nsw i64 %175, %152
-  %190 = getelementptr inbounds double, ptr %146, i64 %189
-  store double %188, ptr %190, align 8
-  %191 = add nuw nsw i64 %175, 1
-  %192 = icmp eq i64 %191, 3
-  br i1 %192, label %161, label %174
+  %189 = add nuw nsw i64 %180, 6
+  %190 = getelementptr inbounds double, ptr %3, i64 %189
+  %191 = load double, ptr %190, align 8
+  %192 = fmul double %165, %191
+  %193 = fadd double %188, %192
+  %194 = add nuw nsw i64 %180, %157
+  %195 = getelementptr inbounds double, ptr %151, i64 %194
+  store double %193, ptr %195, align 8
+  %196 = add nuw nsw i64 %180, 1
+  %197 = icmp eq i64 %196, 3
+  br i1 %197, label %166, label %179
 
-193:                                              ; preds = %161
+198:                                              ; preds = %166
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
-  %194 = icmp eq i64 %144, %7
-  br i1 %194, label %27, label %36
+  %199 = icmp eq i64 %149, %7
+  br i1 %199, label %29, label %38
 
-195:                                              ; preds = %238, %27
+200:                                              ; preds = %243, %29
   ret void
 
-196:                                              ; preds = %31, %238
-  %197 = phi i64 [ 0, %31 ], [ %239, %238 ]
-  %198 = getelementptr inbounds i64, ptr %33, i64 %197
-  %199 = load i64, ptr %198, align 8
-  %200 = icmp sgt i64 %199, 0
-  br i1 %200, label %201, label %238
+201:                                              ; preds = %33, %243
+  %202 = phi i64 [ 0, %33 ], [ %244, %243 ]
+  %203 = getelementptr inbounds i64, ptr %35, i64 %202
+  %204 = load i64, ptr %203, align 8
+  %205 = icmp sgt i64 %204, 0
+  br i1 %205, label %206, label %243
 
-201:                                              ; preds = %196
-  %202 = mul nsw i64 %199, 12
-  %203 = getelementptr inbounds double, ptr %6, i64 %202
-  %204 = load ptr, ptr %34, align 8
-  %205 = shl nsw i64 %197, 2
-  %206 = getelementptr inbounds double, ptr %204, i64 %205
-  %207 = load ptr, ptr %35, align 8
-  %208 = mul nsw i64 %197, 3
-  %209 = getelementptr inbounds double, ptr %207, i64 %208
-  %210 = getelementptr inbounds double, ptr %206, i64 1
-  %211 = getelementptr inbounds double, ptr %206, i64 2
-  br label %212
+206:                                              ; preds = %201
+  %207 = mul nsw i64 %204, 12
+  %208 = getelementptr inbounds double, ptr %6, i64 %207
+  %209 = load ptr, ptr %36, align 8
+  %210 = shl nsw i64 %202, 2
+  %211 = getelementptr inbounds double, ptr %209, i64 %210
+  %212 = load ptr, ptr %37, align 8
+  %213 = mul nsw i64 %202, 3
+  %214 = getelementptr inbounds double, ptr %212, i64 %213
+  %215 = getelementptr inbounds double, ptr %211, i64 1
+  %216 = getelementptr inbounds double, ptr %211, i64 2
+  br label %217
 
-212:                                              ; preds = %212, %201
-  %213 = phi i64 [ 0, %201 ], [ %236, %212 ]
-  %214 = mul nuw nsw i64 %213, 3
-  %215 = getelementptr inbounds double, ptr %203, i64 %214
-  %216 = load double, ptr %215, align 8
-  %217 = load double, ptr %206, align 8
-  %218 = fmul double %216, %217
-  %219 = add nuw nsw i64 %214, 1
-  %220 = getelementptr inbounds double, ptr %203, i64 %219
+217:                                              ; preds = %217, %206
+  %218 = phi i64 [ 0, %206 ], [ %241, %217 ]
+  %219 = mul nuw nsw i64 %218, 3
+  %220 = getelementptr inbounds double, ptr %208, i64 %219
   %221 = load double, ptr %220, align 8
-  %222 = load double, ptr %210, align 8
+  %222 = load double, ptr %211, align 8
   %223 = fmul double %221, %222
-  %224 = fadd double %218, %223
-  %225 = add nuw nsw i64 %214, 2
-  %226 = getelementptr inbounds double, ptr %203, i64 %225
-  %227 = load double, ptr %226, align 8
-  %228 = load double, ptr %211, align 8
-  %229 = fmul double %227, %228
-  %230 = fadd double %224, %229
-  %231 = add nuw nsw i64 %213, 9
-  %232 = getelementptr inbounds double, ptr %203, i64 %231
-  %233 = load double, ptr %232, align 8
-  %234 = fadd double %233, %230
-  %235 = getelementptr inbounds double, ptr %209, i64 %213
-  store double %234, ptr %235, align 8
-  %236 = add nuw nsw i64 %213, 1
-  %237 = icmp eq i64 %236, 3
-  br i1 %237, label %238, label %212
+  %224 = add nuw nsw i64 %219, 1
+  %225 = getelementptr inbounds double, ptr %208, i64 %224
+  %226 = load double, ptr %225, align 8
+  %227 = load double, ptr %215, align 8
+  %228 = fmul double %226, %227
+  %229 = fadd double %223, %228
+  %230 = add nuw nsw i64 %219, 2
+  %231 = getelementptr inbounds double, ptr %208, i64 %230
+  %232 = load double, ptr %231, align 8
+  %233 = load double, ptr %216, align 8
+  %234 = fmul double %232, %233
+  %235 = fadd double %229, %234
+  %236 = add nuw nsw i64 %218, 9
+  %237 = getelementptr inbounds double, ptr %208, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = fadd double %238, %235
+  %240 = getelementptr inbounds double, ptr %214, i64 %218
+  store double %239, ptr %240, align 8
+  %241 = add nuw nsw i64 %218, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %243, label %217
 
-238:                                              ; preds = %212, %196
-  %239 = add nuw nsw i64 %197, 1
-  %240 = icmp eq i64 %239, %29
-  br i1 %240, label %195, label %196
+243:                                              ; preds = %217, %201
+  %244 = add nuw nsw i64 %202, 1
+  %245 = icmp eq i64 %244, %31
+  br i1 %245, label %200, label %201
 }
 
 define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i64, ptr %7, i64 %1
   %9 = load i64, ptr %8, align 8
   %10 = mul nsw i64 %9, 12
   %11 = getelementptr inbounds double, ptr %5, i64 %10
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
   %13 = load ptr, ptr %12, align 8
   %14 = getelementptr inbounds i64, ptr %13, i64 %1
   %15 = load i64, ptr %14, align 8
   store i64 %15, ptr %2, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
   %17 = load ptr, ptr %16, align 8
   %18 = mul nsw i64 %1, 3
   %19 = getelementptr inbounds double, ptr %17, i64 %18
@@ -1166,27 +1171,27 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br i1 %21, label %22, label %44
 
 22:                                               ; preds = %3
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
   %24 = load ptr, ptr %23, align 8
   %25 = getelementptr inbounds i64, ptr %24, i64 %1
   %26 = load i64, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds i64, ptr %28, i64 %1
   %30 = load i64, ptr %29, align 8
   %31 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
   store i64 %30, ptr %31, align 8
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %33 = load ptr, ptr %32, align 8
   %34 = getelementptr inbounds double, ptr %33, i64 %26
   %35 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
   store ptr %34, ptr %35, align 8
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
   %37 = load ptr, ptr %36, align 8
   %38 = getelementptr inbounds double, ptr %37, i64 %26
   %39 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
   store ptr %38, ptr %39, align 8
-  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
   %41 = load ptr, ptr %40, align 8
   %42 = getelementptr inbounds double, ptr %41, i64 %26
   %43 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
@@ -1194,7 +1199,7 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br label %102
 
 44:                                               ; preds = %3
-  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %46 = load ptr, ptr %45, align 8
   %47 = mul nsw i64 %1, 12
   %48 = getelementptr inbounds double, ptr %46, i64 %47
@@ -1308,7 +1313,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %33, label %308, label %34
 
 34:                                               ; preds = %26, %30
-  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 6
+  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 8
   %36 = load ptr, ptr %35, align 8
   %37 = getelementptr inbounds i64, ptr %36, i64 %1
   %38 = load i64, ptr %37, align 8
@@ -1349,7 +1354,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %60, label %61, label %67
 
 61:                                               ; preds = %55
-  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 34
+  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 36
   %63 = load ptr, ptr %62, align 8
   %64 = load i64, ptr %57, align 8
   %65 = add nsw i64 %64, 1
@@ -1425,9 +1430,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
   %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
-  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 27
+  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 29
   %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 29
+  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 31
   %104 = load ptr, ptr %103, align 8
   %105 = getelementptr inbounds i64, ptr %104, i64 %1
   %106 = load i64, ptr %105, align 8
@@ -1441,7 +1446,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %110 = getelementptr inbounds i64, ptr %109, i64 %1
   %111 = load i64, ptr %110, align 8
   call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %111, ptr noundef nonnull %6)
-  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
+  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 13
   %113 = load ptr, ptr %112, align 8
   %114 = mul nsw i64 %1, 3
   %115 = getelementptr inbounds double, ptr %113, i64 %114
@@ -1512,7 +1517,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 152:                                              ; preds = %143, %149
   %153 = phi double [ 0xFFF0000000000000, %143 ], [ %151, %149 ]
   %154 = phi double [ %148, %143 ], [ %151, %149 ]
-  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 32
+  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 34
   %156 = load ptr, ptr %155, align 8
   %157 = mul nsw i64 %42, 3
   %158 = getelementptr inbounds double, ptr %156, i64 %157
@@ -1521,7 +1526,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br label %186
 
 161:                                              ; preds = %186
-  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 12
+  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 14
   %163 = load ptr, ptr %162, align 8
   %164 = shl nsw i64 %42, 2
   %165 = or i64 %164, 3
@@ -1696,7 +1701,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 284:                                              ; preds = %280
   %285 = load double, ptr %12, align 8
   %286 = fneg double %285
-  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 9
+  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
   %288 = load ptr, ptr %287, align 8
   %289 = load i64, ptr %41, align 8
   %290 = getelementptr inbounds double, ptr %288, i64 %289
@@ -1763,14 +1768,14 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   br i1 %22, label %23, label %39
 
 23:                                               ; preds = %9
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %27 = getelementptr inbounds double, ptr %10, i64 1
   %28 = getelementptr inbounds double, ptr %10, i64 2
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %32 = getelementptr inbounds double, ptr %14, i64 1
   %33 = getelementptr inbounds double, ptr %18, i64 1
   %34 = getelementptr inbounds double, ptr %14, i64 2
@@ -2174,15 +2179,15 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
   %11 = load ptr, ptr %10, align 8
   %12 = getelementptr inbounds i64, ptr %11, i64 %3
   %13 = load i64, ptr %12, align 8
   %14 = mul nsw i64 %13, 12
   %15 = getelementptr inbounds double, ptr %9, i64 %14
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %17 = load ptr, ptr %16, align 8
   %18 = mul nsw i64 %3, 12
   %19 = getelementptr inbounds double, ptr %17, i64 %18
@@ -2263,7 +2268,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   br i1 %79, label %69, label %70
 
 80:                                               ; preds = %89
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds double, ptr %82, i64 %1
   %84 = load double, ptr %83, align 8
@@ -2295,7 +2300,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
 }
 
 define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %1
   %16 = load double, ptr %15, align 8
@@ -2614,140 +2619,165 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #6 {
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  br label %18
+  br label %23
 
-9:                                                ; preds = %18
-  %10 = icmp slt i64 %1, %2
-  br i1 %10, label %11, label %24
+9:                                                ; preds = %23
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %11 = load ptr, ptr %10, align 8
+  %12 = load i64, ptr %0, align 8
+  %13 = add i64 %12, 1
+  %14 = mul nsw i64 %13, %1
+  %15 = getelementptr inbounds i64, ptr %11, i64 %14
+  %16 = mul nsw i64 %13, %2
+  %17 = getelementptr inbounds i64, ptr %11, i64 %16
+  %18 = icmp slt i64 %12, 1
+  br i1 %18, label %29, label %19
 
-11:                                               ; preds = %9
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %17 = load ptr, ptr %16, align 8
-  br label %25
+19:                                               ; preds = %9
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  br label %30
 
-18:                                               ; preds = %6, %18
-  %19 = phi i64 [ 0, %6 ], [ %22, %18 ]
-  %20 = getelementptr inbounds double, ptr %5, i64 %19
-  store double 0.000000e+00, ptr %20, align 8
-  %21 = getelementptr inbounds double, ptr %4, i64 %19
-  store double 0.000000e+00, ptr %21, align 8
-  %22 = add nuw nsw i64 %19, 1
-  %23 = icmp eq i64 %22, 3
-  br i1 %23, label %9, label %18
+23:                                               ; preds = %6, %23
+  %24 = phi i64 [ 0, %6 ], [ %27, %23 ]
+  %25 = getelementptr inbounds double, ptr %5, i64 %24
+  store double 0.000000e+00, ptr %25, align 8
+  %26 = getelementptr inbounds double, ptr %4, i64 %24
+  store double 0.000000e+00, ptr %26, align 8
+  %27 = add nuw nsw i64 %24, 1
+  %28 = icmp eq i64 %27, 3
+  br i1 %28, label %9, label %23
 
-24:                                               ; preds = %87, %9
+29:                                               ; preds = %124, %9
   ret void
 
-25:                                               ; preds = %11, %87
-  %26 = phi i64 [ %1, %11 ], [ %27, %87 ]
-  %27 = add nsw i64 %26, 1
-  %28 = mul nsw i64 %27, 12
-  %29 = getelementptr inbounds double, ptr %13, i64 %28
+30:                                               ; preds = %19, %124
+  %31 = phi i64 [ 1, %19 ], [ %125, %124 ]
+  %32 = getelementptr inbounds i64, ptr %15, i64 %31
+  %33 = load i64, ptr %32, align 8
+  %34 = getelementptr inbounds i64, ptr %17, i64 %31
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp eq i64 %33, %35
+  br i1 %36, label %124, label %37
+
+37:                                               ; preds = %30
+  %38 = load ptr, ptr %20, align 8
+  %39 = mul nsw i64 %31, 12
+  %40 = getelementptr inbounds double, ptr %38, i64 %39
+  %41 = icmp eq i64 %35, 0
+  %42 = add nsw i64 %31, -1
+  %43 = getelementptr inbounds double, ptr %3, i64 %42
+  %44 = load double, ptr %43, align 8
+  %45 = fneg double %44
+  %46 = select i1 %41, double %45, double %44
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  %30 = getelementptr inbounds double, ptr %3, i64 %26
-  %31 = load double, ptr %30, align 8
-  %32 = mul nsw i64 %26, 3
-  %33 = getelementptr inbounds double, ptr %15, i64 %32
-  %34 = load double, ptr %33, align 8
-  %35 = getelementptr inbounds double, ptr %33, i64 1
-  %36 = load double, ptr %35, align 8
-  %37 = getelementptr inbounds double, ptr %33, i64 2
-  %38 = load double, ptr %37, align 8
-  br label %69
-
-39:                                               ; preds = %69
-  %40 = getelementptr inbounds double, ptr %29, i64 9
-  br label %41
-
-41:                                               ; preds = %41, %39
-  %42 = phi i64 [ 0, %39 ], [ %43, %41 ]
-  %43 = add nuw nsw i64 %42, 1
-  %44 = icmp ult i64 %42, 2
-  %45 = add nuw nsw i64 %42, 4294967294
-  %46 = select i1 %44, i64 %43, i64 %45
-  %47 = and i64 %46, 4294967295
-  %48 = getelementptr inbounds double, ptr %40, i64 %47
-  %49 = load double, ptr %48, align 8
-  %50 = icmp eq i64 %42, 0
-  %51 = add nuw nsw i64 %42, 4294967295
-  %52 = and i64 %51, 4294967295
-  %53 = select i1 %50, i64 2, i64 %52
-  %54 = getelementptr inbounds double, ptr %7, i64 %53
+  %47 = load ptr, ptr %21, align 8
+  %48 = mul i64 %31, 3
+  %49 = add i64 %48, -3
+  %50 = getelementptr inbounds double, ptr %47, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %50, i64 1
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr inbounds double, ptr %50, i64 2
   %55 = load double, ptr %54, align 8
-  %56 = fmul double %49, %55
-  %57 = getelementptr inbounds double, ptr %40, i64 %53
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds double, ptr %7, i64 %47
-  %60 = load double, ptr %59, align 8
-  %61 = fmul double %58, %60
-  %62 = fsub double %56, %61
-  %63 = getelementptr inbounds double, ptr %8, i64 %42
-  store double %62, ptr %63, align 8
-  %64 = icmp eq i64 %43, 3
-  br i1 %64, label %65, label %41
+  br label %88
 
-65:                                               ; preds = %41
-  %66 = getelementptr inbounds i64, ptr %17, i64 %26
-  %67 = load i64, ptr %66, align 8
-  %68 = icmp eq i64 %67, 0
-  br label %89
+56:                                               ; preds = %88
+  %57 = getelementptr inbounds double, ptr %40, i64 9
+  br label %58
 
-69:                                               ; preds = %25, %69
-  %70 = phi i64 [ 0, %25 ], [ %85, %69 ]
-  %71 = mul nuw nsw i64 %70, 3
-  %72 = getelementptr inbounds double, ptr %29, i64 %71
-  %73 = load double, ptr %72, align 8
-  %74 = fmul double %73, %34
-  %75 = getelementptr inbounds double, ptr %72, i64 1
-  %76 = load double, ptr %75, align 8
-  %77 = fmul double %76, %36
-  %78 = fadd double %74, %77
-  %79 = getelementptr inbounds double, ptr %72, i64 2
-  %80 = load double, ptr %79, align 8
-  %81 = fmul double %80, %38
-  %82 = fadd double %78, %81
-  %83 = fmul double %31, %82
-  %84 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %70
-  store double %83, ptr %84, align 8
-  %85 = add nuw nsw i64 %70, 1
-  %86 = icmp eq i64 %85, 3
-  br i1 %86, label %39, label %69
+58:                                               ; preds = %58, %56
+  %59 = phi i64 [ 0, %56 ], [ %60, %58 ]
+  %60 = add nuw nsw i64 %59, 1
+  %61 = icmp ult i64 %59, 2
+  %62 = add nuw nsw i64 %59, 4294967294
+  %63 = select i1 %61, i64 %60, i64 %62
+  %64 = and i64 %63, 4294967295
+  %65 = getelementptr inbounds double, ptr %57, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = icmp eq i64 %59, 0
+  %68 = add nuw nsw i64 %59, 4294967295
+  %69 = and i64 %68, 4294967295
+  %70 = select i1 %67, i64 2, i64 %69
+  %71 = getelementptr inbounds double, ptr %7, i64 %70
+  %72 = load double, ptr %71, align 8
+  %73 = fmul double %66, %72
+  %74 = getelementptr inbounds double, ptr %57, i64 %70
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr inbounds double, ptr %7, i64 %64
+  %77 = load double, ptr %76, align 8
+  %78 = fmul double %75, %77
+  %79 = fsub double %73, %78
+  %80 = getelementptr inbounds double, ptr %8, i64 %59
+  store double %79, ptr %80, align 8
+  %81 = icmp eq i64 %60, 3
+  br i1 %81, label %82, label %58
 
-87:                                               ; preds = %99
+82:                                               ; preds = %58
+  %83 = load ptr, ptr %22, align 8
+  %84 = add nsw i64 %31, -1
+  %85 = getelementptr inbounds i64, ptr %83, i64 %84
+  %86 = load i64, ptr %85, align 8
+  %87 = icmp eq i64 %86, 0
+  br label %107
+
+88:                                               ; preds = %37, %88
+  %89 = phi i64 [ 0, %37 ], [ %104, %88 ]
+  %90 = mul nuw nsw i64 %89, 3
+  %91 = getelementptr inbounds double, ptr %40, i64 %90
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %92, %51
+  %94 = getelementptr inbounds double, ptr %91, i64 1
+  %95 = load double, ptr %94, align 8
+  %96 = fmul double %95, %53
+  %97 = fadd double %93, %96
+  %98 = getelementptr inbounds double, ptr %91, i64 2
+  %99 = load double, ptr %98, align 8
+  %100 = fmul double %99, %55
+  %101 = fadd double %97, %100
+  %102 = fmul double %46, %101
+  %103 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %89
+  store double %102, ptr %103, align 8
+  %104 = add nuw nsw i64 %89, 1
+  %105 = icmp eq i64 %104, 3
+  br i1 %105, label %56, label %88
+
+106:                                              ; preds = %117
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  %88 = icmp eq i64 %27, %2
-  br i1 %88, label %24, label %25
+  br label %124
 
-89:                                               ; preds = %65, %99
-  %90 = phi i64 [ 0, %65 ], [ %104, %99 ]
-  %91 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
-  %92 = load double, ptr %91, align 8
-  br i1 %68, label %93, label %99
+107:                                              ; preds = %82, %117
+  %108 = phi i64 [ 0, %82 ], [ %122, %117 ]
+  %109 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %108
+  %110 = load double, ptr %109, align 8
+  br i1 %87, label %111, label %117
 
-93:                                               ; preds = %89
-  %94 = getelementptr inbounds double, ptr %4, i64 %90
-  %95 = load double, ptr %94, align 8
-  %96 = fadd double %92, %95
-  store double %96, ptr %94, align 8
-  %97 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %90
-  %98 = load double, ptr %97, align 8
-  br label %99
+111:                                              ; preds = %107
+  %112 = getelementptr inbounds double, ptr %4, i64 %108
+  %113 = load double, ptr %112, align 8
+  %114 = fadd double %110, %113
+  store double %114, ptr %112, align 8
+  %115 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %108
+  %116 = load double, ptr %115, align 8
+  br label %117
 
-99:                                               ; preds = %89, %93
-  %100 = phi double [ %98, %93 ], [ %92, %89 ]
-  %101 = getelementptr inbounds double, ptr %5, i64 %90
-  %102 = load double, ptr %101, align 8
-  %103 = fadd double %100, %102
-  store double %103, ptr %101, align 8
-  %104 = add nuw nsw i64 %90, 1
-  %105 = icmp eq i64 %104, 3
-  br i1 %105, label %87, label %89
+117:                                              ; preds = %107, %111
+  %118 = phi double [ %116, %111 ], [ %110, %107 ]
+  %119 = getelementptr inbounds double, ptr %5, i64 %108
+  %120 = load double, ptr %119, align 8
+  %121 = fadd double %118, %120
+  store double %121, ptr %119, align 8
+  %122 = add nuw nsw i64 %108, 1
+  %123 = icmp eq i64 %122, 3
+  br i1 %123, label %106, label %107
+
+124:                                              ; preds = %30, %106
+  %125 = add nuw i64 %31, 1
+  %126 = icmp eq i64 %31, %12
+  br i1 %126, label %29, label %30
 }
 
 define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
@@ -2882,11 +2912,11 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %27 = alloca [3 x double], align 16
   %28 = alloca [3 x double], align 16
   %29 = icmp sgt i64 %2, 0
-  br i1 %29, label %30, label %79
+  br i1 %29, label %30, label %80
 
 30:                                               ; preds = %5
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
   %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
   %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
   %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
@@ -2896,7 +2926,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
   %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
   %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
   %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
   %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
   %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
@@ -2904,9 +2934,9 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
   %48 = getelementptr inbounds double, ptr %13, i64 6
   %49 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   %53 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
   %54 = getelementptr inbounds double, ptr %7, i64 1
   %55 = getelementptr inbounds double, ptr %7, i64 2
@@ -2919,7 +2949,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
   %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
   %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %66 = getelementptr inbounds double, ptr %24, i64 1
   %67 = getelementptr inbounds double, ptr %24, i64 2
   %68 = getelementptr inbounds double, ptr %25, i64 1
@@ -2928,197 +2958,198 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %71 = getelementptr inbounds double, ptr %21, i64 2
   %72 = getelementptr inbounds double, ptr %22, i64 1
   %73 = getelementptr inbounds double, ptr %22, i64 2
-  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %75 = getelementptr inbounds double, ptr %27, i64 1
-  %76 = getelementptr inbounds double, ptr %27, i64 2
-  %77 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %78 = load i64, ptr %0, align 8
-  br label %80
+  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %76 = getelementptr inbounds double, ptr %27, i64 1
+  %77 = getelementptr inbounds double, ptr %27, i64 2
+  %78 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %79 = load i64, ptr %0, align 8
+  br label %81
 
-79:                                               ; preds = %687, %5
+80:                                               ; preds = %694, %5
   ret void
 
-80:                                               ; preds = %30, %687
-  %81 = phi i64 [ %78, %30 ], [ %688, %687 ]
-  %82 = phi ptr [ %1, %30 ], [ %690, %687 ]
-  %83 = phi ptr [ %4, %30 ], [ %692, %687 ]
-  %84 = phi i64 [ 0, %30 ], [ %689, %687 ]
-  %85 = shl nuw nsw i64 %84, 1
-  %86 = getelementptr inbounds i64, ptr %3, i64 %85
-  %87 = load i64, ptr %86, align 8
-  %88 = or i64 %85, 1
-  %89 = getelementptr inbounds i64, ptr %3, i64 %88
-  %90 = load i64, ptr %89, align 8
-  %91 = load ptr, ptr %31, align 8
-  %92 = getelementptr inbounds i64, ptr %91, i64 %87
-  %93 = load i64, ptr %92, align 8
-  %94 = getelementptr inbounds i64, ptr %91, i64 %90
-  %95 = load i64, ptr %94, align 8
+81:                                               ; preds = %30, %694
+  %82 = phi i64 [ %79, %30 ], [ %695, %694 ]
+  %83 = phi ptr [ %1, %30 ], [ %697, %694 ]
+  %84 = phi ptr [ %4, %30 ], [ %699, %694 ]
+  %85 = phi i64 [ 0, %30 ], [ %696, %694 ]
+  %86 = shl nuw nsw i64 %85, 1
+  %87 = getelementptr inbounds i64, ptr %3, i64 %86
+  %88 = load i64, ptr %87, align 8
+  %89 = or i64 %86, 1
+  %90 = getelementptr inbounds i64, ptr %3, i64 %89
+  %91 = load i64, ptr %90, align 8
+  %92 = load ptr, ptr %31, align 8
+  %93 = getelementptr inbounds i64, ptr %92, i64 %88
+  %94 = load i64, ptr %93, align 8
+  %95 = getelementptr inbounds i64, ptr %92, i64 %91
+  %96 = load i64, ptr %95, align 8
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  %96 = icmp sgt i64 %81, 0
-  br i1 %96, label %99, label %110
+  %97 = icmp sgt i64 %82, 0
+  br i1 %97, label %100, label %111
 
-97:                                               ; preds = %99
-  %98 = icmp eq i32 %107, 0
-  br i1 %98, label %438, label %110
+98:                                               ; preds = %100
+  %99 = icmp eq i32 %108, 0
+  br i1 %99, label %439, label %111
 
-99:                                               ; preds = %80, %99
-  %100 = phi i32 [ %107, %99 ], [ 1, %80 ]
-  %101 = phi i64 [ %108, %99 ], [ 0, %80 ]
-  %102 = getelementptr inbounds double, ptr %82, i64 %101
-  %103 = load double, ptr %102, align 8
-  %104 = call double @llvm.fabs.f64(double %103) #14
-  %105 = fcmp one double %104, 0x7FF0000000000000
-  %106 = zext i1 %105 to i32
-  %107 = and i32 %100, %106
-  %108 = add nuw nsw i64 %101, 1
-  %109 = icmp eq i64 %108, %81
-  br i1 %109, label %97, label %99
+100:                                              ; preds = %81, %100
+  %101 = phi i32 [ %108, %100 ], [ 1, %81 ]
+  %102 = phi i64 [ %109, %100 ], [ 0, %81 ]
+  %103 = getelementptr inbounds double, ptr %83, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = call double @llvm.fabs.f64(double %104) #14
+  %106 = fcmp one double %105, 0x7FF0000000000000
+  %107 = zext i1 %106 to i32
+  %108 = and i32 %101, %107
+  %109 = add nuw nsw i64 %102, 1
+  %110 = icmp eq i64 %109, %82
+  br i1 %110, label %98, label %100
 
-110:                                              ; preds = %80, %97
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %82)
-  %111 = load ptr, ptr %32, align 8
-  %112 = getelementptr inbounds i64, ptr %111, i64 %87
-  %113 = load i64, ptr %112, align 8
-  %114 = icmp sgt i64 %113, 2
-  br i1 %114, label %438, label %115
+111:                                              ; preds = %81, %98
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
+  %112 = load ptr, ptr %32, align 8
+  %113 = getelementptr inbounds i64, ptr %112, i64 %88
+  %114 = load i64, ptr %113, align 8
+  %115 = icmp sgt i64 %114, 2
+  br i1 %115, label %439, label %116
 
-115:                                              ; preds = %110
-  %116 = getelementptr inbounds i64, ptr %111, i64 %90
-  %117 = load i64, ptr %116, align 8
-  %118 = icmp eq i64 %117, 5
-  br i1 %118, label %438, label %119
+116:                                              ; preds = %111
+  %117 = getelementptr inbounds i64, ptr %112, i64 %91
+  %118 = load i64, ptr %117, align 8
+  %119 = icmp eq i64 %118, 5
+  br i1 %119, label %439, label %120
 
-119:                                              ; preds = %115
+120:                                              ; preds = %116
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %87, ptr noundef nonnull %10)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %88, ptr noundef nonnull %10)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  %120 = load i64, ptr %116, align 8
-  switch i64 %120, label %269 [
-    i64 3, label %121
-    i64 4, label %220
+  %121 = load i64, ptr %117, align 8
+  switch i64 %121, label %270 [
+    i64 3, label %122
+    i64 4, label %221
   ]
 
-121:                                              ; preds = %119
+122:                                              ; preds = %120
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  %122 = load ptr, ptr %50, align 8
-  %123 = load ptr, ptr %31, align 8
-  %124 = getelementptr inbounds i64, ptr %123, i64 %90
-  %125 = load i64, ptr %124, align 8
-  %126 = mul nsw i64 %125, 12
-  %127 = getelementptr inbounds double, ptr %122, i64 %126
-  %128 = load ptr, ptr %51, align 8
-  %129 = mul nsw i64 %90, 12
-  %130 = getelementptr inbounds double, ptr %128, i64 %129
-  %131 = getelementptr inbounds double, ptr %130, i64 9
-  %132 = getelementptr inbounds double, ptr %130, i64 10
-  %133 = getelementptr inbounds double, ptr %130, i64 11
-  %134 = load double, ptr %131, align 8
+  %123 = load ptr, ptr %50, align 8
+  %124 = load ptr, ptr %31, align 8
+  %125 = getelementptr inbounds i64, ptr %124, i64 %91
+  %126 = load i64, ptr %125, align 8
+  %127 = mul nsw i64 %126, 12
+  %128 = getelementptr inbounds double, ptr %123, i64 %127
+  %129 = load ptr, ptr %51, align 8
+  %130 = mul nsw i64 %91, 12
+  %131 = getelementptr inbounds double, ptr %129, i64 %130
+  %132 = getelementptr inbounds double, ptr %131, i64 9
+  %133 = getelementptr inbounds double, ptr %131, i64 10
+  %134 = getelementptr inbounds double, ptr %131, i64 11
   %135 = load double, ptr %132, align 8
   %136 = load double, ptr %133, align 8
-  br label %137
+  %137 = load double, ptr %134, align 8
+  br label %138
 
-137:                                              ; preds = %148, %121
-  %138 = phi i64 [ 0, %121 ], [ %159, %148 ]
-  %139 = mul nuw nsw i64 %138, 3
-  %140 = getelementptr inbounds double, ptr %127, i64 %139
-  %141 = add nuw nsw i64 %139, 1
-  %142 = getelementptr inbounds double, ptr %127, i64 %141
-  %143 = add nuw nsw i64 %139, 2
-  %144 = getelementptr inbounds double, ptr %127, i64 %143
-  %145 = load double, ptr %140, align 8
-  %146 = load double, ptr %142, align 8
-  %147 = load double, ptr %144, align 8
-  br label %161
+138:                                              ; preds = %149, %122
+  %139 = phi i64 [ 0, %122 ], [ %160, %149 ]
+  %140 = mul nuw nsw i64 %139, 3
+  %141 = getelementptr inbounds double, ptr %128, i64 %140
+  %142 = add nuw nsw i64 %140, 1
+  %143 = getelementptr inbounds double, ptr %128, i64 %142
+  %144 = add nuw nsw i64 %140, 2
+  %145 = getelementptr inbounds double, ptr %128, i64 %144
+  %146 = load double, ptr %141, align 8
+  %147 = load double, ptr %143, align 8
+  %148 = load double, ptr %145, align 8
+  br label %162
 
-148:                                              ; preds = %161
-  %149 = fmul double %134, %145
+149:                                              ; preds = %162
   %150 = fmul double %135, %146
-  %151 = fadd double %149, %150
-  %152 = fmul double %136, %147
-  %153 = fadd double %151, %152
-  %154 = add nuw nsw i64 %138, 9
-  %155 = getelementptr inbounds double, ptr %127, i64 %154
-  %156 = load double, ptr %155, align 8
-  %157 = fadd double %153, %156
-  %158 = getelementptr inbounds double, ptr %16, i64 %154
-  store double %157, ptr %158, align 8
-  %159 = add nuw nsw i64 %138, 1
-  %160 = icmp eq i64 %159, 3
-  br i1 %160, label %181, label %137
+  %151 = fmul double %136, %147
+  %152 = fadd double %150, %151
+  %153 = fmul double %137, %148
+  %154 = fadd double %152, %153
+  %155 = add nuw nsw i64 %139, 9
+  %156 = getelementptr inbounds double, ptr %128, i64 %155
+  %157 = load double, ptr %156, align 8
+  %158 = fadd double %154, %157
+  %159 = getelementptr inbounds double, ptr %16, i64 %155
+  store double %158, ptr %159, align 8
+  %160 = add nuw nsw i64 %139, 1
+  %161 = icmp eq i64 %160, 3
+  br i1 %161, label %182, label %138
 
-161:                                              ; preds = %161, %137
-  %162 = phi i64 [ 0, %137 ], [ %178, %161 ]
-  %163 = getelementptr inbounds double, ptr %130, i64 %162
-  %164 = load double, ptr %163, align 8
-  %165 = fmul double %145, %164
-  %166 = add nuw nsw i64 %162, 3
-  %167 = getelementptr inbounds double, ptr %130, i64 %166
-  %168 = load double, ptr %167, align 8
-  %169 = fmul double %146, %168
-  %170 = fadd double %165, %169
-  %171 = add nuw nsw i64 %162, 6
-  %172 = getelementptr inbounds double, ptr %130, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = fmul double %147, %173
-  %175 = fadd double %170, %174
-  %176 = add nuw nsw i64 %162, %139
-  %177 = getelementptr inbounds double, ptr %16, i64 %176
-  store double %175, ptr %177, align 8
-  %178 = add nuw nsw i64 %162, 1
-  %179 = icmp eq i64 %178, 3
-  br i1 %179, label %148, label %161
+162:                                              ; preds = %162, %138
+  %163 = phi i64 [ 0, %138 ], [ %179, %162 ]
+  %164 = getelementptr inbounds double, ptr %131, i64 %163
+  %165 = load double, ptr %164, align 8
+  %166 = fmul double %146, %165
+  %167 = add nuw nsw i64 %163, 3
+  %168 = getelementptr inbounds double, ptr %131, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %147, %169
+  %171 = fadd double %166, %170
+  %172 = add nuw nsw i64 %163, 6
+  %173 = getelementptr inbounds double, ptr %131, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = fmul double %148, %174
+  %176 = fadd double %171, %175
+  %177 = add nuw nsw i64 %163, %140
+  %178 = getelementptr inbounds double, ptr %16, i64 %177
+  store double %176, ptr %178, align 8
+  %179 = add nuw nsw i64 %163, 1
+  %180 = icmp eq i64 %179, 3
+  br i1 %180, label %149, label %162
 
-180:                                              ; preds = %181
+181:                                              ; preds = %182
   call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %192
+  br label %193
 
-181:                                              ; preds = %148, %181
-  %182 = phi i64 [ %190, %181 ], [ 0, %148 ]
-  %183 = mul nuw nsw i64 %182, 3
-  %184 = add nuw nsw i64 %183, 2
-  %185 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %184
-  %186 = load double, ptr %185, align 8
-  %187 = getelementptr inbounds double, ptr %24, i64 %182
-  store double %186, ptr %187, align 8
-  %188 = fneg double %186
-  %189 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %182
-  store double %188, ptr %189, align 8
-  %190 = add nuw nsw i64 %182, 1
-  %191 = icmp eq i64 %190, 3
-  br i1 %191, label %180, label %181
+182:                                              ; preds = %149, %182
+  %183 = phi i64 [ %191, %182 ], [ 0, %149 ]
+  %184 = mul nuw nsw i64 %183, 3
+  %185 = add nuw nsw i64 %184, 2
+  %186 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %185
+  %187 = load double, ptr %186, align 8
+  %188 = getelementptr inbounds double, ptr %24, i64 %183
+  store double %187, ptr %188, align 8
+  %189 = fneg double %187
+  %190 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %183
+  store double %189, ptr %190, align 8
+  %191 = add nuw nsw i64 %183, 1
+  %192 = icmp eq i64 %191, 3
+  br i1 %192, label %181, label %182
 
-192:                                              ; preds = %192, %180
-  %193 = phi i64 [ 0, %180 ], [ %205, %192 ]
-  %194 = phi double [ 0.000000e+00, %180 ], [ %204, %192 ]
-  %195 = getelementptr inbounds double, ptr %24, i64 %193
-  %196 = load double, ptr %195, align 8
-  %197 = getelementptr inbounds double, ptr %21, i64 %193
-  %198 = load double, ptr %197, align 8
-  %199 = add nuw nsw i64 %193, 9
-  %200 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %199
-  %201 = load double, ptr %200, align 8
-  %202 = fsub double %198, %201
-  %203 = fmul double %196, %202
-  %204 = fadd double %194, %203
-  %205 = add nuw nsw i64 %193, 1
-  %206 = icmp eq i64 %205, 3
-  br i1 %206, label %207, label %192
+193:                                              ; preds = %193, %181
+  %194 = phi i64 [ 0, %181 ], [ %206, %193 ]
+  %195 = phi double [ 0.000000e+00, %181 ], [ %205, %193 ]
+  %196 = getelementptr inbounds double, ptr %24, i64 %194
+  %197 = load double, ptr %196, align 8
+  %198 = getelementptr inbounds double, ptr %21, i64 %194
+  %199 = load double, ptr %198, align 8
+  %200 = add nuw nsw i64 %194, 9
+  %201 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %200
+  %202 = load double, ptr %201, align 8
+  %203 = fsub double %199, %202
+  %204 = fmul double %197, %203
+  %205 = fadd double %195, %204
+  %206 = add nuw nsw i64 %194, 1
+  %207 = icmp eq i64 %206, 3
+  br i1 %207, label %208, label %193
 
-207:                                              ; preds = %192
-  store double %204, ptr %23, align 8
-  br label %209
+208:                                              ; preds = %193
+  store double %205, ptr %23, align 8
+  br label %210
 
-208:                                              ; preds = %209
+209:                                              ; preds = %210
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -3127,28 +3158,28 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %449
+  br label %450
 
-209:                                              ; preds = %207, %209
-  %210 = phi i64 [ %218, %209 ], [ 0, %207 ]
-  %211 = getelementptr inbounds double, ptr %21, i64 %210
-  %212 = load double, ptr %211, align 8
-  %213 = getelementptr inbounds double, ptr %24, i64 %210
-  %214 = load double, ptr %213, align 8
-  %215 = fmul double %204, %214
-  %216 = fsub double %212, %215
-  %217 = getelementptr inbounds double, ptr %22, i64 %210
-  store double %216, ptr %217, align 8
-  %218 = add nuw nsw i64 %210, 1
-  %219 = icmp eq i64 %218, 3
-  br i1 %219, label %208, label %209
+210:                                              ; preds = %208, %210
+  %211 = phi i64 [ %219, %210 ], [ 0, %208 ]
+  %212 = getelementptr inbounds double, ptr %21, i64 %211
+  %213 = load double, ptr %212, align 8
+  %214 = getelementptr inbounds double, ptr %24, i64 %211
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %205, %215
+  %217 = fsub double %213, %216
+  %218 = getelementptr inbounds double, ptr %22, i64 %211
+  store double %217, ptr %218, align 8
+  %219 = add nuw nsw i64 %211, 1
+  %220 = icmp eq i64 %219, 3
+  br i1 %220, label %209, label %210
 
-220:                                              ; preds = %119
+221:                                              ; preds = %120
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
   store double 0x7FF0000000000000, ptr %18, align 8
   call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %19) #15
   store ptr %0, ptr %19, align 8
-  store i64 %87, ptr %33, align 8
+  store i64 %88, ptr %33, align 8
   store ptr %10, ptr %34, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %35, i8 0, i64 16, i1 false)
   store double 0x7FF0000000000000, ptr %36, align 8
@@ -3157,72 +3188,72 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   store i32 0, ptr %39, align 8
   store i64 -1, ptr %40, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %41, i8 0, i64 40, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %90, ptr noundef null)
-  %221 = load double, ptr %18, align 8
-  %222 = fcmp ord double %221, 0.000000e+00
-  %223 = load i64, ptr %40, align 8
-  %224 = icmp sgt i64 %223, -1
-  %225 = select i1 %222, i1 %224, i1 false
-  br i1 %225, label %226, label %433
+  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %91, ptr noundef null)
+  %222 = load double, ptr %18, align 8
+  %223 = fcmp ord double %222, 0.000000e+00
+  %224 = load i64, ptr %40, align 8
+  %225 = icmp sgt i64 %224, -1
+  %226 = select i1 %223, i1 %225, i1 false
+  br i1 %226, label %227, label %434
 
-226:                                              ; preds = %220
-  %227 = load ptr, ptr %42, align 8
-  %228 = mul nsw i64 %223, 9
-  %229 = getelementptr inbounds double, ptr %227, i64 %228
-  br label %230
+227:                                              ; preds = %221
+  %228 = load ptr, ptr %42, align 8
+  %229 = mul nsw i64 %224, 9
+  %230 = getelementptr inbounds double, ptr %228, i64 %229
+  br label %231
 
-230:                                              ; preds = %260, %226
-  %231 = phi i64 [ 0, %226 ], [ %264, %260 ]
-  %232 = phi i32 [ 1, %226 ], [ %263, %260 ]
-  %233 = mul nuw nsw i64 %231, 3
-  br label %243
+231:                                              ; preds = %261, %227
+  %232 = phi i64 [ 0, %227 ], [ %265, %261 ]
+  %233 = phi i32 [ 1, %227 ], [ %264, %261 ]
+  %234 = mul nuw nsw i64 %232, 3
+  br label %244
 
-234:                                              ; preds = %243
-  %235 = add nuw nsw i64 %231, 3
-  %236 = getelementptr inbounds double, ptr %229, i64 %235
-  %237 = load double, ptr %236, align 8
-  %238 = getelementptr inbounds double, ptr %229, i64 %231
-  %239 = load double, ptr %238, align 8
-  %240 = fsub double %237, %239
-  %241 = call double @llvm.fabs.f64(double %240)
-  %242 = fcmp olt double %241, 3.000000e-07
-  br i1 %242, label %253, label %260
+235:                                              ; preds = %244
+  %236 = add nuw nsw i64 %232, 3
+  %237 = getelementptr inbounds double, ptr %230, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = getelementptr inbounds double, ptr %230, i64 %232
+  %240 = load double, ptr %239, align 8
+  %241 = fsub double %238, %240
+  %242 = call double @llvm.fabs.f64(double %241)
+  %243 = fcmp olt double %242, 3.000000e-07
+  br i1 %243, label %254, label %261
 
-243:                                              ; preds = %243, %230
-  %244 = phi i64 [ 0, %230 ], [ %251, %243 ]
-  %245 = mul nuw nsw i64 %244, 3
-  %246 = add nuw nsw i64 %245, %231
-  %247 = getelementptr inbounds double, ptr %229, i64 %246
-  %248 = load double, ptr %247, align 8
-  %249 = add nuw nsw i64 %244, %233
-  %250 = getelementptr inbounds double, ptr %13, i64 %249
-  store double %248, ptr %250, align 8
-  %251 = add nuw nsw i64 %244, 1
-  %252 = icmp eq i64 %251, 3
-  br i1 %252, label %234, label %243
+244:                                              ; preds = %244, %231
+  %245 = phi i64 [ 0, %231 ], [ %252, %244 ]
+  %246 = mul nuw nsw i64 %245, 3
+  %247 = add nuw nsw i64 %246, %232
+  %248 = getelementptr inbounds double, ptr %230, i64 %247
+  %249 = load double, ptr %248, align 8
+  %250 = add nuw nsw i64 %245, %234
+  %251 = getelementptr inbounds double, ptr %13, i64 %250
+  store double %249, ptr %251, align 8
+  %252 = add nuw nsw i64 %245, 1
+  %253 = icmp eq i64 %252, 3
+  br i1 %253, label %235, label %244
 
-253:                                              ; preds = %234
-  %254 = add nuw nsw i64 %231, 6
-  %255 = getelementptr inbounds double, ptr %229, i64 %254
-  %256 = load double, ptr %255, align 8
-  %257 = fsub double %256, %239
-  %258 = call double @llvm.fabs.f64(double %257)
-  %259 = fcmp olt double %258, 3.000000e-07
-  br label %260
+254:                                              ; preds = %235
+  %255 = add nuw nsw i64 %232, 6
+  %256 = getelementptr inbounds double, ptr %230, i64 %255
+  %257 = load double, ptr %256, align 8
+  %258 = fsub double %257, %240
+  %259 = call double @llvm.fabs.f64(double %258)
+  %260 = fcmp olt double %259, 3.000000e-07
+  br label %261
 
-260:                                              ; preds = %253, %234
-  %261 = phi i1 [ false, %234 ], [ %259, %253 ]
-  %262 = zext i1 %261 to i32
-  %263 = and i32 %232, %262
-  %264 = add nuw nsw i64 %231, 1
-  %265 = icmp eq i64 %264, 3
-  br i1 %265, label %266, label %230
+261:                                              ; preds = %254, %235
+  %262 = phi i1 [ false, %235 ], [ %260, %254 ]
+  %263 = zext i1 %262 to i32
+  %264 = and i32 %233, %263
+  %265 = add nuw nsw i64 %232, 1
+  %266 = icmp eq i64 %265, 3
+  br i1 %266, label %267, label %231
 
-266:                                              ; preds = %260
+267:                                              ; preds = %261
   store i64 0, ptr %11, align 8
-  %267 = icmp eq i32 %263, 0
-  %268 = select i1 %267, i64 3, i64 1
-  store i64 %268, ptr %43, align 8
+  %268 = icmp eq i32 %264, 0
+  %269 = select i1 %268, i64 3, i64 1
+  store i64 %269, ptr %43, align 8
   store ptr @place.still, ptr %44, align 8
   store ptr %13, ptr %45, align 8
   store ptr %46, ptr %47, align 8
@@ -3230,254 +3261,254 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %41, i64 24, i1 false)
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  br label %285
+  br label %286
 
-269:                                              ; preds = %119
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %90, ptr noundef nonnull %11)
-  %270 = load ptr, ptr %52, align 8
-  %271 = mul nsw i64 %87, 3
-  %272 = mul nsw i64 %90, 3
-  br label %273
+270:                                              ; preds = %120
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %91, ptr noundef nonnull %11)
+  %271 = load ptr, ptr %52, align 8
+  %272 = mul nsw i64 %88, 3
+  %273 = mul nsw i64 %91, 3
+  br label %274
 
-273:                                              ; preds = %273, %269
-  %274 = phi i64 [ 0, %269 ], [ %283, %273 ]
-  %275 = add nsw i64 %274, %271
-  %276 = getelementptr inbounds double, ptr %270, i64 %275
-  %277 = load double, ptr %276, align 8
-  %278 = add nsw i64 %274, %272
-  %279 = getelementptr inbounds double, ptr %270, i64 %278
-  %280 = load double, ptr %279, align 8
-  %281 = fsub double %277, %280
-  %282 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %274
-  store double %281, ptr %282, align 8
-  %283 = add nuw nsw i64 %274, 1
-  %284 = icmp eq i64 %283, 3
-  br i1 %284, label %285, label %273
+274:                                              ; preds = %274, %270
+  %275 = phi i64 [ 0, %270 ], [ %284, %274 ]
+  %276 = add nsw i64 %275, %272
+  %277 = getelementptr inbounds double, ptr %271, i64 %276
+  %278 = load double, ptr %277, align 8
+  %279 = add nsw i64 %275, %273
+  %280 = getelementptr inbounds double, ptr %271, i64 %279
+  %281 = load double, ptr %280, align 8
+  %282 = fsub double %278, %281
+  %283 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %275
+  store double %282, ptr %283, align 8
+  %284 = add nuw nsw i64 %275, 1
+  %285 = icmp eq i64 %284, 3
+  br i1 %285, label %286, label %274
 
-285:                                              ; preds = %273, %266
+286:                                              ; preds = %274, %267
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
-  %286 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %287 = icmp eq i32 %286, 0
-  br i1 %287, label %288, label %299
+  %287 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
+  %288 = icmp eq i32 %287, 0
+  br i1 %288, label %289, label %300
 
-288:                                              ; preds = %285
-  %289 = load ptr, ptr %32, align 8
-  %290 = getelementptr inbounds i64, ptr %289, i64 %90
-  %291 = load i64, ptr %290, align 8
-  %292 = icmp eq i64 %291, 4
-  br i1 %292, label %434, label %293
+289:                                              ; preds = %286
+  %290 = load ptr, ptr %32, align 8
+  %291 = getelementptr inbounds i64, ptr %290, i64 %91
+  %292 = load i64, ptr %291, align 8
+  %293 = icmp eq i64 %292, 4
+  br i1 %293, label %435, label %294
 
-293:                                              ; preds = %288
-  %294 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
-  %295 = icmp eq i32 %294, 0
-  br i1 %295, label %434, label %296
+294:                                              ; preds = %289
+  %295 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
+  %296 = icmp eq i32 %295, 0
+  br i1 %296, label %435, label %297
 
-296:                                              ; preds = %293
-  %297 = load double, ptr %23, align 8
-  %298 = fneg double %297
-  store double %298, ptr %23, align 8
-  br label %435
+297:                                              ; preds = %294
+  %298 = load double, ptr %23, align 8
+  %299 = fneg double %298
+  store double %299, ptr %23, align 8
+  br label %436
 
-299:                                              ; preds = %285
-  %300 = load double, ptr %15, align 8
-  %301 = load double, ptr %14, align 8
-  %302 = fsub double %300, %301
-  %303 = fcmp ogt double %302, 1.000000e-08
-  %304 = fcmp olt double %300, 0x3EB0C6F7A0B5ED8D
-  %305 = or i1 %304, %303
-  br i1 %305, label %434, label %306
+300:                                              ; preds = %286
+  %301 = load double, ptr %15, align 8
+  %302 = load double, ptr %14, align 8
+  %303 = fsub double %301, %302
+  %304 = fcmp ogt double %303, 1.000000e-08
+  %305 = fcmp olt double %301, 0x3EB0C6F7A0B5ED8D
+  %306 = or i1 %305, %304
+  br i1 %306, label %435, label %307
 
-306:                                              ; preds = %299
+307:                                              ; preds = %300
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %307 = load i32, ptr %53, align 8
-  %308 = add i32 %307, -4
-  %309 = icmp ult i32 %308, -3
-  br i1 %309, label %414, label %310
+  %308 = load i32, ptr %53, align 8
+  %309 = add i32 %308, -4
+  %310 = icmp ult i32 %309, -3
+  br i1 %310, label %415, label %311
 
-310:                                              ; preds = %306
-  %311 = icmp ugt i32 %307, 1
-  br i1 %311, label %312, label %387
+311:                                              ; preds = %307
+  %312 = icmp ugt i32 %308, 1
+  br i1 %312, label %313, label %388
 
-312:                                              ; preds = %310
+313:                                              ; preds = %311
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %313 = icmp eq i32 %307, 3
-  br label %331
+  %314 = icmp eq i32 %308, 3
+  br label %332
 
-314:                                              ; preds = %348
-  %315 = load double, ptr %7, align 16
-  %316 = fmul double %315, %315
-  %317 = load double, ptr %54, align 8
-  %318 = fmul double %317, %317
-  %319 = fadd double %316, %318
-  %320 = load double, ptr %55, align 16
-  %321 = fmul double %320, %320
-  %322 = fadd double %319, %321
-  %323 = load double, ptr %8, align 16
-  %324 = fmul double %315, %323
-  %325 = load double, ptr %56, align 8
-  %326 = fmul double %317, %325
-  %327 = fadd double %324, %326
-  %328 = load double, ptr %57, align 16
-  %329 = fmul double %320, %328
-  %330 = fadd double %327, %329
-  br i1 %313, label %351, label %357
+315:                                              ; preds = %349
+  %316 = load double, ptr %7, align 16
+  %317 = fmul double %316, %316
+  %318 = load double, ptr %54, align 8
+  %319 = fmul double %318, %318
+  %320 = fadd double %317, %319
+  %321 = load double, ptr %55, align 16
+  %322 = fmul double %321, %321
+  %323 = fadd double %320, %322
+  %324 = load double, ptr %8, align 16
+  %325 = fmul double %316, %324
+  %326 = load double, ptr %56, align 8
+  %327 = fmul double %318, %326
+  %328 = fadd double %325, %327
+  %329 = load double, ptr %57, align 16
+  %330 = fmul double %321, %329
+  %331 = fadd double %328, %330
+  br i1 %314, label %352, label %358
 
-331:                                              ; preds = %348, %312
-  %332 = phi i64 [ 0, %312 ], [ %349, %348 ]
-  %333 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %332
-  %334 = load double, ptr %333, align 8
-  %335 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %332
-  %336 = load double, ptr %335, align 8
-  %337 = fsub double %334, %336
-  %338 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %332
-  store double %337, ptr %338, align 8
-  %339 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %332
-  %340 = load double, ptr %339, align 8
-  %341 = fsub double %340, %336
-  %342 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %332
-  store double %341, ptr %342, align 8
-  br i1 %313, label %343, label %348
+332:                                              ; preds = %349, %313
+  %333 = phi i64 [ 0, %313 ], [ %350, %349 ]
+  %334 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %333
+  %335 = load double, ptr %334, align 8
+  %336 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %333
+  %337 = load double, ptr %336, align 8
+  %338 = fsub double %335, %337
+  %339 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %333
+  store double %338, ptr %339, align 8
+  %340 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %333
+  %341 = load double, ptr %340, align 8
+  %342 = fsub double %341, %337
+  %343 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %333
+  store double %342, ptr %343, align 8
+  br i1 %314, label %344, label %349
 
-343:                                              ; preds = %331
-  %344 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %332
-  %345 = load double, ptr %344, align 8
-  %346 = fsub double %345, %336
-  %347 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %332
-  store double %346, ptr %347, align 8
-  br label %348
+344:                                              ; preds = %332
+  %345 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %333
+  %346 = load double, ptr %345, align 8
+  %347 = fsub double %346, %337
+  %348 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %333
+  store double %347, ptr %348, align 8
+  br label %349
 
-348:                                              ; preds = %343, %331
-  %349 = add nuw nsw i64 %332, 1
-  %350 = icmp eq i64 %349, 3
-  br i1 %350, label %314, label %331
+349:                                              ; preds = %344, %332
+  %350 = add nuw nsw i64 %333, 1
+  %351 = icmp eq i64 %350, 3
+  br i1 %351, label %315, label %332
 
-351:                                              ; preds = %314
-  %352 = fmul double %323, %323
-  %353 = fmul double %325, %325
-  %354 = fadd double %352, %353
-  %355 = fmul double %328, %328
-  %356 = fadd double %354, %355
-  br label %357
+352:                                              ; preds = %315
+  %353 = fmul double %324, %324
+  %354 = fmul double %326, %326
+  %355 = fadd double %353, %354
+  %356 = fmul double %329, %329
+  %357 = fadd double %355, %356
+  br label %358
 
-357:                                              ; preds = %351, %314
-  %358 = phi double [ %356, %351 ], [ 1.000000e+00, %314 ]
-  %359 = fmul double %322, %358
-  %360 = fmul double %330, %330
-  %361 = fsub double %359, %360
-  %362 = fcmp ogt double %361, 0.000000e+00
-  br i1 %362, label %363, label %413
+358:                                              ; preds = %352, %315
+  %359 = phi double [ %357, %352 ], [ 1.000000e+00, %315 ]
+  %360 = fmul double %323, %359
+  %361 = fmul double %331, %331
+  %362 = fsub double %360, %361
+  %363 = fcmp ogt double %362, 0.000000e+00
+  br i1 %363, label %364, label %414
 
-363:                                              ; preds = %357
-  %364 = load double, ptr %9, align 16
-  %365 = fmul double %315, %364
-  %366 = load double, ptr %58, align 8
-  %367 = fmul double %317, %366
-  %368 = fadd double %365, %367
-  %369 = load double, ptr %59, align 16
-  %370 = fmul double %320, %369
-  %371 = fadd double %368, %370
-  %372 = fmul double %358, %371
-  %373 = fmul double %323, %364
-  %374 = fmul double %325, %366
-  %375 = fadd double %373, %374
-  %376 = fmul double %328, %369
-  %377 = fadd double %375, %376
-  %378 = fmul double %330, %377
-  %379 = fsub double %372, %378
-  %380 = fdiv double %379, %361
-  store double %380, ptr %60, align 8
-  %381 = fmul double %322, %377
-  %382 = fmul double %330, %371
-  %383 = fsub double %381, %382
-  %384 = fdiv double %383, %361
-  store double %384, ptr %61, align 16
-  %385 = fsub double 1.000000e+00, %380
-  %386 = fsub double %385, %384
-  store double %386, ptr %6, align 16
+364:                                              ; preds = %358
+  %365 = load double, ptr %9, align 16
+  %366 = fmul double %316, %365
+  %367 = load double, ptr %58, align 8
+  %368 = fmul double %318, %367
+  %369 = fadd double %366, %368
+  %370 = load double, ptr %59, align 16
+  %371 = fmul double %321, %370
+  %372 = fadd double %369, %371
+  %373 = fmul double %359, %372
+  %374 = fmul double %324, %365
+  %375 = fmul double %326, %367
+  %376 = fadd double %374, %375
+  %377 = fmul double %329, %370
+  %378 = fadd double %376, %377
+  %379 = fmul double %331, %378
+  %380 = fsub double %373, %379
+  %381 = fdiv double %380, %362
+  store double %381, ptr %60, align 8
+  %382 = fmul double %323, %378
+  %383 = fmul double %331, %372
+  %384 = fsub double %382, %383
+  %385 = fdiv double %384, %362
+  store double %385, ptr %61, align 16
+  %386 = fsub double 1.000000e+00, %381
+  %387 = fsub double %386, %385
+  store double %387, ptr %6, align 16
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %387
+  br label %388
 
-387:                                              ; preds = %363, %310
-  %388 = icmp sgt i32 %307, 0
-  %389 = zext i32 %307 to i64
-  br label %390
+388:                                              ; preds = %364, %311
+  %389 = icmp sgt i32 %308, 0
+  %390 = zext i32 %308 to i64
+  br label %391
 
-390:                                              ; preds = %394, %387
-  %391 = phi i64 [ 0, %387 ], [ %400, %394 ]
-  %392 = getelementptr inbounds double, ptr %21, i64 %391
-  store double 0.000000e+00, ptr %392, align 8
-  br i1 %388, label %402, label %394
+391:                                              ; preds = %395, %388
+  %392 = phi i64 [ 0, %388 ], [ %401, %395 ]
+  %393 = getelementptr inbounds double, ptr %21, i64 %392
+  store double 0.000000e+00, ptr %393, align 8
+  br i1 %389, label %403, label %395
 
-393:                                              ; preds = %402
-  store double %410, ptr %392, align 8
-  br label %394
+394:                                              ; preds = %403
+  store double %411, ptr %393, align 8
+  br label %395
 
-394:                                              ; preds = %393, %390
-  %395 = phi double [ 0.000000e+00, %390 ], [ %410, %393 ]
-  %396 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %391
-  %397 = load double, ptr %396, align 8
-  %398 = fsub double %395, %397
-  %399 = getelementptr inbounds double, ptr %22, i64 %391
-  store double %398, ptr %399, align 8
-  %400 = add nuw nsw i64 %391, 1
-  %401 = icmp eq i64 %400, 3
-  br i1 %401, label %415, label %390
+395:                                              ; preds = %394, %391
+  %396 = phi double [ 0.000000e+00, %391 ], [ %411, %394 ]
+  %397 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %392
+  %398 = load double, ptr %397, align 8
+  %399 = fsub double %396, %398
+  %400 = getelementptr inbounds double, ptr %22, i64 %392
+  store double %399, ptr %400, align 8
+  %401 = add nuw nsw i64 %392, 1
+  %402 = icmp eq i64 %401, 3
+  br i1 %402, label %416, label %391
 
-402:                                              ; preds = %390, %402
-  %403 = phi i64 [ %411, %402 ], [ 0, %390 ]
-  %404 = phi double [ %410, %402 ], [ 0.000000e+00, %390 ]
-  %405 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %403
-  %406 = load double, ptr %405, align 8
-  %407 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %403, i64 %391
-  %408 = load double, ptr %407, align 8
-  %409 = fmul double %406, %408
-  %410 = fadd double %404, %409
-  %411 = add nuw nsw i64 %403, 1
-  %412 = icmp eq i64 %411, %389
-  br i1 %412, label %393, label %402
+403:                                              ; preds = %391, %403
+  %404 = phi i64 [ %412, %403 ], [ 0, %391 ]
+  %405 = phi double [ %411, %403 ], [ 0.000000e+00, %391 ]
+  %406 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %404
+  %407 = load double, ptr %406, align 8
+  %408 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %404, i64 %392
+  %409 = load double, ptr %408, align 8
+  %410 = fmul double %407, %409
+  %411 = fadd double %405, %410
+  %412 = add nuw nsw i64 %404, 1
+  %413 = icmp eq i64 %412, %390
+  br i1 %413, label %394, label %403
 
-413:                                              ; preds = %357
+414:                                              ; preds = %358
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %414
+  br label %415
 
-414:                                              ; preds = %413, %306
+415:                                              ; preds = %414, %307
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %434
+  br label %435
 
-415:                                              ; preds = %394
+416:                                              ; preds = %395
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %416 = load double, ptr %62, align 8
-  %417 = fmul double %416, %416
-  %418 = load double, ptr %63, align 8
-  %419 = fmul double %418, %418
-  %420 = fadd double %417, %419
-  %421 = load double, ptr %64, align 8
-  %422 = fmul double %421, %421
-  %423 = fadd double %420, %422
-  %424 = call double @llvm.sqrt.f64(double %423)
-  store double %424, ptr %23, align 8
-  br label %425
+  %417 = load double, ptr %62, align 8
+  %418 = fmul double %417, %417
+  %419 = load double, ptr %63, align 8
+  %420 = fmul double %419, %419
+  %421 = fadd double %418, %420
+  %422 = load double, ptr %64, align 8
+  %423 = fmul double %422, %422
+  %424 = fadd double %421, %423
+  %425 = call double @llvm.sqrt.f64(double %424)
+  store double %425, ptr %23, align 8
+  br label %426
 
-425:                                              ; preds = %425, %415
-  %426 = phi i64 [ 0, %415 ], [ %431, %425 ]
-  %427 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %426
-  %428 = load double, ptr %427, align 8
-  %429 = fdiv double %428, %424
-  %430 = getelementptr inbounds double, ptr %24, i64 %426
-  store double %429, ptr %430, align 8
-  %431 = add nuw nsw i64 %426, 1
-  %432 = icmp eq i64 %431, 3
-  br i1 %432, label %435, label %425
+426:                                              ; preds = %426, %416
+  %427 = phi i64 [ 0, %416 ], [ %432, %426 ]
+  %428 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %427
+  %429 = load double, ptr %428, align 8
+  %430 = fdiv double %429, %425
+  %431 = getelementptr inbounds double, ptr %24, i64 %427
+  store double %430, ptr %431, align 8
+  %432 = add nuw nsw i64 %427, 1
+  %433 = icmp eq i64 %432, 3
+  br i1 %433, label %436, label %426
 
-433:                                              ; preds = %220
+434:                                              ; preds = %221
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -3486,9 +3517,9 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %438
+  br label %439
 
-434:                                              ; preds = %293, %288, %299, %414
+435:                                              ; preds = %294, %289, %300, %415
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -3496,10 +3527,10 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %438
+  br label %439
 
-435:                                              ; preds = %425, %296
-  %436 = phi double [ %298, %296 ], [ %424, %425 ]
+436:                                              ; preds = %426, %297
+  %437 = phi double [ %299, %297 ], [ %425, %426 ]
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -3507,338 +3538,344 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  %437 = load ptr, ptr %50, align 8
-  br label %449
+  %438 = load ptr, ptr %50, align 8
+  br label %450
 
-438:                                              ; preds = %110, %115, %434, %433, %97
-  %439 = load i64, ptr %0, align 8
-  %440 = icmp sgt i64 %439, -13
-  br i1 %440, label %441, label %687
+439:                                              ; preds = %111, %116, %435, %434, %98
+  %440 = load i64, ptr %0, align 8
+  %441 = icmp sgt i64 %440, -13
+  br i1 %441, label %442, label %694
 
-441:                                              ; preds = %438
-  %442 = add i64 %439, 12
-  %443 = call i64 @llvm.smax.i64(i64 %442, i64 0)
-  br label %444
+442:                                              ; preds = %439
+  %443 = add i64 %440, 12
+  %444 = call i64 @llvm.smax.i64(i64 %443, i64 0)
+  br label %445
 
-444:                                              ; preds = %441, %444
-  %445 = phi i64 [ %447, %444 ], [ 0, %441 ]
-  %446 = getelementptr inbounds double, ptr %83, i64 %445
-  store double 0x7FF8000000000000, ptr %446, align 8
-  %447 = add nuw i64 %445, 1
-  %448 = icmp eq i64 %445, %443
-  br i1 %448, label %687, label %444
+445:                                              ; preds = %442, %445
+  %446 = phi i64 [ %448, %445 ], [ 0, %442 ]
+  %447 = getelementptr inbounds double, ptr %84, i64 %446
+  store double 0x7FF8000000000000, ptr %447, align 8
+  %448 = add nuw i64 %446, 1
+  %449 = icmp eq i64 %446, %444
+  br i1 %449, label %694, label %445
 
-449:                                              ; preds = %435, %208
-  %450 = phi double [ %436, %435 ], [ %204, %208 ]
-  %451 = phi ptr [ %437, %435 ], [ %122, %208 ]
-  %452 = mul nsw i64 %93, 12
-  %453 = mul nsw i64 %95, 12
-  br label %578
+450:                                              ; preds = %436, %209
+  %451 = phi double [ %437, %436 ], [ %205, %209 ]
+  %452 = phi ptr [ %438, %436 ], [ %123, %209 ]
+  %453 = mul nsw i64 %94, 12
+  %454 = mul nsw i64 %96, 12
+  br label %581
 
-454:                                              ; preds = %578
-  %455 = getelementptr inbounds double, ptr %451, i64 %453
-  %456 = load ptr, ptr %65, align 8
-  %457 = getelementptr inbounds double, ptr %456, i64 %87
-  %458 = load double, ptr %457, align 8
-  %459 = fsub double %450, %458
-  %460 = getelementptr inbounds double, ptr %456, i64 %90
-  %461 = load double, ptr %460, align 8
-  %462 = fsub double %459, %461
-  store double %462, ptr %83, align 8
-  %463 = getelementptr inbounds double, ptr %83, i64 1
-  %464 = load double, ptr %24, align 16
-  %465 = load double, ptr %66, align 8
-  %466 = load double, ptr %67, align 16
-  br label %467
+455:                                              ; preds = %581
+  %456 = getelementptr inbounds double, ptr %452, i64 %454
+  %457 = load ptr, ptr %65, align 8
+  %458 = getelementptr inbounds double, ptr %457, i64 %88
+  %459 = load double, ptr %458, align 8
+  %460 = fsub double %451, %459
+  %461 = getelementptr inbounds double, ptr %457, i64 %91
+  %462 = load double, ptr %461, align 8
+  %463 = fsub double %460, %462
+  store double %463, ptr %84, align 8
+  %464 = getelementptr inbounds double, ptr %84, i64 1
+  %465 = load double, ptr %24, align 16
+  %466 = load double, ptr %66, align 8
+  %467 = load double, ptr %67, align 16
+  br label %468
 
-467:                                              ; preds = %467, %454
-  %468 = phi i64 [ 0, %454 ], [ %483, %467 ]
-  %469 = getelementptr inbounds double, ptr %455, i64 %468
-  %470 = load double, ptr %469, align 8
-  %471 = fmul double %470, %464
-  %472 = add nuw nsw i64 %468, 3
-  %473 = getelementptr inbounds double, ptr %455, i64 %472
-  %474 = load double, ptr %473, align 8
-  %475 = fmul double %474, %465
-  %476 = fadd double %471, %475
-  %477 = add nuw nsw i64 %468, 6
-  %478 = getelementptr inbounds double, ptr %455, i64 %477
-  %479 = load double, ptr %478, align 8
-  %480 = fmul double %479, %466
-  %481 = fadd double %476, %480
-  %482 = getelementptr inbounds double, ptr %463, i64 %468
-  store double %481, ptr %482, align 8
-  %483 = add nuw nsw i64 %468, 1
-  %484 = icmp eq i64 %483, 3
-  br i1 %484, label %485, label %467
+468:                                              ; preds = %468, %455
+  %469 = phi i64 [ 0, %455 ], [ %484, %468 ]
+  %470 = getelementptr inbounds double, ptr %456, i64 %469
+  %471 = load double, ptr %470, align 8
+  %472 = fmul double %471, %465
+  %473 = add nuw nsw i64 %469, 3
+  %474 = getelementptr inbounds double, ptr %456, i64 %473
+  %475 = load double, ptr %474, align 8
+  %476 = fmul double %475, %466
+  %477 = fadd double %472, %476
+  %478 = add nuw nsw i64 %469, 6
+  %479 = getelementptr inbounds double, ptr %456, i64 %478
+  %480 = load double, ptr %479, align 8
+  %481 = fmul double %480, %467
+  %482 = fadd double %477, %481
+  %483 = getelementptr inbounds double, ptr %464, i64 %469
+  store double %482, ptr %483, align 8
+  %484 = add nuw nsw i64 %469, 1
+  %485 = icmp eq i64 %484, 3
+  br i1 %485, label %486, label %468
 
-485:                                              ; preds = %467
-  %486 = getelementptr inbounds double, ptr %451, i64 %452
-  %487 = getelementptr inbounds double, ptr %83, i64 4
-  %488 = load double, ptr %25, align 16
-  %489 = load double, ptr %68, align 8
-  %490 = load double, ptr %69, align 16
-  br label %491
+486:                                              ; preds = %468
+  %487 = getelementptr inbounds double, ptr %452, i64 %453
+  %488 = getelementptr inbounds double, ptr %84, i64 4
+  %489 = load double, ptr %25, align 16
+  %490 = load double, ptr %68, align 8
+  %491 = load double, ptr %69, align 16
+  br label %492
 
-491:                                              ; preds = %491, %485
-  %492 = phi i64 [ 0, %485 ], [ %507, %491 ]
-  %493 = getelementptr inbounds double, ptr %486, i64 %492
-  %494 = load double, ptr %493, align 8
-  %495 = fmul double %494, %488
-  %496 = add nuw nsw i64 %492, 3
-  %497 = getelementptr inbounds double, ptr %486, i64 %496
-  %498 = load double, ptr %497, align 8
-  %499 = fmul double %498, %489
-  %500 = fadd double %495, %499
-  %501 = add nuw nsw i64 %492, 6
-  %502 = getelementptr inbounds double, ptr %486, i64 %501
-  %503 = load double, ptr %502, align 8
-  %504 = fmul double %503, %490
-  %505 = fadd double %500, %504
-  %506 = getelementptr inbounds double, ptr %487, i64 %492
-  store double %505, ptr %506, align 8
-  %507 = add nuw nsw i64 %492, 1
-  %508 = icmp eq i64 %507, 3
-  br i1 %508, label %509, label %491
+492:                                              ; preds = %492, %486
+  %493 = phi i64 [ 0, %486 ], [ %508, %492 ]
+  %494 = getelementptr inbounds double, ptr %487, i64 %493
+  %495 = load double, ptr %494, align 8
+  %496 = fmul double %495, %489
+  %497 = add nuw nsw i64 %493, 3
+  %498 = getelementptr inbounds double, ptr %487, i64 %497
+  %499 = load double, ptr %498, align 8
+  %500 = fmul double %499, %490
+  %501 = fadd double %496, %500
+  %502 = add nuw nsw i64 %493, 6
+  %503 = getelementptr inbounds double, ptr %487, i64 %502
+  %504 = load double, ptr %503, align 8
+  %505 = fmul double %504, %491
+  %506 = fadd double %501, %505
+  %507 = getelementptr inbounds double, ptr %488, i64 %493
+  store double %506, ptr %507, align 8
+  %508 = add nuw nsw i64 %493, 1
+  %509 = icmp eq i64 %508, 3
+  br i1 %509, label %510, label %492
 
-509:                                              ; preds = %491
-  %510 = getelementptr inbounds double, ptr %83, i64 7
-  %511 = load double, ptr %21, align 16
-  %512 = getelementptr inbounds double, ptr %486, i64 9
-  %513 = load double, ptr %512, align 8
-  %514 = fsub double %511, %513
-  %515 = load double, ptr %70, align 8
-  %516 = getelementptr inbounds double, ptr %486, i64 10
-  %517 = load double, ptr %516, align 8
-  %518 = fsub double %515, %517
-  %519 = load double, ptr %71, align 16
-  %520 = getelementptr inbounds double, ptr %486, i64 11
-  %521 = load double, ptr %520, align 8
-  %522 = fsub double %519, %521
-  br label %523
+510:                                              ; preds = %492
+  %511 = getelementptr inbounds double, ptr %84, i64 7
+  %512 = load double, ptr %21, align 16
+  %513 = getelementptr inbounds double, ptr %487, i64 9
+  %514 = load double, ptr %513, align 8
+  %515 = fsub double %512, %514
+  %516 = load double, ptr %70, align 8
+  %517 = getelementptr inbounds double, ptr %487, i64 10
+  %518 = load double, ptr %517, align 8
+  %519 = fsub double %516, %518
+  %520 = load double, ptr %71, align 16
+  %521 = getelementptr inbounds double, ptr %487, i64 11
+  %522 = load double, ptr %521, align 8
+  %523 = fsub double %520, %522
+  br label %524
 
-523:                                              ; preds = %523, %509
-  %524 = phi i64 [ 0, %509 ], [ %539, %523 ]
-  %525 = getelementptr inbounds double, ptr %486, i64 %524
-  %526 = load double, ptr %525, align 8
-  %527 = fmul double %514, %526
-  %528 = add nuw nsw i64 %524, 3
-  %529 = getelementptr inbounds double, ptr %486, i64 %528
-  %530 = load double, ptr %529, align 8
-  %531 = fmul double %518, %530
-  %532 = fadd double %527, %531
-  %533 = add nuw nsw i64 %524, 6
-  %534 = getelementptr inbounds double, ptr %486, i64 %533
-  %535 = load double, ptr %534, align 8
-  %536 = fmul double %522, %535
-  %537 = fadd double %532, %536
-  %538 = getelementptr inbounds double, ptr %510, i64 %524
-  store double %537, ptr %538, align 8
-  %539 = add nuw nsw i64 %524, 1
-  %540 = icmp eq i64 %539, 3
-  br i1 %540, label %541, label %523
+524:                                              ; preds = %524, %510
+  %525 = phi i64 [ 0, %510 ], [ %540, %524 ]
+  %526 = getelementptr inbounds double, ptr %487, i64 %525
+  %527 = load double, ptr %526, align 8
+  %528 = fmul double %515, %527
+  %529 = add nuw nsw i64 %525, 3
+  %530 = getelementptr inbounds double, ptr %487, i64 %529
+  %531 = load double, ptr %530, align 8
+  %532 = fmul double %519, %531
+  %533 = fadd double %528, %532
+  %534 = add nuw nsw i64 %525, 6
+  %535 = getelementptr inbounds double, ptr %487, i64 %534
+  %536 = load double, ptr %535, align 8
+  %537 = fmul double %523, %536
+  %538 = fadd double %533, %537
+  %539 = getelementptr inbounds double, ptr %511, i64 %525
+  store double %538, ptr %539, align 8
+  %540 = add nuw nsw i64 %525, 1
+  %541 = icmp eq i64 %540, 3
+  br i1 %541, label %542, label %524
 
-541:                                              ; preds = %523
-  %542 = getelementptr inbounds double, ptr %83, i64 10
-  %543 = load double, ptr %22, align 16
-  %544 = getelementptr inbounds double, ptr %455, i64 9
-  %545 = load double, ptr %544, align 8
-  %546 = fsub double %543, %545
-  %547 = load double, ptr %72, align 8
-  %548 = getelementptr inbounds double, ptr %455, i64 10
-  %549 = load double, ptr %548, align 8
-  %550 = fsub double %547, %549
-  %551 = load double, ptr %73, align 16
-  %552 = getelementptr inbounds double, ptr %455, i64 11
-  %553 = load double, ptr %552, align 8
-  %554 = fsub double %551, %553
-  br label %555
+542:                                              ; preds = %524
+  %543 = getelementptr inbounds double, ptr %84, i64 10
+  %544 = load double, ptr %22, align 16
+  %545 = getelementptr inbounds double, ptr %456, i64 9
+  %546 = load double, ptr %545, align 8
+  %547 = fsub double %544, %546
+  %548 = load double, ptr %72, align 8
+  %549 = getelementptr inbounds double, ptr %456, i64 10
+  %550 = load double, ptr %549, align 8
+  %551 = fsub double %548, %550
+  %552 = load double, ptr %73, align 16
+  %553 = getelementptr inbounds double, ptr %456, i64 11
+  %554 = load double, ptr %553, align 8
+  %555 = fsub double %552, %554
+  br label %556
 
-555:                                              ; preds = %555, %541
-  %556 = phi i64 [ 0, %541 ], [ %571, %555 ]
-  %557 = getelementptr inbounds double, ptr %455, i64 %556
-  %558 = load double, ptr %557, align 8
-  %559 = fmul double %546, %558
-  %560 = add nuw nsw i64 %556, 3
-  %561 = getelementptr inbounds double, ptr %455, i64 %560
-  %562 = load double, ptr %561, align 8
-  %563 = fmul double %550, %562
-  %564 = fadd double %559, %563
-  %565 = add nuw nsw i64 %556, 6
-  %566 = getelementptr inbounds double, ptr %455, i64 %565
-  %567 = load double, ptr %566, align 8
-  %568 = fmul double %554, %567
-  %569 = fadd double %564, %568
-  %570 = getelementptr inbounds double, ptr %542, i64 %556
-  store double %569, ptr %570, align 8
-  %571 = add nuw nsw i64 %556, 1
-  %572 = icmp eq i64 %571, 3
-  br i1 %572, label %573, label %555
+556:                                              ; preds = %556, %542
+  %557 = phi i64 [ 0, %542 ], [ %572, %556 ]
+  %558 = getelementptr inbounds double, ptr %456, i64 %557
+  %559 = load double, ptr %558, align 8
+  %560 = fmul double %547, %559
+  %561 = add nuw nsw i64 %557, 3
+  %562 = getelementptr inbounds double, ptr %456, i64 %561
+  %563 = load double, ptr %562, align 8
+  %564 = fmul double %551, %563
+  %565 = fadd double %560, %564
+  %566 = add nuw nsw i64 %557, 6
+  %567 = getelementptr inbounds double, ptr %456, i64 %566
+  %568 = load double, ptr %567, align 8
+  %569 = fmul double %555, %568
+  %570 = fadd double %565, %569
+  %571 = getelementptr inbounds double, ptr %543, i64 %557
+  store double %570, ptr %571, align 8
+  %572 = add nuw nsw i64 %557, 1
+  %573 = icmp eq i64 %572, 3
+  br i1 %573, label %574, label %556
 
-573:                                              ; preds = %555
-  %574 = load i64, ptr %0, align 8
-  %575 = icmp slt i64 %574, 1
-  br i1 %575, label %687, label %576
+574:                                              ; preds = %556
+  %575 = load i64, ptr %0, align 8
+  %576 = icmp slt i64 %575, 1
+  br i1 %576, label %694, label %577
 
-576:                                              ; preds = %573
-  %577 = load ptr, ptr %74, align 8
-  br label %586
+577:                                              ; preds = %574
+  %578 = load ptr, ptr %74, align 8
+  %579 = load ptr, ptr %75, align 8
+  %580 = add nuw i64 %575, 1
+  br label %589
 
-578:                                              ; preds = %449, %578
-  %579 = phi i64 [ 0, %449 ], [ %584, %578 ]
-  %580 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %579
-  %581 = load double, ptr %580, align 8
-  %582 = fneg double %581
-  %583 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %579
-  store double %582, ptr %583, align 8
-  %584 = add nuw nsw i64 %579, 1
-  %585 = icmp eq i64 %584, 3
-  br i1 %585, label %454, label %578
+581:                                              ; preds = %450, %581
+  %582 = phi i64 [ 0, %450 ], [ %587, %581 ]
+  %583 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %582
+  %584 = load double, ptr %583, align 8
+  %585 = fneg double %584
+  %586 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %582
+  store double %585, ptr %586, align 8
+  %587 = add nuw nsw i64 %582, 1
+  %588 = icmp eq i64 %587, 3
+  br i1 %588, label %455, label %581
 
-586:                                              ; preds = %576, %620
-  %587 = phi i64 [ 1, %576 ], [ %623, %620 ]
-  %588 = mul nuw nsw i64 %587, 12
-  %589 = getelementptr inbounds double, ptr %451, i64 %588
-  %590 = add nsw i64 %587, -1
-  %591 = mul nuw nsw i64 %590, 3
-  %592 = getelementptr inbounds double, ptr %577, i64 %591
+589:                                              ; preds = %577, %623
+  %590 = phi i64 [ 1, %577 ], [ %626, %623 ]
+  %591 = mul nuw nsw i64 %590, 12
+  %592 = getelementptr inbounds double, ptr %452, i64 %591
+  %593 = add nsw i64 %590, -1
+  %594 = mul nuw nsw i64 %593, 3
+  %595 = getelementptr inbounds double, ptr %578, i64 %594
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %593 = load double, ptr %592, align 8
-  %594 = getelementptr inbounds double, ptr %592, i64 1
-  %595 = load double, ptr %594, align 8
-  %596 = getelementptr inbounds double, ptr %592, i64 2
-  %597 = load double, ptr %596, align 8
-  br label %603
+  %596 = load double, ptr %595, align 8
+  %597 = getelementptr inbounds double, ptr %595, i64 1
+  %598 = load double, ptr %597, align 8
+  %599 = getelementptr inbounds double, ptr %595, i64 2
+  %600 = load double, ptr %599, align 8
+  br label %606
 
-598:                                              ; preds = %603
-  %599 = getelementptr inbounds double, ptr %589, i64 9
-  %600 = getelementptr inbounds double, ptr %589, i64 10
-  %601 = getelementptr inbounds double, ptr %589, i64 11
-  %602 = load double, ptr %26, align 16
-  br label %625
+601:                                              ; preds = %606
+  %602 = getelementptr inbounds double, ptr %592, i64 9
+  %603 = getelementptr inbounds double, ptr %592, i64 10
+  %604 = getelementptr inbounds double, ptr %592, i64 11
+  %605 = load double, ptr %26, align 16
+  br label %628
 
-603:                                              ; preds = %586, %603
-  %604 = phi i64 [ 0, %586 ], [ %618, %603 ]
-  %605 = mul nuw nsw i64 %604, 3
-  %606 = getelementptr inbounds double, ptr %589, i64 %605
-  %607 = load double, ptr %606, align 8
-  %608 = fmul double %607, %593
-  %609 = getelementptr inbounds double, ptr %606, i64 1
+606:                                              ; preds = %589, %606
+  %607 = phi i64 [ 0, %589 ], [ %621, %606 ]
+  %608 = mul nuw nsw i64 %607, 3
+  %609 = getelementptr inbounds double, ptr %592, i64 %608
   %610 = load double, ptr %609, align 8
-  %611 = fmul double %610, %595
-  %612 = fadd double %608, %611
-  %613 = getelementptr inbounds double, ptr %606, i64 2
-  %614 = load double, ptr %613, align 8
-  %615 = fmul double %614, %597
-  %616 = fadd double %612, %615
-  %617 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %604
-  store double %616, ptr %617, align 8
-  %618 = add nuw nsw i64 %604, 1
-  %619 = icmp eq i64 %618, 3
-  br i1 %619, label %598, label %603
+  %611 = fmul double %610, %596
+  %612 = getelementptr inbounds double, ptr %609, i64 1
+  %613 = load double, ptr %612, align 8
+  %614 = fmul double %613, %598
+  %615 = fadd double %611, %614
+  %616 = getelementptr inbounds double, ptr %609, i64 2
+  %617 = load double, ptr %616, align 8
+  %618 = fmul double %617, %600
+  %619 = fadd double %615, %618
+  %620 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %607
+  store double %619, ptr %620, align 8
+  %621 = add nuw nsw i64 %607, 1
+  %622 = icmp eq i64 %621, 3
+  br i1 %622, label %601, label %606
 
-620:                                              ; preds = %685
-  %621 = add nuw nsw i64 %587, 12
-  %622 = getelementptr inbounds double, ptr %83, i64 %621
-  store double %686, ptr %622, align 8
+623:                                              ; preds = %692
+  %624 = add nuw nsw i64 %590, 12
+  %625 = getelementptr inbounds double, ptr %84, i64 %624
+  store double %693, ptr %625, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  %623 = add nuw i64 %587, 1
-  %624 = icmp eq i64 %587, %574
-  br i1 %624, label %687, label %586
+  %626 = add nuw i64 %590, 1
+  %627 = icmp eq i64 %590, %575
+  br i1 %627, label %694, label %589
 
-625:                                              ; preds = %598, %685
-  %626 = phi i1 [ true, %598 ], [ false, %685 ]
-  %627 = phi double [ 0.000000e+00, %598 ], [ %686, %685 ]
-  %628 = select i1 %626, i64 %93, i64 %95
-  %629 = icmp sgt i64 %587, %628
-  br i1 %629, label %685, label %630
+628:                                              ; preds = %601, %692
+  %629 = phi i1 [ true, %601 ], [ false, %692 ]
+  %630 = phi double [ 0.000000e+00, %601 ], [ %693, %692 ]
+  %631 = select i1 %629, i64 %94, i64 %96
+  %632 = mul nsw i64 %631, %580
+  %633 = add nsw i64 %632, %590
+  %634 = getelementptr inbounds i64, ptr %579, i64 %633
+  %635 = load i64, ptr %634, align 8
+  %636 = icmp eq i64 %635, 0
+  br i1 %636, label %692, label %637
 
-630:                                              ; preds = %625
+637:                                              ; preds = %628
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
-  %631 = select i1 %626, double %511, double %543
-  %632 = load double, ptr %599, align 8
-  %633 = fsub double %631, %632
-  store double %633, ptr %27, align 16
-  %634 = select i1 %626, double %515, double %547
-  %635 = load double, ptr %600, align 8
-  %636 = fsub double %634, %635
-  store double %636, ptr %75, align 8
-  %637 = select i1 %626, double %519, double %551
-  %638 = load double, ptr %601, align 8
-  %639 = fsub double %637, %638
-  store double %639, ptr %76, align 16
+  %638 = select i1 %629, double %512, double %544
+  %639 = load double, ptr %602, align 8
+  %640 = fsub double %638, %639
+  store double %640, ptr %27, align 16
+  %641 = select i1 %629, double %516, double %548
+  %642 = load double, ptr %603, align 8
+  %643 = fsub double %641, %642
+  store double %643, ptr %76, align 8
+  %644 = select i1 %629, double %520, double %552
+  %645 = load double, ptr %604, align 8
+  %646 = fsub double %644, %645
+  store double %646, ptr %77, align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #15
-  br label %640
+  br label %647
 
-640:                                              ; preds = %640, %630
-  %641 = phi i64 [ 0, %630 ], [ %642, %640 ]
-  %642 = add nuw nsw i64 %641, 1
-  %643 = icmp ult i64 %641, 2
-  %644 = add nuw nsw i64 %641, 4294967294
-  %645 = select i1 %643, i64 %642, i64 %644
-  %646 = and i64 %645, 4294967295
-  %647 = getelementptr inbounds double, ptr %26, i64 %646
-  %648 = load double, ptr %647, align 8
-  %649 = icmp eq i64 %641, 0
-  %650 = add nuw nsw i64 %641, 4294967295
-  %651 = and i64 %650, 4294967295
-  %652 = select i1 %649, i64 2, i64 %651
-  %653 = getelementptr inbounds double, ptr %27, i64 %652
-  %654 = load double, ptr %653, align 8
-  %655 = fmul double %648, %654
-  %656 = getelementptr inbounds double, ptr %26, i64 %652
-  %657 = load double, ptr %656, align 8
-  %658 = getelementptr inbounds double, ptr %27, i64 %646
-  %659 = load double, ptr %658, align 8
-  %660 = fmul double %657, %659
-  %661 = fsub double %655, %660
-  %662 = getelementptr inbounds double, ptr %28, i64 %641
-  store double %661, ptr %662, align 8
-  %663 = icmp eq i64 %642, 3
-  br i1 %663, label %664, label %640
+647:                                              ; preds = %647, %637
+  %648 = phi i64 [ 0, %637 ], [ %649, %647 ]
+  %649 = add nuw nsw i64 %648, 1
+  %650 = icmp ult i64 %648, 2
+  %651 = add nuw nsw i64 %648, 4294967294
+  %652 = select i1 %650, i64 %649, i64 %651
+  %653 = and i64 %652, 4294967295
+  %654 = getelementptr inbounds double, ptr %26, i64 %653
+  %655 = load double, ptr %654, align 8
+  %656 = icmp eq i64 %648, 0
+  %657 = add nuw nsw i64 %648, 4294967295
+  %658 = and i64 %657, 4294967295
+  %659 = select i1 %656, i64 2, i64 %658
+  %660 = getelementptr inbounds double, ptr %27, i64 %659
+  %661 = load double, ptr %660, align 8
+  %662 = fmul double %655, %661
+  %663 = getelementptr inbounds double, ptr %26, i64 %659
+  %664 = load double, ptr %663, align 8
+  %665 = getelementptr inbounds double, ptr %27, i64 %653
+  %666 = load double, ptr %665, align 8
+  %667 = fmul double %664, %666
+  %668 = fsub double %662, %667
+  %669 = getelementptr inbounds double, ptr %28, i64 %648
+  store double %668, ptr %669, align 8
+  %670 = icmp eq i64 %649, 3
+  br i1 %670, label %671, label %647
 
-664:                                              ; preds = %640
-  %665 = load ptr, ptr %77, align 8
-  %666 = getelementptr inbounds i64, ptr %665, i64 %590
-  %667 = load i64, ptr %666, align 8
-  %668 = icmp eq i64 %667, 0
-  %669 = load double, ptr %28, align 16
-  %670 = select i1 %668, double %669, double %602
-  %671 = fmul double %464, %670
-  %672 = select i1 %668, ptr %28, ptr %26
-  %673 = getelementptr inbounds double, ptr %672, i64 1
-  %674 = load double, ptr %673, align 8
-  %675 = fmul double %465, %674
-  %676 = fadd double %671, %675
-  %677 = select i1 %668, ptr %28, ptr %26
-  %678 = getelementptr inbounds double, ptr %677, i64 2
-  %679 = load double, ptr %678, align 16
-  %680 = fmul double %466, %679
-  %681 = fadd double %676, %680
-  %682 = fneg double %681
-  %683 = select i1 %626, double %681, double %682
-  %684 = fadd double %627, %683
+671:                                              ; preds = %647
+  %672 = load ptr, ptr %78, align 8
+  %673 = getelementptr inbounds i64, ptr %672, i64 %593
+  %674 = load i64, ptr %673, align 8
+  %675 = icmp eq i64 %674, 0
+  %676 = load double, ptr %28, align 16
+  %677 = select i1 %675, double %676, double %605
+  %678 = fmul double %465, %677
+  %679 = select i1 %675, ptr %28, ptr %26
+  %680 = getelementptr inbounds double, ptr %679, i64 1
+  %681 = load double, ptr %680, align 8
+  %682 = fmul double %466, %681
+  %683 = fadd double %678, %682
+  %684 = select i1 %675, ptr %28, ptr %26
+  %685 = getelementptr inbounds double, ptr %684, i64 2
+  %686 = load double, ptr %685, align 16
+  %687 = fmul double %467, %686
+  %688 = fadd double %683, %687
+  %689 = fneg double %688
+  %690 = select i1 %629, double %688, double %689
+  %691 = fadd double %630, %690
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  br label %685
+  br label %692
 
-685:                                              ; preds = %625, %664
-  %686 = phi double [ %684, %664 ], [ %627, %625 ]
-  br i1 %626, label %625, label %620
+692:                                              ; preds = %628, %671
+  %693 = phi double [ %691, %671 ], [ %630, %628 ]
+  br i1 %629, label %628, label %623
 
-687:                                              ; preds = %620, %444, %573, %438
-  %688 = phi i64 [ %574, %573 ], [ %439, %438 ], [ %439, %444 ], [ %574, %620 ]
+694:                                              ; preds = %623, %445, %574, %439
+  %695 = phi i64 [ %575, %574 ], [ %440, %439 ], [ %440, %445 ], [ %575, %623 ]
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  %689 = add nuw nsw i64 %84, 1
-  %690 = getelementptr inbounds double, ptr %82, i64 %688
-  %691 = add nsw i64 %688, 13
-  %692 = getelementptr inbounds double, ptr %83, i64 %691
-  %693 = icmp eq i64 %689, %2
-  br i1 %693, label %79, label %80
+  %696 = add nuw nsw i64 %85, 1
+  %697 = getelementptr inbounds double, ptr %83, i64 %695
+  %698 = add nsw i64 %695, 13
+  %699 = getelementptr inbounds double, ptr %84, i64 %698
+  %700 = icmp eq i64 %696, %2
+  br i1 %700, label %80, label %81
 }
 
 define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #7 {
@@ -4058,7 +4095,7 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
 
 define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #9 {
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
   %8 = getelementptr inbounds double, ptr %6, i64 %7
@@ -4091,7 +4128,7 @@ define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonl
   br i1 %30, label %41, label %31
 
 31:                                               ; preds = %29
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
   %33 = load ptr, ptr %32, align 8
   %34 = shl nsw i64 %3, 1
   %35 = getelementptr inbounds i64, ptr %33, i64 %34
@@ -4127,19 +4164,19 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
 7:                                                ; preds = %66, %2
   %8 = phi i64 [ %1, %2 ], [ %68, %66 ]
   %9 = load ptr, ptr %0, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 27
+  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 29
   %11 = load ptr, ptr %10, align 8
   %12 = mul nsw i64 %8, 6
   %13 = getelementptr inbounds double, ptr %11, i64 %12
   %14 = load double, ptr %3, align 8
-  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 12
+  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 14
   %16 = load ptr, ptr %15, align 8
   %17 = load i64, ptr %4, align 8
   %18 = shl nsw i64 %17, 2
   %19 = or i64 %18, 3
   %20 = getelementptr inbounds double, ptr %16, i64 %19
   %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 32
+  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 34
   %23 = load ptr, ptr %22, align 8
   %24 = mul nsw i64 %17, 3
   %25 = getelementptr inbounds double, ptr %23, i64 %24
@@ -4184,7 +4221,7 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   br i1 %55, label %69, label %56
 
 56:                                               ; preds = %53, %50
-  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 28
+  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 30
   %58 = load ptr, ptr %57, align 8
   %59 = shl nsw i64 %8, 1
   %60 = getelementptr inbounds i64, ptr %58, i64 %59
@@ -4255,7 +4292,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 
 36:                                               ; preds = %33
   %37 = load ptr, ptr %0, align 8
-  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 34
+  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 36
   %39 = load ptr, ptr %38, align 8
   %40 = load i64, ptr %31, align 8
   %41 = add nsw i64 %40, 1
@@ -4303,9 +4340,9 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 }
 
 define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #6 {
-  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 12
+  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 14
   %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 32
+  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 34
   %8 = load ptr, ptr %7, align 8
   %9 = mul nsw i64 %2, 3
   %10 = getelementptr inbounds double, ptr %8, i64 %9
@@ -4357,7 +4394,7 @@ define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) al
   %49 = fadd double %43, %48
   %50 = getelementptr inbounds double, ptr %34, i64 3
   %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 9
+  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 11
   %53 = load ptr, ptr %52, align 8
   %54 = getelementptr inbounds double, ptr %53, i64 %2
   %55 = load double, ptr %54, align 8
@@ -4404,17 +4441,17 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %14 = alloca %struct.Core, align 8
   %15 = alloca [3 x double], align 16
   %16 = load ptr, ptr %0, align 8
-  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 27
+  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 29
   %18 = load ptr, ptr %17, align 8
   %19 = mul nsw i64 %2, 6
   %20 = getelementptr inbounds double, ptr %18, i64 %19
-  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 32
+  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 34
   %22 = load ptr, ptr %21, align 8
   %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %24 = load i64, ptr %23, align 8
   %25 = mul nsw i64 %24, 3
   %26 = getelementptr inbounds double, ptr %22, i64 %25
-  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 9
+  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 11
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds double, ptr %28, i64 %1
   %30 = load double, ptr %29, align 8
@@ -4476,7 +4513,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %76 = fneg double %30
   %77 = fsub double %76, %54
   %78 = tail call double @llvm.sqrt.f64(double %72)
-  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 12
+  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 14
   %80 = load ptr, ptr %79, align 8
   %81 = shl nsw i64 %24, 2
   %82 = or i64 %81, 3
@@ -4564,7 +4601,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %147, label %396, label %148
 
 148:                                              ; preds = %142
-  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 28
+  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 30
   %150 = load ptr, ptr %149, align 8
   %151 = shl nsw i64 %2, 1
   %152 = getelementptr inbounds i64, ptr %150, i64 %151
@@ -4575,7 +4612,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %154, label %155, label %203
 
 155:                                              ; preds = %148
-  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 30
+  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 32
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i64, ptr %152, i64 1
   %159 = load i64, ptr %158, align 8
@@ -4700,9 +4737,9 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %236 = fadd double %232, %235
   %237 = call double @llvm.sqrt.f64(double %236)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 31
+  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 33
   %239 = load ptr, ptr %238, align 8
-  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 5
+  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 7
   %241 = load ptr, ptr %240, align 8
   %242 = getelementptr inbounds i64, ptr %241, i64 %24
   %243 = load i64, ptr %242, align 8
@@ -4746,7 +4783,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %277, label %278, label %260
 
 278:                                              ; preds = %260
-  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 13
+  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 15
   %280 = load ptr, ptr %279, align 8
   %281 = mul nsw i64 %24, 6
   %282 = getelementptr inbounds double, ptr %280, i64 %281
@@ -4914,9 +4951,9 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
 }
 
 define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #9 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i64, ptr %7, i64 %1
   %9 = load i64, ptr %8, align 8
@@ -4976,9 +5013,9 @@ define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr 
 define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #9 {
   %6 = alloca [3 x double], align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %3
   %12 = load i64, ptr %11, align 8
@@ -5022,7 +5059,7 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   br i1 %46, label %47, label %29
 
 47:                                               ; preds = %29
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %49 = load ptr, ptr %48, align 8
   %50 = mul nsw i64 %3, 6
   %51 = getelementptr inbounds double, ptr %49, i64 %50
@@ -7059,9 +7096,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
   %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
   br label %11
 
 11:                                               ; preds = %50, %4
@@ -7119,7 +7156,7 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   br label %11
 
 55:                                               ; preds = %44
-  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
   %57 = load ptr, ptr %56, align 8
   %58 = getelementptr inbounds i64, ptr %47, i64 1
   %59 = load i64, ptr %58, align 8

@@ -29,7 +29,23 @@ class _World(ctypes.Structure):
     _fields_ = [
         (name, ctypes.c_long if name in ("n", "bodies", "selves", "movers", "groups", "pairs", "top") else ctypes.c_void_p)
         for name in (
-            *("n", "fixed", "axes", "slides", "bodies", "joint", "kind", "first", "count", "radius", "pose", "size", "ball"),
+            *(
+                "n",
+                "before",
+                "carries",
+                "fixed",
+                "axes",
+                "slides",
+                "bodies",
+                "joint",
+                "kind",
+                "first",
+                "count",
+                "radius",
+                "pose",
+                "size",
+                "ball",
+            ),
             "local",
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
             *("node_box", "node", "root", "corners", "frames", "centres", "least", "found", "guess"),

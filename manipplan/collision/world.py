@@ -9,7 +9,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -29,7 +29,10 @@ def world_arrays(
     """The arrays of `World`, and the bodies of each pair, the moving one first."""
     model, objects = robot.model, list(geometry.geometryObjects)
     joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
+    before, carries = joint_tree(model)
     arrays: dict[str, NDArray[Any]] = {
+        "before": before,
+        "carries": carries,
         "fixed": np.array([_flat(place) for place in model.jointPlacements[1:]]).reshape(-1, 12),
         "axes": np.array([axis_of(joint) for joint in model.joints[1:]]),
         "slides": np.array([is_prismatic(joint) for joint in model.joints[1:]], dtype=np.int64),

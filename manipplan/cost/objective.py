@@ -77,7 +77,7 @@ class PathObjective:
 
 def check_task(kinematics: Kinematics) -> None:
     """Raise InvalidInputError when the task has more rows than the arm has joints."""
-    task, n = kinematics.task, kinematics.robot.n
+    task, n = kinematics.task, kinematics.symbolic.joints
     if task.rows > n:
         raise InvalidInputError(
             "task", task.name, f"at most {n} rows; with more rows than joints the manipulability is identically zero"
@@ -91,4 +91,4 @@ def check_measure(kinematics: Kinematics) -> None:
         usable = [name for name, kind in MEASURES.items() if kind.grows]
         wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or a custom one"
         raise InvalidInputError("measure", measure.name, wanted)
-    measure.check(kinematics.task.rows, kinematics.robot.n)
+    measure.check(kinematics.task.rows, kinematics.symbolic.joints)

@@ -17,6 +17,7 @@ from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -73,7 +74,7 @@ class Solver:
     @classmethod
     def of(cls, robot: Robot, *, task: Task | None, held: Sequence[str] | None, method: str, seed: int) -> "Solver":
         """The solver for an arm; arguments and errors as in `inverse_kinematics`."""
-        instance("robot", robot, Robot)
+        one_tool(instance("robot", robot, Robot), "inverse kinematics")
         usual = robot.default_task if robot.planar else Task.pose()
         task = instance("task", task if task is not None else usual, Task)
         if method not in METHODS:
@@ -297,6 +298,8 @@ def _tool_axis(task: Task, robot: Robot) -> Array | None:
     """The tool axis about which the task leaves it free; raises InvalidInputError for a task that is not a pose."""
     if robot.planar and task == Task.planar():
         return np.array([0.0, 0.0, 1.0])
+    if task.relative_to is not None:
+        raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
     rows = [*task.world_rows, *task.tool_rows]
     moves = np.array([row[:3] for row in rows])
     position = int(np.linalg.matrix_rank(moves))

@@ -185,7 +185,10 @@ def _workspace_data(workspace: CartesianPath | None) -> Any:
     kind = type(workspace)
     if PATHS.get(kind.__name__) is not kind:
         return {"missing": f"a path of a class of your own, {kind.__name__}"}
-    return {"kind": kind.__name__, **{each.name: getattr(workspace, each.name) for each in fields(workspace)}}  # type: ignore[arg-type]  # a dataclass
+    values = {each.name: getattr(workspace, each.name) for each in fields(workspace)}  # type: ignore[arg-type]  # a dataclass
+    inner = {key: _workspace_data(value) for key, value in values.items() if isinstance(value, CartesianPath)}
+    missing = next((each["missing"] for each in inner.values() if each is not None and "missing" in each), None)
+    return {"missing": missing} if missing else {"kind": kind.__name__, **values, **inner}
 
 
 def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
@@ -194,7 +197,9 @@ def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
         log.warning("the workspace path is missing: %s", data["missing"])
         return None
     values: dict[str, Any] = {
-        key: stored_array(value) if isinstance(value, list) else value for key, value in data.items() if key != "kind"
+        key: stored_array(value) if isinstance(value, list) else _workspace(value) if isinstance(value, dict) else value
+        for key, value in data.items()
+        if key != "kind"
     }
     return PATHS[data["kind"]](**values)
 

@@ -17,6 +17,7 @@ from manipplan.jobs.goals.candidates import find_candidates, measured
 from manipplan.jobs.goals.choice import choose
 from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.goals.read import named_configuration, read_goals
+from manipplan.jobs.reports.tools import with_goals
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
@@ -132,7 +133,8 @@ def plan(
         robot: the arm.
         start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
         goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
-            tolerance; or a list of these, such as a set of grasps.
+            tolerance; or, for a robot with several tools, a mapping from tools to these two, where the arm of a tool that is
+            not named ends where it began; or a list of these, such as a set of grasps.
         scene: obstacles; None: none. The arm is always checked against itself.
         constraints: what every configuration of the motion keeps: `TiltLimit` for a level tool, `PositionBox`, `HeldJoints`, or
             a `Constraint` of your own. Start and goal have to keep them, too; of a pose or a list, candidates that do not are
@@ -235,7 +237,10 @@ def plan(
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
     made = finish(draft, path, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
-    missed = targets[made.goal_index].missed_by(robot, trajectory.q[-1])
+    reached = targets[made.goal_index]
+    missed = reached.missed_by(robot, trajectory.q[-1])
+    tools = with_goals(made.report.tools, robot, trajectory.q[-1], reached.tools)
+    made = replace(made, report=replace(made.report, tools=tools))
     if missed and made.report.passed:
         made = check_failed(made, throw, missed)
     tell(1.0, "done")

@@ -68,7 +68,7 @@ def checked(argument: str, problem: Problem) -> Problem:
         check_options(problem.objective, problem.shape, seeding)
         start = named_configuration("start", problem.start, robot)
         targets, is_list = read_goals("goal", problem.goal, robot)
-        goals = [each.q if each.q is not None else each.pose for each in targets]
+        goals = [each.goal for each in targets]
         clearance = number("clearance", problem.clearance, least=0.0)
         check_timing_limits(robot.limits)
         problem.shape.ends(robot.n)

@@ -32,16 +32,16 @@ LIMITS = ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
 
 
 def fingerprint(robot: Robot) -> tuple[Array, Array]:
-    """The pose of the tool at q = 0 (4, 4) and every joint's screw there (n, 6), linear part first, in the world's frame.
+    """The pose of each tool at q = 0 (k, 4, 4) and every joint's screw there (n, 6), linear part first, in the world's frame.
 
-    By the product of exponentials they give the pose of the tool at every q: different kinematics have different values.
+    By the product of exponentials they give the poses of the tools at every q: different kinematics have different values.
     """
     data = robot.model.createData()
     zero = np.zeros(robot.n)
     pin.computeJointJacobians(robot.model, data, zero)
     pin.framesForwardKinematics(robot.model, data, zero)
-    tool = data.oMf[frame_index(robot.model, robot.tool)].homogeneous
-    return np.array(tool), np.array(data.J.T)
+    tools = [data.oMf[frame_index(robot.model, tool)].homogeneous for tool in robot.tools]
+    return np.array(tools), np.array(data.J.T)
 
 
 def outlines(robot: Robot) -> Array:
@@ -63,7 +63,7 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
     limits = {kind: getattr(robot.limits, kind) for kind in LIMITS}
     data = {
         "arm": robot.name,
-        "tool": robot.tool,
+        "tools": robot.tools,
         "joint_names": robot.joint_names,
         "neutral": robot.neutral,
         "limits": {**limits, "sources": robot.limits.sources},
@@ -71,8 +71,8 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
         "screws": screws,
         "outlines": outlines(robot),
         "base": robot.base,
-        "tools": [{"name": name, "pose": pose} for name, pose in robot.tools],
-        "parts": [[name, type(part.solid).__name__] for name, part in robot.carried.items()],
+        "frames": [vars(added) for added in robot.added_frames],
+        "parts": [[name, type(part.solid).__name__, part.frame] for name, part in robot.carried.items()],
     }
     carried = []
     for name, part in robot.carried.items():
@@ -121,12 +121,18 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
     stored.append(stored_array(data["outlines"]).reshape(-1, OUTLINE))
     names = tuple(data["joint_names"])
     found = (*fingerprint(arm), outlines(arm))
-    parts = [[name, type(part.solid).__name__] for name, part in arm.carried.items()]
-    if arm.joint_names != names or parts != data["parts"] or not all(_same(a, b) for a, b in zip(found, stored, strict=True)):
-        said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {arm.tool}"
+    tools = tuple(data["tools"])
+    parts = [[name, type(part.solid).__name__, part.frame] for name, part in arm.carried.items()]
+    if (
+        arm.joint_names != names
+        or arm.tools != tools
+        or parts != data["parts"]
+        or not all(_same(a, b) for a, b in zip(found, stored, strict=True))
+    ):
+        said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {' and '.join(arm.tools)}"
         wanted = (
-            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {data['tool']}, and links as when the plan "
-            "was saved. Its files were changed, or it is another robot: give the right robot="
+            f"the robot of {path}: {data['arm']} with {', '.join(names)} and tool {' and '.join(tools)}, and links as when the "
+            "plan was saved. Its files were changed, or it is another robot: give the right robot="
         )
         raise FileFormatError("robot", said, wanted)
     other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]
@@ -140,10 +146,11 @@ def _apply_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path
     base = stored_array(data["base"])
     if not np.array_equal(base, arm.base):
         arm = arm.at(base)
-    for tool in data["tools"]:
-        arm = arm.with_tool(stored_array(tool["pose"]), name=tool["name"])
-    for part in scene_of(path, data["carried"], folder, None).obstacles:
-        arm = arm.attach(part)
+    for added in data["frames"]:
+        arm = arm.with_tool(stored_array(added["pose"]), name=added["name"], tool=added["frame"])
+    parts = scene_of(path, data["carried"], folder, None).obstacles
+    for part, (_, _, frame) in zip(parts, data["parts"], strict=True):
+        arm = arm.attach(part, tool=frame)
     return arm
 
 

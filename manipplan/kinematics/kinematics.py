@@ -4,7 +4,7 @@ import math
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 import casadi as ca
@@ -16,8 +16,9 @@ from manipplan.kinematics.batch import Kernel, NativeKernel, all_cores, run_kern
 from manipplan.kinematics.evaluate import Evaluator
 from manipplan.kinematics.instructions import expressible
 from manipplan.kinematics.view import View
-from manipplan.measures.measure import Measure, Posture
+from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
+from manipplan.measures.over_tools import OverTools
 from manipplan.support.checks import Array, configurations, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
@@ -25,7 +26,7 @@ from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
-from manipplan.symbolic.motion import TaskMotion
+from manipplan.symbolic.relative import Seen, task_rows
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -43,28 +44,20 @@ class SymbolicKinematics:
     Attributes:
         chain: the arm at symbolic q.
         posture: the quantities that measures depend on.
+        joints: number of joints that can serve the task: all, or the fewest of a tool if the measure is over all tools.
     """
 
     def __init__(self, chain: SymbolicChain, task: Task, measure: Measure, robot: "Robot") -> None:
         self.chain = chain
         self.task = task
         self.measure = measure
-        view = View.of(chain, task)
-        self.posture = Posture(
-            q=chain.q,
-            jacobian=task.rows_of(chain.jacobian, chain.tool.rotation),
-            motion=TaskMotion(chain=chain, task=task),
-            isometric=view.jacobian,
-            smooth=view.smooth,
-            mass_matrix=lambda: chain.mass_matrix,
-            lower=robot.limits.lower,
-            upper=robot.limits.upper,
-        )
+        self.posture = posture_of(robot, chain, task)
+        self.joints = min(map(len, map(robot.joints_of, robot.tools))) if measure.over_tools else robot.n
         self._expressions: dict[str, ca.SX] = {}
 
     @cached_property
     def pose(self) -> ca.Function:
-        """T_world_tool (4, 4) of q (n,)."""
+        """T_world_tool (4, 4) of q (n,); the tool in the frame of a relative task."""
         return self.function("pose")
 
     @cached_property
@@ -104,9 +97,9 @@ class SymbolicKinematics:
     def _expression(self, quantity: str) -> ca.SX:
         if quantity not in self._expressions:
             if quantity not in ("pose", "jacobian"):
-                self.measure.check(*self.posture.jacobian.shape)
+                self.measure.check(self.task.rows, self.joints)
             build: dict[str, Callable[[], ca.SX]] = {
-                "pose": self.chain.tool.matrix,
+                "pose": Seen.of(self.chain, self.task).tool.matrix,
                 "jacobian": lambda: self.posture.jacobian,
                 "manipulability": lambda: self.measure.value(self.posture),
                 "gradient": lambda: self.measure.gradient(self.posture),
@@ -130,7 +123,9 @@ class Kinematics:
     Every method takes q (n,) or (..., n) [rad or m] and raises InvalidInputError for another shape, NaN or inf. The
     Jacobian is LOCAL_WORLD_ALIGNED: velocity of the tool's origin along world axes, then angular velocity about world axes
     times `task.length`. If the arm has fewer joints than the task has rows, a measure that would be identically zero raises
-    InvalidInputError.
+    InvalidInputError. Of a robot with several tools, pose and Jacobian are those of the first, and the measure is over all
+    tools; `Robot.arm` gives the arm of each. With `relative_to` of the task, its frame takes the place of the world, and the
+    measure is that of the motion of the first tool relative to it.
 
     Attributes:
         robot, task: the arm and its task.
@@ -160,13 +155,13 @@ class Kinematics:
     @property
     def is_square(self) -> bool:
         """Whether the arm has as many joints as the task has rows."""
-        return self.task.rows == self.robot.n
+        return self.task.rows == self.robot.n and not self.measure.over_tools
 
     def __reduce__(self) -> tuple[object, ...]:
         return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)
 
     def pose(self, q: ArrayLike) -> Array:
-        """T_world_tool, (..., 4, 4)."""
+        """T_world_tool, (..., 4, 4); for a relative task the pose of the tool in the frame that it refers to."""
         return self._evaluate("pose", q)
 
     def jacobian(self, q: ArrayLike) -> Array:
@@ -281,13 +276,60 @@ def kinematics_of(
 ) -> Kinematics:
     """The kinematics of a robot, built once for each set of arguments; see `Robot.kinematics`."""
     task = instance("task", task if task is not None else robot.default_task, Task)
-    chosen = measure_of(measure)
+    chosen = measure_for(robot, task, measure_of(measure))
     if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
         raise InvalidInputError("compiled", compiled, "'auto', True or False")
     threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
     if not isinstance(backend, str):
         raise InvalidInputError("backend", backend, "the name of a backend")
     return _kinematics(robot, task, chosen, backend, compiled, threads)
+
+
+def measure_for(robot: "Robot", task: Task, measure: Measure) -> Measure:
+    """The measure for a robot and a task: over all tools where there are several and the task is that of each.
+
+    Raises InvalidInputError or UnknownNameError when the task's frame, or a tool that has a weight, does not exist.
+    """
+    if task.relative_to is not None:
+        frames = [frame.name for frame in robot.model.frames]
+        if task.relative_to not in frames:
+            raise UnknownNameError("relative_to", task.relative_to, frames)
+        if measure.over_tools:
+            raise InvalidInputError("measure", measure.name, f"a measure of one motion: that relative to {task.relative_to}")
+        return measure
+    if len(robot.tools) > 1 and not measure.over_tools:
+        return OverTools(measure=measure)
+    inner = getattr(measure, "measure", None)
+    for each in (measure, inner):
+        if isinstance(each, OverTools):
+            each.check_tools(robot.tools)
+    return measure
+
+
+def posture_of(robot: "Robot", chain: SymbolicChain, task: Task) -> Posture:
+    """The symbolic quantities of a robot that measures depend on."""
+    view, (jacobian, motion) = View.of(chain, task), task_rows(chain, task)
+
+    def tools() -> dict[str, ToolPosture]:
+        """The posture of each tool's arm."""
+        found = {}
+        for tool in robot.tools:
+            arm, joints = robot.arm(tool), robot.joints_of(tool)
+            posture = posture_of(arm, chain_of(arm, "auto"), task)
+            found[tool] = ToolPosture(posture=posture, joints=joints, q=chain.q)
+        return found
+
+    return Posture(
+        q=chain.q,
+        jacobian=jacobian,
+        motion=motion,
+        isometric=view.jacobian,
+        smooth=view.smooth,
+        mass_matrix=lambda: chain.mass_matrix,
+        lower=robot.limits.lower,
+        upper=robot.limits.upper,
+        tools=cache(tools),
+    )
 
 
 @once_per_owner

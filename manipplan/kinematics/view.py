@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import casadi as ca
 
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
-from manipplan.symbolic.motion import Motion, TaskMotion
+from manipplan.symbolic.motion import Motion
+from manipplan.symbolic.relative import task_rows
 from manipplan.symbolic.task import Task
 
 
@@ -29,9 +30,9 @@ class View:
     def of(cls, chain: SymbolicChain, task: Task) -> "View":
         """The best view of `chain` for `task`; the plain Jacobian if the task depends on the world axes."""
         n = chain.q.shape[0]
-        plain = task.rows_of(chain.jacobian, chain.tool.rotation)
-        smooth: tuple[ca.SX, Motion] = (plain, TaskMotion(chain=chain, task=task))
-        if not (task.turns_freely and _straight(chain)):
+        smooth = task_rows(chain, task)
+        plain = smooth[0]
+        if not (task.turns_freely and _straight(chain) and task.relative_to is None):
             return cls(jacobian=plain, smooth=smooth)
         if task.tool_rows:
             return cls(jacobian=task.rows_of(*_seen_from(chain, n, None)), smooth=smooth)
@@ -52,8 +53,9 @@ def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     This takes a third more operations than `View.smooth`, and a third of those of the plain Jacobian.
     """
     n = chain.q.shape[0]
-    if not (_straight(chain) and task.turns_freely and not task.tool_rows and len(task.world_rows) == 6):
-        return task.rows_of(chain.jacobian, chain.tool.rotation), TaskMotion(chain=chain, task=task)
+    is_pose = task.turns_freely and not task.tool_rows and len(task.world_rows) == 6
+    if not (_straight(chain) and is_pose and task.relative_to is None):
+        return task_rows(chain, task)
     middle = (n + 1) // 2
     seen, _ = _seen_from(chain, middle, middle)
     rows = ca.sparsify(ca.DM(task.matrices[0]))

@@ -37,6 +37,10 @@ class JointLimitPenalised(Measure):
             raise InvalidInputError("measure", self.measure.name, "a measure that is at least 0 and better when larger")
         number("k", self.k, above=0.0)
 
+    @property
+    def over_tools(self) -> bool:  # type: ignore[override]  # that of the measure inside
+        return self.measure.over_tools
+
     def check(self, m: int, n: int) -> None:
         self.measure.check(m, n)
 

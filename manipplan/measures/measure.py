@@ -1,7 +1,7 @@
 """Base classes of the manipulability measures: a scalar per posture, with unit, definition, source and derivatives."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -29,6 +29,7 @@ class Posture:
         smooth: a Jacobian with the same manipulability, and its motion, for derivatives of functions of det(J Jᵀ) alone.
         mass_matrix: M(q), (n, n), built when called.
         lower, upper: position limits (n,) [rad or m]; infinite where there are none.
+        tools: the posture of each tool of the robot, by its name, built when called.
     """
 
     q: ca.SX
@@ -39,6 +40,28 @@ class Posture:
     mass_matrix: Callable[[], ca.SX]
     lower: Array
     upper: Array
+    tools: Callable[[], Mapping[str, "ToolPosture"]]
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True)
+class ToolPosture:
+    """The posture of the arm that moves one tool of a robot.
+
+    Attributes:
+        posture: that of the arm, with symbols of its own.
+        joints: indices of its joints among those of the robot.
+        q: (n, 1) symbols of the robot.
+    """
+
+    posture: Posture
+    joints: tuple[int, ...]
+    q: ca.SX
+
+    def placed(self, quantity: Callable[[Posture], ca.SX]) -> ca.SX:
+        """A quantity of the arm as an expression of the robot's q."""
+        made = ca.Function("placed", [self.posture.q], [quantity(self.posture)])
+        return made.call([self.q[list(self.joints)]], True, False)[0]
 
 
 class Measure(ABC):
@@ -50,6 +73,7 @@ class Measure(ABC):
         source: citation key of its source.
         vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
         grows: whether it is at least zero and larger is better.
+        over_tools: whether it combines the measures of all tools of a robot.
     """
 
     name: ClassVar[str]
@@ -57,6 +81,7 @@ class Measure(ABC):
     source: ClassVar[str]
     vanishes: ClassVar[bool] = True
     grows: ClassVar[bool] = True
+    over_tools: ClassVar[bool] = False
 
     @abstractmethod
     def unit(self, task: Task) -> str:

@@ -4,6 +4,7 @@ from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.limited import JointLimitPenalised
 from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure
+from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -23,6 +24,7 @@ MEASURES: dict[str, type[Measure]] = {
         VelocityTransmission,
         ForceTransmission,
         JointLimitPenalised,
+        OverTools,
     )
 }
 

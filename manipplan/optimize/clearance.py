@@ -17,7 +17,7 @@ from manipplan.collision.near_pairs import NearPairs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
-from manipplan.robots.model_tree import axis_of, is_prismatic
+from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import as_asked
 
@@ -80,7 +80,9 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
 
     The second argument is a `ClearanceRow.column`. Only joints between the two move the point relative to the plane: the sign
     σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the point as
-    carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane.
+    carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane. If
+    neither of two joints carries the other, at most one, j, carries the point and one, i, the plane: then it is
+    -n · (z_i x c_j).
     """
     chain, model = kinematics.symbolic.chain, kinematics.robot.model
     q, n = chain.q, kinematics.robot.n
@@ -94,21 +96,25 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
         plane_normal += other[k] * (placement.rotation @ normal)
     distance = ca.dot(plane_normal, position - plane_origin) - offset - keep
 
+    _, carries = joint_tree(model)
     spin, velocity, sign = [], [], []
     for i in range(1, n + 1):
         axis = chain.joints[i].rotation @ ca.DM(axis_of(model.joints[i]))
         slides = is_prismatic(model.joints[i])
         spin.append(ca.SX.zeros(3) if slides else axis)
         velocity.append(axis if slides else ca.cross(axis, position - chain.joints[i].origin))
-        sign.append(ca.sum1(carrier[i:]) - ca.sum1(other[i:]))
+        above = np.flatnonzero(carries[:, i]).tolist()
+        sign.append(ca.sum1(carrier[above]) - ca.sum1(other[above]))
     gradient = ca.vertcat(*(sign[i] * ca.dot(plane_normal, velocity[i]) for i in range(n)))
     hessian = ca.SX.zeros(n, n)
     for j in range(n):
         for i in range(j + 1):
             both = sign[i] * sign[j] / 2
+            first, second = (i, j) if carries[j + 1, i + 1] else (j, i)
             bend = both * ca.dot(
                 plane_normal,
-                (1 + sign[i]) * ca.cross(spin[i], velocity[j]) + (1 - sign[i]) * ca.cross(spin[j], velocity[i]),
+                (1 + sign[i]) * ca.cross(spin[first], velocity[second])
+                + (1 - sign[i]) * ca.cross(spin[second], velocity[first]),
             )
             hessian[i, j] = hessian[j, i] = bend
     column = ca.vertcat(carrier, other, point, normal, offset, keep)

@@ -222,5 +222,22 @@ class Stretch(CartesianPath):
         return self.path._at(np.where(at > 1.0, at - 1.0, at))
 
 
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Offset(CartesianPath):
+    """The path of a frame at `offset` (4, 4) in the frame that moves along `path`, such as a tool that holds an object."""
+
+    path: CartesianPath
+    offset: Array
+
+    @property
+    def knots(self) -> Array:
+        return self.path.knots
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        poses = self.path(s) @ self.offset
+        return np.asarray(poses[:, :3, 3]), np.asarray(poses[:, :3, :3])
+
+
 #: The subclasses by name.
-PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline)}
+PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline, Offset)}

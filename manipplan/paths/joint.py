@@ -1,5 +1,6 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -14,6 +15,8 @@ from manipplan.support.checks import Array, finite_array, number_array, whole_nu
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
+#: Breaks of two paths nearer than this are one.
+SAME_BREAK = 1e-12
 #: Paths shorter than this count as no motion [rad or m].
 SHORTEST = 1e-6
 #: Tolerance on the full turns between start and end of a closed path [rad or m].
@@ -247,6 +250,28 @@ def cut(path: JointPath, begin: float, end: float) -> JointPath:
     breaks = (breaks - begin) / (end - begin)
     breaks[-1] = 1.0
     return JointPath(breaks=breaks, control=control)
+
+
+def side_by_side(parts: Sequence[tuple[JointPath, Sequence[int]]], still: Array) -> JointPath:
+    """Paths over the same s as one of all joints: each moves the joints of its indices, the others stay at `still` (n,)."""
+    breaks = np.unique(np.concatenate([path.breaks for path, _ in parts]))
+    breaks = breaks[np.append(True, np.diff(breaks) > SAME_BREAK)]
+    breaks[-1] = 1.0
+    degree = max(path.degree for path, _ in parts)
+    control = np.tile(still, (len(breaks) - 1, degree + 1, 1))
+    for path, joints in parts:
+        for k, (begin, end) in enumerate(itertools.pairwise(breaks)):
+            control[k][:, list(joints)] = _raised(_piece(path, begin, end)[None], degree)[0]
+    control[1:, 0] = control[:-1, -1]
+    return JointPath(breaks=breaks, control=control)
+
+
+def _piece(path: JointPath, begin: float, end: float) -> Array:
+    """Control points (k + 1, n) of a part of a path that lies in one of its pieces."""
+    k = int(np.clip(np.searchsorted(path.breaks, (begin + end) / 2) - 1, 0, len(path.control) - 1))
+    low, high = path.breaks[k], path.breaks[k + 1]
+    left = split(path.control[k], min((end - low) / (high - low), 1.0))[0]
+    return split(left, max((begin - low) / (end - low), 0.0))[1]
 
 
 @cache

@@ -1,7 +1,7 @@
 """A tool frame, another place of the base and carried parts on the Pinocchio models of an arm; each returns copies."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
 import coal
@@ -38,10 +38,20 @@ class Solid(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """A carried part: its shape posed in the tool frame, and the names of its bodies in the robot's geometry."""
+    """A carried part: its shape, the names of its bodies in the robot's geometry, and the tool frame that it is posed in."""
 
     solid: Solid
     bodies: tuple[str, ...]
+    frame: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class AddedFrame:
+    """A tool frame that was added: its name, and its pose (4, 4) in the tool frame before it."""
+
+    name: str
+    pose: Array
+    frame: str
 
 
 def number_names(name: str, count: int) -> tuple[str, ...]:
@@ -56,6 +66,14 @@ def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.M
     frame = model.frames[index]
     model.addBodyFrame(name, frame.parentJoint, frame.placement * pose, index)
     return model
+
+
+def in_new_frame(carried: Mapping[str, Part], old: str, pose: pin.SE3, new: str) -> dict[str, Part]:
+    """The carried parts, those posed in the frame `old` now in the frame `new`, which is at `pose` in it."""
+    return {
+        name: replace(part, solid=part.solid.at(pose.inverse()), frame=new) if part.frame == old else part
+        for name, part in carried.items()
+    }
 
 
 def move_base(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) -> tuple[pin.Model, pin.GeometryModel]:

@@ -24,7 +24,7 @@ class Entry:
 
     folder: str
     urdf: str
-    tool: str
+    tool: str | tuple[str, ...]
     first: str | None = None
     srdf: str | None = None
     neutral: tuple[float, ...] | None = None
@@ -45,6 +45,8 @@ _PANDA = Entry(
 )
 _UR_NEUTRAL = (0.0, -1.5708, 1.5708, -1.5708, -1.5708, 0.0)
 _BAXTER_NEUTRAL = (0.0, -0.55, 0.0, 0.75, 0.0, 1.26, 0.0)
+
+_TIAGO_ARM = (0.2, -0.6, 1.5, 1.6, -1.57, 0.2, 0.0)  # mirror images have the same values on both sides
 
 CATALOG: Mapping[str, Entry] = {
     "panda": _PANDA,
@@ -92,6 +94,19 @@ CATALOG: Mapping[str, Entry] = {
         tool="right_gripper",
         neutral=_BAXTER_NEUTRAL,
     ),
+    "baxter": Entry(
+        folder="baxter_description",
+        urdf="urdf/baxter.urdf",
+        srdf="srdf/baxter_manipulation.srdf",
+        tool=("left_gripper", "right_gripper"),
+        neutral=_BAXTER_NEUTRAL * 2,
+    ),
+    "talos": Entry(
+        folder="talos_data",
+        urdf="robots/talos_reduced.urdf",
+        srdf="srdf/talos.srdf",
+        tool=("wrist_left_ft_tool_link", "wrist_right_ft_tool_link"),
+    ),
     "talos_right_arm": Entry(
         folder="talos_data",
         urdf="robots/talos_reduced.urdf",
@@ -116,6 +131,12 @@ CATALOG: Mapping[str, Entry] = {
         folder="tiago_description",
         urdf="robots/tiago.urdf",
         tool="arm_tool_link",
+    ),
+    "tiago_dual": Entry(
+        folder="tiago_description",
+        urdf="robots/tiago_dual.urdf",
+        tool=("arm_left_tool_link", "arm_right_tool_link"),
+        neutral=(0.15, *_TIAGO_ARM, *_TIAGO_ARM),
     ),
     "icub": Entry(
         folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool="r_hand", first="r_shoulder_pitch"

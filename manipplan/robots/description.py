@@ -11,13 +11,14 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots import attached, mjcf_bodies, urdf_links
+from manipplan.robots import attached
+from manipplan.robots.formats import mjcf_bodies, urdf_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
+from manipplan.robots.formats.xml_files import DEEPEST, read_xml
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import check_mjcf_meshes, check_urdf_meshes
 from manipplan.robots.mimics import WORLD, Mimic, read_couplings, read_mimics
 from manipplan.robots.model_tree import plain_angles
-from manipplan.robots.xml_files import DEEPEST, read_xml
 from manipplan.support.errors import FileFormatError
 
 T = TypeVar("T")

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.xml_files import numbers
+from manipplan.robots.formats.xml_files import numbers
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 #: Pinocchio's name for the world, as a joint and as a frame.

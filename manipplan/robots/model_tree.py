@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
@@ -33,6 +34,24 @@ def axis_of(joint: pin.JointModel) -> Array:
         motion = np.array(data.S).reshape(-1)
         return motion[:3] if is_prismatic(joint) else motion[3:]
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
+
+
+def joint_types(model: pin.Model, unlimited: Sequence[bool]) -> tuple[str, ...]:
+    """'revolute', 'continuous' or 'prismatic' for each joint, of which some have no position limits."""
+    kinds = {False: "revolute", True: "continuous"}
+    joints = zip(list(model.joints)[1:], unlimited, strict=True)
+    return tuple("prismatic" if is_prismatic(joint) else kinds[endless] for joint, endless in joints)
+
+
+def joint_tree(model: pin.Model) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The joint before each joint (n,), 0: the world, and whether joint j carries joint i, as [i, j] of (n + 1, n + 1).
+
+    A joint carries itself; the world, 0, carries every joint.
+    """
+    carries = np.zeros((model.njoints, model.njoints), dtype=np.int64)
+    for i in range(model.njoints):
+        carries[i, list(model.supports[i])] = 1
+    return np.array(list(model.parents)[1:], dtype=np.int64), carries
 
 
 def plain_angles(model: pin.Model) -> pin.Model:

@@ -1,4 +1,4 @@
-"""Robot: a serial chain of active joints cut out of a robot description, with its limits, tool frame and geometry."""
+"""Robot: the active joints cut out of a robot description that move one tool or several, with limits and geometry."""
 
 import logging
 from collections.abc import Mapping, Sequence
@@ -12,12 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots import attached, description, model_tree
 from manipplan.robots import subchain as parts
-from manipplan.robots.attached import Part, Solid
+from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
+from manipplan.robots.attached import AddedFrame, Part, Solid
+from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
-from manipplan.support.checks import Array, configurations, existing_file, pose_matrix
+from manipplan.robots.table import robot_table
+from manipplan.support.checks import Array, existing_file, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import state_without_memo
@@ -32,7 +35,7 @@ log = logging.getLogger("manipplan")
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Robot(Pictured):
-    """An arm: n active joints from base to tool; every other joint of the description is locked.
+    """An arm, or several with a tool each: n active joints; every other joint of the description is locked.
 
     Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build a Robot with
     `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`. A robot holds working data of Pinocchio and IPOPT:
@@ -42,18 +45,20 @@ class Robot(Pictured):
         name: what the arm is called.
         model: the Pinocchio model of the active joints alone; its nq = nv = n.
         geometry: the collision geometry of the description (meshes and shapes), placed on `model`.
-        tool: name of the tool frame.
+        tool: name of the tool frame; of several the first.
+        other_tools: names of the further tool frames; `tools` has all.
         limits: JointLimits.
         neutral: (n,) a posture inside the limits; see `from_urdf`.
         locked: the locked joints of the description, with their values [rad or m].
-        disabled_pairs: pairs of bodies that need no self-collision check (from an SRDF); None without an SRDF.
+        disabled_pairs: pairs of links that need no self-collision check, from an SRDF, but for those of two arms with a tool
+            each; None without an SRDF.
         adjacent_pairs: pairs of geometry objects (by name) on one link, or on two links that one joint of the description
             connects.
         planar: True when the arm moves only in the x-y plane.
         states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, to build it again; None for an arm that was built by hand.
         base: (4, 4) pose of the base in the world.
-        tools: name and pose (4, 4) of each frame that `with_tool` added, in the tool frame before it.
+        added_frames: the frames that `with_tool` added.
         carried: the parts that `attach` added, by name, posed in the tool frame.
     """
 
@@ -61,6 +66,7 @@ class Robot(Pictured):
     model: pin.Model
     geometry: pin.GeometryModel
     tool: str
+    other_tools: tuple[str, ...] = ()
     limits: JointLimits
     neutral: Array
     locked: Mapping[str, float] = field(default_factory=dict)
@@ -70,7 +76,7 @@ class Robot(Pictured):
     states: Mapping[str, Array] = field(default_factory=NamedStates)
     source: RobotSource | None = None
     base: Array = field(default_factory=lambda: pose_matrix("base", np.eye(4)))
-    tools: tuple[tuple[str, Array], ...] = ()
+    added_frames: tuple[AddedFrame, ...] = ()
     carried: Mapping[str, Part] = field(default_factory=dict)
 
     @classmethod
@@ -78,7 +84,7 @@ class Robot(Pictured):
         cls,
         file: str | Path,
         *,
-        tool: str | None = None,
+        tool: str | Sequence[str] | None = None,
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
@@ -95,8 +101,9 @@ class Robot(Pictured):
 
         Args:
             file: the URDF or xacro file.
-            tool: frame (link or joint) whose motion counts. Default: the end effector of the SRDF, or the only leaf.
-            joints: the active joints, from base to tool. Default: all that move the tool. Joints that mimic another follow it;
+            tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector of the
+                SRDF, or the only leaf.
+            joints: the active joints, from base to tool. Default: all that move a tool. Joints that mimic another follow it;
                 it has to be locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
@@ -129,7 +136,7 @@ class Robot(Pictured):
         cls,
         file: str | Path,
         *,
-        tool: str | None = None,
+        tool: str | Sequence[str] | None = None,
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
@@ -148,7 +155,7 @@ class Robot(Pictured):
     def _cut(
         cls,
         read: description.Description,
-        tool: str | None,
+        tool: str | Sequence[str] | None,
         joints: Sequence[str] | None,
         srdf: str | Path | None,
         name: str | None,
@@ -163,11 +170,12 @@ class Robot(Pictured):
             given |= vars(files)
         semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
-        tool = parts.choose_tool(whole, tool, semantic)
-        chain = [whole.names[i] for i in whole.supports[whole.frames[model_tree.frame_index(whole, tool)].parentJoint]][1:]
-        active = parts.choose_joints(whole, tool, chain, joints, read.mimics)
+        tools = parts.choose_tools(whole, tool, semantic)
+        chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
+        active = parts.choose_joints(whole, tools, chain, joints, read.mimics)
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
         model, geometry = model_tree.reduce(whole, read.geometry, active, held)
+        check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
@@ -180,11 +188,12 @@ class Robot(Pictured):
             name=name or model.name or read.file.stem,
             model=model,
             geometry=geometry,
-            tool=tool,
+            tool=tools[0],
+            other_tools=tools[1:],
             limits=base,
             neutral=parts.usual_posture(base, neutral),
             locked=held,
-            disabled_pairs=semantic.disabled if semantic is not None else None,
+            disabled_pairs=disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
             adjacent_pairs=model_tree.adjacent_pairs(whole, read.geometry),
             states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
@@ -199,20 +208,35 @@ class Robot(Pictured):
         return int(self.model.nv)
 
     @property
+    def tools(self) -> tuple[str, ...]:
+        """Names of all tool frames."""
+        return (self.tool, *self.other_tools)
+
+    def joints_of(self, tool: str) -> tuple[int, ...]:
+        """Indices of the active joints that move a tool; raises UnknownNameError for a tool that the robot does not have."""
+        return tuple(carriers(self.model, known_tool(self, "tool", tool)))
+
+    def arm(self, tool: str, q: ArrayLike | None = None) -> "Robot":
+        """The arm of one tool; other joints are locked at q (n,), by default `neutral`, and their links are still checked.
+
+        A saved plan of it does not say how to build it: give `robot=` when it is loaded.
+
+        Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
+        """
+        joints = self.joints_of(tool)
+        if len(joints) == self.n and self.tools == (tool,):
+            return self
+        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, self.configuration("q", q))
+
+    @property
     def joint_names(self) -> tuple[str, ...]:
-        """Names of the active joints, from base to tool."""
+        """Names of the active joints, from base to tool; of several arms one after the other."""
         return tuple(self.model.names)[1:]
 
     @property
     def joint_types(self) -> tuple[str, ...]:
         """'revolute', 'continuous' or 'prismatic' for each active joint."""
-        kinds = []
-        for i, joint in enumerate(self.model.joints[1:]):
-            if model_tree.is_prismatic(joint):
-                kinds.append("prismatic")
-            else:
-                kinds.append("continuous" if np.isinf(self.limits.lower[i]) else "revolute")
-        return tuple(kinds)
+        return model_tree.joint_types(self.model, np.isinf(self.limits.lower).tolist())
 
     @property
     def endless(self) -> NDArray[np.bool_]:
@@ -222,12 +246,12 @@ class Robot(Pictured):
 
     @property
     def default_task(self) -> "Task":
-        """Task.planar() for a planar arm, Task.pose() from six joints on, otherwise Task.position()."""
+        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position()."""
         from manipplan.symbolic.task import Task
 
         if self.planar:
             return Task.planar()
-        return Task.pose() if self.n >= 6 else Task.position()
+        return Task.pose() if min(len(self.joints_of(tool)) for tool in self.tools) >= 6 else Task.position()
 
     def kinematics(
         self,
@@ -263,27 +287,7 @@ class Robot(Pictured):
 
         Raises InvalidInputError that names `argument`, the joint, its value and its limits.
         """
-        q = configurations(argument, q, self.n)
-        if q.ndim != 1:
-            raise InvalidInputError(argument, q, f"one configuration of shape ({self.n},)")
-        outside = self.limits.outside(q)
-        if (outside > tolerance).any():
-            i = int(outside.argmax())
-            raise InvalidInputError(
-                f"{argument}[{i}] ({self.joint_names[i]})",
-                float(q[i]),
-                f"{self.limits.lower[i]:g} to {self.limits.upper[i]:g} {self._unit_hint(i, q[i])}",
-            )
-        return q
-
-    def _unit_hint(self, joint: int, value: float) -> str:
-        """The joint's unit and, for a value beyond a full turn that may be in degrees, its value in radians."""
-        if self.joint_types[joint] == "prismatic":
-            return "m"
-        turned = np.deg2rad(value)
-        if abs(value) > 2 * np.pi and self.limits.lower[joint] <= turned <= self.limits.upper[joint]:
-            return f"rad; {value:g} degrees are {turned:.4g} rad"
-        return "rad"
+        return checked_configuration(self, argument, q, tolerance)
 
     def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
         """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π]."""
@@ -296,17 +300,26 @@ class Robot(Pictured):
         limits = self.limits.with_changes(changes, source=source)
         return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
 
-    def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp") -> "Robot":
+    def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp", tool: str | None = None) -> "Robot":
         """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the current tool frame.
 
-        Raises InvalidInputError when the pose is no pose, or a frame of the robot has that name already.
+        Of several tools it replaces `tool`, by default the first.
+
+        Raises InvalidInputError when the pose is no pose, or a frame of the robot has that name already, and UnknownNameError
+        when the robot has no such tool.
         """
-        pose = pose_matrix("pose", pose)
-        offset = pin.SE3(pose)
-        carried = {each: replace(part, solid=part.solid.at(offset.inverse())) for each, part in self.carried.items()}
+        pose, old = pose_matrix("pose", pose), self.tool if tool is None else known_tool(self, "tool", tool)
         attached.check_new_name(name, self.model, self.geometry, self.carried)
-        model = attached.with_frame(self.model, self.tool, offset, name)
-        return replace(self, model=model, tool=name, tools=(*self.tools, (name, pose)), carried=carried)
+        model = attached.with_frame(self.model, old, pin.SE3(pose), name)
+        first, *others = (name if each == old else each for each in self.tools)
+        return replace(
+            self,
+            model=model,
+            tool=first,
+            other_tools=tuple(others),
+            added_frames=(*self.added_frames, AddedFrame(name=name, pose=pose, frame=old)),
+            carried=attached.in_new_frame(self.carried, old, pin.SE3(pose), name),
+        )
 
     def at(self, pose: ArrayLike | pin.SE3) -> "Robot":
         """The arm with its base at `pose`, (4, 4) or pin.SE3, in the world; poses and obstacles are given in the world.
@@ -322,7 +335,7 @@ class Robot(Pictured):
         model, geometry = attached.move_base(self.model, self.geometry, motion)
         return replace(self, model=model, geometry=geometry, base=base)
 
-    def attach(self, shape: Solid, *, name: str = "") -> "Robot":
+    def attach(self, shape: Solid, *, name: str = "", tool: str | None = None) -> "Robot":
         """The arm with a part in its hand, which is checked for collisions from now on.
 
         It is checked against everything but the bodies that move with the tool; what else it may touch, such as the table
@@ -332,6 +345,7 @@ class Robot(Pictured):
             shape: an obstacle such as Box or Mesh, posed in the tool frame. One that is posed in the world is in the tool
                 frame as `shape.at(np.linalg.inv(robot.kinematics().pose(q)))`, with q the configuration of the grasp.
             name: name of the part. Default: that of the shape, or "part".
+            tool: of several tools the one that carries it; default the first.
 
         Raises InvalidInputError when `shape` is not a shape with a pose, is unbounded, a cloud of points or a mesh that is not
         convex (`fill="hull"` of Mesh makes it so), or the robot has a link, body or part of that name.
@@ -340,8 +354,10 @@ class Robot(Pictured):
             raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")
         name = name or shape.name or "part"
         attached.check_new_name(name, self.model, self.geometry, self.carried)
-        geometry, bodies = attached.with_part(self.model, self.geometry, self.tool, shape, name)
-        return replace(self, geometry=geometry, carried={**self.carried, name: Part(solid=shape, bodies=bodies)})
+        frame = self.tool if tool is None else known_tool(self, "tool", tool)
+        geometry, bodies = attached.with_part(self.model, self.geometry, frame, shape, name)
+        carried = {**self.carried, name: Part(solid=shape, bodies=bodies, frame=frame)}
+        return replace(self, geometry=geometry, carried=carried)
 
     def detach(self, name: str = "part") -> "Robot":
         """The arm without the part of that name.
@@ -376,25 +392,8 @@ class Robot(Pictured):
         return state_without_memo(self)
 
     def __repr__(self) -> str:
-        return f"Robot({self.name!r}, joints={self.n}, tool={self.tool!r})"
+        tools = f"tool={self.tool!r}" if len(self.tools) == 1 else f"tools={self.tools}"
+        return f"Robot({self.name!r}, joints={self.n}, {tools})"
 
     def __str__(self) -> str:
-        limits = self.limits
-        head = ("joint", "type", "lower", "upper", "velocity", "acceleration", "jerk", "effort")
-        rows: list[tuple[str, ...]] = [head]
-        for i, (name, kind) in enumerate(zip(self.joint_names, self.joint_types, strict=True)):
-            values = (getattr(limits, column)[i] for column in head[2:])
-            rows.append((name, kind, *(f"{v:.4g}" for v in values)))
-        widths = [max(len(row[k]) for row in rows) for k in range(len(head))]
-        lines = [f"{self.name}: {self.n} joints, tool frame {self.tool}   (SI units, rad)"]
-        for row in rows:
-            cells = [c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(row, widths, strict=True))]
-            lines.append("  ".join(cells).rstrip())
-        lines += [f"{kind} limits: {source}" for kind, source in limits.sources.items()]
-        if self.carried:
-            lines.append(f"carried: {', '.join(self.carried)}")
-        if self.locked:
-            shown = [f"{joint} = {value:g}" for joint, value in list(self.locked.items())[:6]]
-            more = f", ... ({len(self.locked)} in all)" if len(self.locked) > 6 else ""
-            lines.append(f"locked: {', '.join(shown)}{more}")
-        return "\n".join(lines)
+        return robot_table(self)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.robots.xml_files import read_xml
+from manipplan.robots.formats.xml_files import read_xml
 from manipplan.support.checks import Array, distinct_names, finite_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes

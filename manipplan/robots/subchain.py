@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import pinocchio as pin
@@ -17,8 +18,16 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError, Unsupp
 log = logging.getLogger("manipplan")
 
 
-def choose_tool(model: pin.Model, tool: str | None, semantic: Semantics | None) -> str:
-    """The tool frame: the given one, the SRDF's end effector, or the only leaf."""
+def choose_tools(model: pin.Model, tool: str | Sequence[str] | None, semantic: Semantics | None) -> tuple[str, ...]:
+    """The tool frames: the given ones, the SRDF's end effector, or the only leaf."""
+    if not isinstance(tool, list | tuple):
+        return (_choose_tool(model, tool, semantic),)
+    if not tool:
+        raise InvalidInputError("tool", tool, "at least one frame")
+    return tuple(_choose_tool(model, each, None) for each in tool)
+
+
+def _choose_tool(model: pin.Model, tool: Any, semantic: Semantics | None) -> str:
     bodies = [frame.name for frame in model.frames if frame.name != "universe"]
     if tool is None and semantic is not None and semantic.end_effector is not None:
         tool = semantic.end_effector
@@ -33,14 +42,15 @@ def choose_tool(model: pin.Model, tool: str | None, semantic: Semantics | None) 
 
 
 def choose_joints(
-    model: pin.Model, tool: str, chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, Mimic]
+    model: pin.Model, tools: Sequence[str], chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, Mimic]
 ) -> list[str]:
-    """Names of the active joints: the given ones, or all that move the tool, but for followers of a joint that does not.
+    """Names of the active joints: the given ones, or all that move a tool, but for followers of a joint that does not.
 
     A leader cannot be active: chains, kinematics and collision checks have one joint per number of q.
     """
     if isinstance(joints, str):
         raise InvalidInputError("joints", joints, "a list of names")
+    tool = " or ".join(tools)
     held = [joint for joint in chain if joint in mimics and mimics[joint].leader not in chain]
     active = [joint for joint in chain if joint not in held] if joints is None else list(joints)
     for joint in active:

@@ -233,12 +233,13 @@ def _place(robot: Robot, q: Array, joint: int, ball: Ball) -> Array:
 
 
 def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
-    """The place (3,) of the first joint, and the largest distance from there of a point in the frame of a joint [m]."""
+    """The place (3,) of the first joint that carries a joint, and the largest distance from there of a point it carries [m]."""
     model, slides = robot.model, [kind == "prismatic" for kind in robot.joint_types]
     farthest = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))
-    links = sum(float(np.linalg.norm(model.jointPlacements[j].translation)) for j in range(2, joint + 1))
-    slid = sum(float(farthest[j]) for j in range(joint) if slides[j])
-    return np.array(model.jointPlacements[1].translation), float(np.linalg.norm(centre)) + links + slid + ROUNDING
+    _, first, *others = model.supports[joint]
+    links = sum(float(np.linalg.norm(model.jointPlacements[j].translation)) for j in others)
+    slid = sum(float(farthest[j - 1]) for j in (first, *others) if slides[j - 1])
+    return np.array(model.jointPlacements[first].translation), float(np.linalg.norm(centre)) + links + slid + ROUNDING
 
 
 def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel | None:

@@ -57,6 +57,7 @@ class Status(Enum):
         "positions"
     )
     # programs
+    CARRIED = "carried: all tools move the object along its path, one arm led and the others followed, and every check passed"
     COMPOSED = "composed: motions of a program, joined up to the next stop, and every check passed"
     # any job
     NO_PATH = "failed: no collision-free path was found; raise Seeding.time_limit, lower clearance, or check the goal"
@@ -102,6 +103,7 @@ MET = (
     Status.IMPROVED,
     Status.FOLLOWED,
     Status.FOLLOWED_IN_PARTS,
+    Status.CARRIED,
     Status.COMPOSED,
     Status.PROVEN_OPTIMAL,
     Status.TRACKED,

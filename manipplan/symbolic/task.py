@@ -26,58 +26,75 @@ class Task:
         world_rows: rows with directions and axes in the world frame; they come first in the Jacobian.
         tool_rows: rows whose directions and axes turn with the tool.
         length: characteristic length [m] that weights rotation; 1.0 leaves the raw Jacobian.
+        relative_to: frame of the robot, such as another tool, in which the tool's motion counts; "world" then means that frame
+            in the rows. None: the world.
     """
 
     name: str
     world_rows: tuple[Row, ...] = ()
     tool_rows: tuple[Row, ...] = ()
     length: float = 1.0
+    relative_to: str | None = None
 
     def __post_init__(self) -> None:
         number("length", self.length, above=0.0)
+        if self.relative_to is not None and (not isinstance(self.relative_to, str) or not self.relative_to):
+            raise InvalidInputError("relative_to", self.relative_to, "the name of a frame of the robot, or None for the world")
         rows = (*self.world_rows, *self.tool_rows)
         if not rows or any(len(row) != 6 or not np.isfinite(row).all() for row in rows):
             raise InvalidInputError("world_rows, tool_rows", rows, "at least one row, each of six finite numbers")
 
     @classmethod
-    def pose(cls, length: float = 0.5) -> "Task":
+    def pose(cls, length: float = 0.5, *, relative_to: str | None = None) -> "Task":
         """Position and orientation, 6 rows; angular rows times `length` [m] > 0."""
-        return cls(name="pose", world_rows=_LINEAR + _ANGULAR, length=number("length", length, above=0.0))
+        length = number("length", length, above=0.0)
+        return cls(name="pose", world_rows=_LINEAR + _ANGULAR, length=length, relative_to=relative_to)
 
     @classmethod
-    def position(cls) -> "Task":
+    def position(cls, *, relative_to: str | None = None) -> "Task":
         """Position only, 3 rows."""
-        return cls(name="position", world_rows=_LINEAR)
+        return cls(name="position", world_rows=_LINEAR, relative_to=relative_to)
 
     @classmethod
-    def orientation(cls) -> "Task":
+    def orientation(cls, *, relative_to: str | None = None) -> "Task":
         """Orientation only, 3 rows."""
-        return cls(name="orientation", world_rows=_ANGULAR)
+        return cls(name="orientation", world_rows=_ANGULAR, relative_to=relative_to)
 
     @classmethod
-    def planar(cls) -> "Task":
+    def planar(cls, *, relative_to: str | None = None) -> "Task":
         """Position in the x-y plane, 2 rows: the task of the planar arm in [kth2012]."""
-        return cls(name="planar", world_rows=_LINEAR[:2])
+        return cls(name="planar", world_rows=_LINEAR[:2], relative_to=relative_to)
 
     @classmethod
-    def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5) -> "Task":
+    def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5, *, relative_to: str | None = None) -> "Task":
         """Position and direction of a tool axis (3,) given in the tool's frame, 5 rows: rotation about it is free."""
         _, _, basis = np.linalg.svd(_unit("axis", axis)[None, :])
         across = tuple((0.0, 0.0, 0.0, *(float(x) for x in row)) for row in basis[1:])
-        return cls(name="pointing", world_rows=_LINEAR, tool_rows=across, length=number("length", length, above=0.0))
+        length = number("length", length, above=0.0)
+        return cls(name="pointing", world_rows=_LINEAR, tool_rows=across, length=length, relative_to=relative_to)
 
     @classmethod
-    def direction(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+    def direction(cls, axis: ArrayLike, frame: str = "world", *, relative_to: str | None = None) -> "Task":
         """Speed of the tool's origin along one axis (3,) of the "world" or of the "tool", 1 row."""
-        return cls._rows("direction", np.concatenate([_unit("axis", axis), np.zeros(3)])[None, :], frame, 1.0)
+        rows = np.concatenate([_unit("axis", axis), np.zeros(3)])[None, :]
+        return cls._rows("direction", rows, frame, 1.0, relative_to)
 
     @classmethod
-    def rotation(cls, axis: ArrayLike, frame: str = "world") -> "Task":
+    def rotation(cls, axis: ArrayLike, frame: str = "world", *, relative_to: str | None = None) -> "Task":
         """Angular speed of the tool about one axis (3,) of the "world" or of the "tool", 1 row."""
-        return cls._rows("rotation", np.concatenate([np.zeros(3), _unit("axis", axis)])[None, :], frame, 1.0)
+        rows = np.concatenate([np.zeros(3), _unit("axis", axis)])[None, :]
+        return cls._rows("rotation", rows, frame, 1.0, relative_to)
 
     @classmethod
-    def custom(cls, rows: ArrayLike, frame: str = "world", length: float = 1.0, name: str = "custom") -> "Task":
+    def custom(
+        cls,
+        rows: ArrayLike,
+        frame: str = "world",
+        length: float = 1.0,
+        name: str = "custom",
+        *,
+        relative_to: str | None = None,
+    ) -> "Task":
         """Any linearly independent rows (m, 6): a direction of the tool's origin, then an axis of rotation.
 
         Args:
@@ -85,6 +102,7 @@ class Task:
             frame: "world" or "tool".
             length: characteristic length [m] > 0.
             name: name of the task.
+            relative_to: frame of the robot that takes the place of the world; None: the world.
         """
         matrix = finite_array("rows", rows, (None, 6))
         length = number("length", length, above=0.0)
@@ -92,10 +110,10 @@ class Task:
             raise InvalidInputError("rows", matrix.tolist(), "1 to 6 linearly independent rows of six numbers")
         if not isinstance(name, str) or not name:
             raise InvalidInputError("name", name, "a name that is not empty")
-        return cls._rows(name, matrix, frame, length)
+        return cls._rows(name, matrix, frame, length, relative_to)
 
     @classmethod
-    def _rows(cls, name: str, matrix: Array, frame: str, length: float) -> "Task":
+    def _rows(cls, name: str, matrix: Array, frame: str, length: float, relative_to: str | None) -> "Task":
         if frame not in ("world", "tool"):
             raise UnknownNameError("frame", str(frame), ["world", "tool"])
         rows = tuple(tuple(float(x) for x in row) for row in matrix)
@@ -104,6 +122,7 @@ class Task:
             world_rows=rows if frame == "world" else (),
             tool_rows=rows if frame == "tool" else (),
             length=length,
+            relative_to=relative_to,
         )
 
     @property

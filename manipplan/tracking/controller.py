@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from manipplan.cost.objective import PathObjective
 from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, number, number_array, positive_array
 from manipplan.support.display import one_line
@@ -126,7 +127,9 @@ class Controller:
             InvalidInputError: an argument is invalid, or Classical has a tolerance or an avoidance.
             CompilerError: compiled is True and there is no compiler, or it fails.
         """
-        instance("robot", robot, Robot)
+        one_tool(instance("robot", robot, Robot), "a controller")
+        if task is not None and instance("task", task, Task).relative_to is not None:
+            raise InvalidInputError("task", task, "a task in the world, in which targets are given")
         if not isinstance(formulation, Formulation):
             raise InvalidInputError("formulation", formulation, "a Formulation, such as formulations.LogDrive()")
         self.robot, self.formulation, self.dt = robot, formulation, number("dt", dt, above=0.0)

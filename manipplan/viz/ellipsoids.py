@@ -104,7 +104,9 @@ def plot_ellipsoids(
 
 def default_scale(robot: Robot, jacobians: Array) -> float:
     """Scale at which the largest velocity ellipsoid radius of Jacobians (k, m, n) is `SHARE` of the arm's length."""
-    arm = np.linalg.norm(np.diff(skeleton(robot, robot.neutral), axis=0), axis=1).sum()
+    arm = np.linalg.norm(
+        np.diff(skeleton(robot.arm(robot.tool), robot.neutral[list(robot.joints_of(robot.tool))]), axis=0), axis=1
+    ).sum()
     largest = np.linalg.norm(jacobians, ord=2, axis=(1, 2)).max()
     return float(SHARE * arm / max(largest, 1e-9))
 

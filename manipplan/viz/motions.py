@@ -70,11 +70,14 @@ def linear_kinematics(robot: Robot) -> Kinematics:
 
 
 def skeleton(robot: Robot, q: Array) -> Array:
-    """Origins of base, joints and tool at q (n,), (n + 2, 3) [m]."""
+    """Origins of base, joints and tool at q (n,), (n + 2, 3) [m]; of several arms along each, and back between them."""
     data = robot.model.createData()
     pin.framesForwardKinematics(robot.model, data, q)
-    origins = [data.oMi[i].translation for i in range(robot.model.njoints)]
-    return np.array([*origins, data.oMf[frame_index(robot.model, robot.tool)].translation])
+    line: list[Array] = []
+    for tool in robot.tools:
+        joints = [data.oMi[i].translation for i in (0, *(j + 1 for j in robot.joints_of(tool)))]
+        line += [*line[::-1], *joints, data.oMf[frame_index(robot.model, tool)].translation]
+    return np.array(line)
 
 
 def tool_way(robot: Robot, path: JointPath, count: int = 160) -> Array:

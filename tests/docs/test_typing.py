@@ -13,7 +13,10 @@ import manipplan
 ROOT = Path(manipplan.__file__).parents[1]
 PROGRAMS = ["README.md", "docs/start.md"]
 #: Pages whose first program is checked alone.
-FIRST = [f"docs/howto/{name}.md" for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording")]
+FIRST = [
+    f"docs/howto/{name}.md"
+    for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording", "two-arms")
+]
 #: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
 CHECKERS = {
     "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],

@@ -27,6 +27,7 @@ import plan_many
 import recorded_motions
 import six_joint_arms
 import timed_motions
+import two_arms
 import version_01
 from meshes import MeshModel
 from outside import problems
@@ -320,3 +321,22 @@ def test_recorded_motions_keep_everything_and_a_worse_one_is_caught(tmp_path, mo
 
     monkeypatch.setattr(mp, "improve", slower)
     assert recorded_motions.main(arguments) == 9
+
+
+def test_the_judge_of_two_arms_refuses_arms_that_touch_and_goals_that_are_missed():
+    robot = mp.load_robot("baxter")
+    case = two_arms.baxter_case(robot, 0, 0)
+    [plan] = two_arms.together(case)
+    judge = two_arms.TwoArmJudge(robot, case.scene)
+    assert judge.accepts(plan.trajectory, case.goal)
+    moved = {tool: pose @ pin.exp6(pin.Motion(np.array([1e-5, 0, 0, 0, 0, 0]))).homogeneous for tool, pose in case.goal.items()}
+    assert not judge.accepts(plan.trajectory, moved)
+    inwards, place = robot.neutral.copy(), np.diag([1.0, -1.0, -1.0, 1.0])
+    place[:3, 3] = 0.7, 0.0, 0.1  # of both hands
+    for tool in robot.tools:
+        inwards[list(robot.joints_of(tool))] = mp.inverse_kinematics(robot.arm(tool), place, samples=4).q[0]
+    crossing = mp.retime(mp.JointPath.line(robot.neutral, inwards), robot)
+    free = two_arms.TwoArmJudge(robot, mp.Scene())
+    assert not free.accepts(crossing, {})
+    aside = mp.retime(mp.JointPath.line(robot.neutral, robot.neutral + 0.05), robot)
+    assert free.accepts(aside, {})

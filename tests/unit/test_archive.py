@@ -126,9 +126,9 @@ def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_
     pose = planar.at(changed_plan.robot.base).base
     robot = planar.at(np.eye(4) if other == "base" else pose)
     if other in ("block", "shape"):
-        robot = robot.with_tool(changed_plan.robot.tools[0][1] @ changed_plan.robot.tools[1][1])
+        robot = robot.with_tool(changed_plan.robot.added_frames[0].pose @ changed_plan.robot.added_frames[1].pose)
     if other == "shape":  # of the same bounding box
-        place = np.linalg.inv(changed_plan.robot.tools[1][1])
+        place = np.linalg.inv(changed_plan.robot.added_frames[1].pose)
         robot = robot.attach(mp.Mesh(triangles=DIAMOND, name="block").at(place))
     with pytest.raises(mp.FileFormatError, match="it is another robot"):
         mp.Plan.load(tmp_path, robot=robot)
@@ -303,7 +303,7 @@ def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
 def test_the_fingerprint_is_the_product_of_exponentials(seed, prismatic):
     """The tool's pose at any q comes from the screws alone, as Pinocchio has it."""
     arm = chain(seed, prismatic)
-    home, screws = fingerprint(arm)
+    [home], screws = fingerprint(arm)
     q = np.random.default_rng(seed).uniform(-3, 3, arm.n)
     pose = np.eye(4)
     for screw, each in zip(screws, q, strict=True):

@@ -108,7 +108,8 @@ def arm():
 
 @pytest.mark.slow
 def test_which_arms_have_a_closed_form(arm):
-    forms = {name: closed_form(arm(name)) for name in mp.available_robots()}
+    arms = {name: arm(name) for name in mp.available_robots()}
+    forms = {name: closed_form(robot) for name, robot in arms.items() if len(robot.tools) == 1}
     assert {name: form.name for name, form in forms.items() if form is not None} == CLOSED
     assert {name for name, form in forms.items() if form is not None and not form.exact} == set(ROUNDED)
 

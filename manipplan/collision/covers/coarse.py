@@ -110,16 +110,18 @@ def _reach(robot: Robot) -> tuple[Array, float]:
 
     It is inf with a prismatic joint without limits.
     """
-    placements = [robot.model.jointPlacements[k].translation for k in range(1, robot.model.njoints)]
-    lengths = sum(float(np.linalg.norm(each)) for each in placements[1:])
+    model = robot.model
+    middle = np.asarray(model.jointPlacements[1].translation)
+    places = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
+    lengths = sum(float(np.linalg.norm(each)) for each in places)
     slides = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"]
     bodies = 0.0
     for item in robot.geometry.geometryObjects:
         if item.parentJoint > 0:
             item.geometry.computeLocalAABB()
-            middle = item.placement.act(item.geometry.aabb_center)
-            bodies = max(bodies, float(np.linalg.norm(middle)) + item.geometry.aabb_radius)
-    return np.asarray(placements[0]), lengths + float(slides.sum()) + bodies
+            centre = item.placement.act(item.geometry.aabb_center)
+            bodies = max(bodies, float(np.linalg.norm(centre)) + item.geometry.aabb_radius)
+    return middle, lengths + float(slides.sum()) + bodies
 
 
 def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:

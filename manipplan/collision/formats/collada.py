@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.formats.polygons import moved_triangles, split_polygons
-from manipplan.robots.xml_files import DEEPEST, bounded_xml
+from manipplan.robots.formats.xml_files import DEEPEST, bounded_xml
 from manipplan.support.checks import Array
 
 Indices = NDArray[np.int64]

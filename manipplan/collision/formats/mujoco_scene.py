@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere
-from manipplan.robots.xml_files import read_xml
+from manipplan.robots.formats.xml_files import read_xml
 from manipplan.support.errors import FileFormatError, MissingExtraError, UnknownNameError
 
 #: Shapes of MuJoCo that become obstacles.

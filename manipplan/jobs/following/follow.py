@@ -21,6 +21,7 @@ from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import SAMPLES, sample_layers
@@ -172,7 +173,7 @@ def follow(
         UnknownNameError: no state has the name given as `start`; the nearest names are listed.
         PlanningError: no continuous motion, no lead-in, or none that passes its checks; its `result` is the Plan so far.
     """
-    instance("robot", robot, Robot)
+    one_tool(instance("robot", robot, Robot), "following a path of the tool")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("objective", objective, PathObjective)
     metric = metric_matrix("metric", objective.metric, robot.n)

@@ -16,6 +16,7 @@ from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
 from manipplan.jobs.goals.straight import straight_lines
+from manipplan.jobs.goals.tool_goals import reaching_tools
 from manipplan.paths.joint import SHORTEST
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -90,6 +91,7 @@ def find_candidates(
     robot = model.robot
     given = {k: each.q for k, each in enumerate(targets) if each.q is not None}
     poses = {k: each.pose for k, each in enumerate(targets) if each.pose is not None}
+    several = {k: each.tools for k, each in enumerate(targets) if each.tools is not None}
     useless: list[GoalCandidate] = []
     rows, goals = [], []
     for k, q in given.items():
@@ -109,6 +111,11 @@ def find_candidates(
         goals += [k] * len(near.reaching)
         if not len(near.reaching):
             useless.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
+    for k, tools in several.items():
+        joined = reaching_tools(tools, start, model, integral, clearance, held)
+        rows += list(joined.q)
+        goals += [k] * len(joined.q)
+        useless += [GoalCandidate(goal_index=k, q=q, status=reason) for q, reason in joined.useless]
     every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
     index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
     reasons = _reasons(every, start, model, clearance, constraints)
@@ -253,6 +260,8 @@ def _nothing_free(targets: Sequence[Target], useless: Sequence[GoalCandidate], a
 def _shown(target: Target) -> object:
     if target.q is not None:
         return target.q.tolist()
+    if target.tools is not None:
+        return {tool: pose.matrix.tolist() for tool, pose in target.tools.items()}
     assert isinstance(target.pose, PoseGoal)
     return target.pose.matrix.tolist()
 

@@ -17,6 +17,8 @@ from manipplan.support.yaml_files import read_yaml
 
 #: Keys of an entry: those of a pose, and the two others, each of which stands alone.
 POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance"), ("q", "state")
+#: Key of an entry with poses of several tools, by their names.
+TOOLS = "tools"
 #: Length up to which a quaternion may differ from 1.
 UNIT = 1e-3
 
@@ -26,7 +28,7 @@ def goals_from_yaml(file: str | Path, robot: Robot) -> list[OneGoal]:
 
     A pose of the tool in the world has `position` [m] and `rotation`: roll, pitch, yaw [rad], a quaternion x, y, z, w, or a
     matrix (3, 3); and, where wanted, `free_axis` (3,) and `tolerance: {position: [m], rotation: [rad]}`. `q` is one number per
-    joint, `state` the name of one of `robot.states`.
+    joint, `state` the name of one of `robot.states`, and `tools` maps the tools of a robot with several to such poses.
 
     Raises FileFormatError or InvalidInputError, which name the file, the entry, the key and what is allowed.
     """
@@ -66,16 +68,33 @@ def goal_of_entry(argument: str, entry: Any, robot: Robot) -> OneGoal:
         target = read_goal(f"{argument}.{key}", entry[key], robot)
         assert target.q is not None
         return target.q
+    if keys == {TOOLS}:
+        return _tools(f"{argument}.{TOOLS}", entry[TOOLS], robot)
+    goal = _pose_goal(argument, entry)
+    read_goal(argument, goal, robot)
+    return goal
+
+
+def _tools(argument: str, entry: Any, robot: Robot) -> Mapping[str, PoseGoal]:
+    """The poses of several tools."""
+    if not isinstance(entry, Mapping):
+        raise InvalidInputError(argument, entry, "a mapping from tools to poses")
+    goals = {str(tool): _pose_goal(f"{argument}.{tool}", each) for tool, each in entry.items()}
+    read_goal(argument, goals, robot)
+    return goals
+
+
+def _pose_goal(argument: str, entry: Any) -> PoseGoal:
+    """A pose with what is free about it."""
+    keys = set(entry) if isinstance(entry, Mapping) else set()
     if not {"position", "rotation"} <= keys or not keys <= set(POSE_KEYS):
-        wanted = f"position and rotation, with free_axis and tolerance where wanted, or one of {' and '.join(ALONE)}"
+        others = ", ".join((*ALONE, TOOLS))
+        wanted = f"position and rotation, with free_axis and tolerance where wanted, or one of {others}"
         raise InvalidInputError(argument, entry, f"an entry with the keys {wanted}")
     position = finite_array(f"{argument}.position", entry["position"], (3,))
     pose = _pose(f"{argument}.rotation", position, entry["rotation"])
-    goal = PoseGoal(
-        pose, free_axis=entry.get("free_axis"), tolerance=_tolerance(f"{argument}.tolerance", entry.get("tolerance"))
-    )
-    read_goal(argument, goal, robot)
-    return goal
+    tolerance = _tolerance(f"{argument}.tolerance", entry.get("tolerance"))
+    return PoseGoal(pose, free_axis=entry.get("free_axis"), tolerance=tolerance)
 
 
 def _pose(argument: str, position: Array, rotation: Any) -> Array:

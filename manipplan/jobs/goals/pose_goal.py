@@ -1,6 +1,6 @@
 """PoseGoal: a pose of the tool in which a motion ends, with what is free about it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -89,19 +89,25 @@ class PoseGoal:
         position = np.linalg.norm(poses[:, :3, 3] - self.matrix[:3, 3], axis=1)
         return position, angles_between(poses[:, :3, :3], self.matrix[:3, :3], self.axis)
 
-    def missed_by(self, robot: Robot, q: Array) -> str:
-        """How far the tool is outside the tolerance at q (n,), by Pinocchio's own kinematics; "" where the goal is reached."""
+    def errors(self, robot: Robot, q: Array, tool: str) -> tuple[float, float]:
+        """Distance [m] and angle [rad] of a tool from the pose at q (n,), by Pinocchio's own kinematics."""
         data = robot.model.createData()
         pin.framesForwardKinematics(robot.model, data, q)
-        tool = data.oMf[frame_index(robot.model, robot.tool)].homogeneous
-        position, rotation = (float(each[0]) for each in self.distances(tool[None]))
+        place = data.oMf[frame_index(robot.model, tool)].homogeneous
+        position, rotation = (float(each[0]) for each in self.distances(place[None]))
+        return position, rotation
+
+    def missed_by(self, robot: Robot, q: Array, tool: str | None = None) -> str:
+        """How far a tool, by default the first, is outside the tolerance at q (n,); "" where the goal is reached."""
+        position, rotation = self.errors(robot, q, tool or robot.tool)
         most = self.allowed
         if position <= most[0] + REACHED and rotation <= most[1] + REACHED:
             return ""
-        return f"the tool ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
+        name = "the tool" if tool is None or len(robot.tools) == 1 else tool
+        return f"{name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
 
 
-#: One goal: (n,) [rad or m], the name of a state, a pose of the tool, or a PoseGoal.
-OneGoal: TypeAlias = ArrayLike | str | pin.SE3 | PoseGoal
+#: One goal: (n,) [rad or m], the name of a state, a pose of the tool, a PoseGoal, or one of these two for several tools each.
+OneGoal: TypeAlias = ArrayLike | str | pin.SE3 | PoseGoal | Mapping[str, ArrayLike | pin.SE3 | PoseGoal]
 #: A goal, or several, of which one is chosen.
 Goal: TypeAlias = OneGoal | Sequence[OneGoal]

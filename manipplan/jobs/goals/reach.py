@@ -16,6 +16,8 @@ from manipplan.symbolic.task import Task
 STARTS, ALL_STARTS, STEPS = (8, 24), 600, 60
 #: Weight of an angle against a distance [m/rad].
 RADIAN = 0.1
+#: Weights of the six rows of a Jacobian [m or m/rad].
+LENGTHS = np.array([1.0] * 3 + [RADIAN] * 3)
 #: First damping of a step, its factors after a good and a bad step, and the largest change of a joint in one step [rad or m].
 DAMPING, BETTER, WORSE, LONGEST = 1e-2, 1 / 3, 4.0, 0.5
 #: Distance from a limit up to which a joint counts as being at it [rad or m].
@@ -63,15 +65,15 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
     starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=count - 2)])
     starts = np.where(held, near, starts)
     q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
-    missing = _Missing.of(kinematics, goals)
+    missing = Missing.of(kinematics, goals)
     miss, counting = missing(owners, q)
     damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
     for _ in range(STEPS):
-        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * np.array([1.0] * 3 + [RADIAN] * 3)[:, None]) * ~held
-        step = _step(jacobian, miss[rows], damping[rows])
+        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * LENGTHS[:, None]) * ~held
+        step = damped_step(jacobian, miss[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
         stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))
-        step = _step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
+        step = damped_step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
         moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
         left, counts = missing(owners[rows], moved)
         good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
@@ -99,7 +101,7 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Missing:
+class Missing:
     """What is missing to the tolerances of g goals.
 
     Attributes:
@@ -115,7 +117,7 @@ class _Missing:
     allowed: Array
 
     @classmethod
-    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "_Missing":
+    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "Missing":
         return cls(
             kinematics=kinematics,
             targets=np.array([each.matrix for each in goals]),
@@ -163,8 +165,8 @@ def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:
     return np.asarray(shortened), np.where((most > 0)[:, None, None], along, np.eye(3))
 
 
-def _step(jacobian: Array, miss: Array, damping: Array) -> Array:
-    """Damped steps (k, n) of the joints that reduce the miss (k, 6)."""
+def damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
+    """Damped steps (k, n) of the joints that reduce the miss (k, r)."""
     turned = np.swapaxes(jacobian, 1, 2)
-    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(6), miss[:, :, None])
+    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(miss.shape[1]), miss[:, :, None])
     return np.asarray(np.clip((turned @ solved)[:, :, 0], -LONGEST, LONGEST))

@@ -1,39 +1,54 @@
 """Reads start and goal in every form that a user may give."""
 
 import numbers
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from manipplan.jobs.goals.pose_goal import REACHED, PoseGoal
+from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
+from manipplan.robots.arms import known_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ROTATION, Array, configurations
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: The forms of a goal, for messages.
-FORMS = "a configuration (n,), the name of a state, a pose (4, 4) or pin.SE3, a PoseGoal, or a list of these"
+FORMS = (
+    "a configuration (n,), the name of a state, a pose (4, 4) or pin.SE3, a PoseGoal, a mapping from tools to poses, or a list "
+    "of these"
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Target:
-    """One goal: a configuration or a pose.
+    """One goal: a configuration, a pose, or a pose of each of several tools.
 
     Attributes:
         argument: what messages call it, such as goal[3].
         q: (n,) [rad or m], perhaps outside the limits; None for a pose.
-        pose: the pose; None for a configuration.
+        pose: the pose of an arm with one tool; None otherwise.
+        tools: the pose of each tool that has one, of a robot with several; None otherwise.
     """
 
     argument: str
     q: Array | None = None
     pose: PoseGoal | None = None
+    tools: Mapping[str, PoseGoal] | None = None
+
+    @property
+    def goal(self) -> OneGoal:
+        """The goal as a user may give it."""
+        if self.q is not None:
+            return self.q
+        return self.pose if self.pose is not None else dict(self.tools or {})
 
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""
         if self.pose is not None:
             return self.pose.missed_by(robot, q)
+        if self.tools is not None:
+            return "; ".join(filter(None, (pose.missed_by(robot, q, tool) for tool, pose in self.tools.items())))
         assert self.q is not None
         off = q - self.q
         turns = np.array([kind != "prismatic" for kind in robot.joint_types])
@@ -59,20 +74,47 @@ def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ..
 
 def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
     """One goal; raises as `read_goals`."""
-    if isinstance(goal, PoseGoal):
-        if goal.axis is not None:
-            _task(argument, goal, robot)
-        return Target(argument=argument, pose=goal)
+    if isinstance(goal, Mapping):
+        return _read_tools(argument, goal, robot)
     if isinstance(goal, str):
         return Target(argument=argument, q=named_configuration(argument, goal, robot))
-    if hasattr(goal, "homogeneous") or np.shape(goal if _has_shape(goal) else ()) == (4, 4):
-        try:
-            return Target(argument=argument, pose=PoseGoal(goal))
-        except InvalidInputError as error:
-            raise InvalidInputError(argument, error.value, error.allowed) from error
+    pose = _read_pose(argument, goal, robot)
+    if pose is not None:
+        if len(robot.tools) > 1:
+            each = ", ".join(f"{tool!r}: pose" for tool in robot.tools)
+            raise InvalidInputError(argument, "one pose", f"which tool reaches it, as {{{each}}}; one of them alone will do")
+        return Target(argument=argument, pose=pose)
     if not isinstance(goal, list | tuple | np.ndarray):
         raise InvalidInputError(argument, goal, FORMS)
     return Target(argument=argument, q=_one_configuration(argument, goal, robot))
+
+
+def _read_tools(argument: str, goal: Mapping[Any, Any], robot: Robot) -> Target:
+    """A goal of one tool or several."""
+    if not goal:
+        raise InvalidInputError(argument, goal, f"a pose for at least one of the tools {', '.join(robot.tools)}")
+    poses = {}
+    for tool, given in goal.items():
+        name = f"{argument}[{tool!r}]"
+        pose = _read_pose(name, given, robot.arm(known_tool(robot, argument, tool)))
+        if pose is None:
+            raise InvalidInputError(name, given, "a pose (4, 4) or pin.SE3, or a PoseGoal")
+        poses[tool] = pose
+    return Target(argument=argument, tools=poses) if len(robot.tools) > 1 else Target(argument=argument, pose=poses[robot.tool])
+
+
+def _read_pose(argument: str, goal: Any, arm: Robot) -> PoseGoal | None:
+    """A pose of the tool of an arm; None where the goal is no pose."""
+    if isinstance(goal, PoseGoal):
+        if goal.axis is not None:
+            _task(argument, goal, arm)
+        return goal
+    if hasattr(goal, "homogeneous") or np.shape(goal if _has_shape(goal) else ()) == (4, 4):
+        try:
+            return PoseGoal(goal)
+        except InvalidInputError as error:
+            raise InvalidInputError(argument, error.value, error.allowed) from error
+    return None
 
 
 def named_configuration(argument: str, q: Any, robot: Robot) -> Array:

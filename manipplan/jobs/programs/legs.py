@@ -89,6 +89,9 @@ def straight_on(pose: Array, way: Array) -> CartesianPath:
 def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
     targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
     for each in targets:
+        if each.tools is not None:
+            wanted = "a configuration or the name of a state: only `plan` reaches poses of several tools"
+            raise InvalidInputError(each.argument, sorted(each.tools), wanted)
         if each.q is not None:
             robot.configuration(each.argument, each.q)
             if step.approach is not None:

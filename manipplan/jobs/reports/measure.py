@@ -17,6 +17,7 @@ from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report, first_path
 from manipplan.jobs.reports.tool import tool_distances
+from manipplan.jobs.reports.tools import tool_figures
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
@@ -100,7 +101,7 @@ def measure(
             faults += _outside(what, distances, tolerance)
     return Report(
         robot=robot.name,
-        tool=robot.tool,
+        tool=" and ".join(robot.tools),
         task=kinematics.task.name,
         measure=kinematics.measure.name,
         measure_unit=kinematics.measure.unit(kinematics.task),
@@ -127,6 +128,7 @@ def measure(
         missed=missed,
         tolerance=tolerance,
         constraints=constraint_figures,
+        tools=tool_figures(path, integral),
         faults=tuple(faults),
         passed=not faults,
     )
@@ -279,6 +281,8 @@ def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
     least, at = found.min_manipulability, found.min_at
     if result.status in ALONG:
         return "seed: the best path among the samples; straight: a line between the ends, which leaves the workspace path"
+    if result.status is Status.CARRIED:
+        return "seed: the best paths among the samples; straight: a line between the ends, on which the tools leave the object"
     if result.status is Status.COMPOSED:
         return "seed: the same motions without blends; straight: a line between the ends"
     first = first_path(result.status.value)

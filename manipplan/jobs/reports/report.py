@@ -9,6 +9,7 @@ from manipplan.constraints.figures import ConstraintFigure
 from manipplan.jobs.recordings.comparison import VANISHING, Comparison
 from manipplan.jobs.reports import along
 from manipplan.jobs.reports.along import PathPart
+from manipplan.jobs.reports.tools import ToolFigure
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -52,6 +53,7 @@ class Report:
         tolerance: what was allowed of both; None without a path.
         constraints: how the motion keeps each constraint, at shares of the duration.
         along: for `follow`: the part of the motion along the workspace path, or the parts, in their order.
+        tools: for a robot with several tools, the figures of each.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
             path.
@@ -87,6 +89,7 @@ class Report:
     tolerance: Tolerance | None = None
     constraints: tuple[ConstraintFigure, ...] = ()
     along: tuple[PathPart, ...] = ()
+    tools: tuple[ToolFigure, ...] = ()
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -136,6 +139,7 @@ class Report:
             lines.append(
                 "  clearance    nothing to check: no two bodies of the description can touch, and there is no obstacle"
             )
+        lines += [f"  tool         {each}" for each in self.tools]
         lines += [f"  constraint   {each}, at {each.at * self.duration:.2f} s" for each in self.constraints]
         for kind, use in self.limits.items():
             if not use.joint:

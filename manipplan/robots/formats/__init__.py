@@ -1,1 +1,1 @@
-"""Readers of URDF files: xacro is expanded and packages are found; a checked XML tree comes out."""
+"""Readers of robot files: xacro is expanded, packages are found, and links, bodies and XML trees are checked."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from manipplan.robots.formats import xacro_files
 from manipplan.robots.formats.packages import PackageFolders
-from manipplan.robots.xml_files import read_xml
+from manipplan.robots.formats.xml_files import read_xml
 from manipplan.support.checks import instance
 from manipplan.support.errors import FileFormatError, InvalidInputError
 

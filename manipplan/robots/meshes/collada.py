@@ -4,7 +4,7 @@ import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from manipplan.robots.xml_files import bounded_xml
+from manipplan.robots.formats.xml_files import bounded_xml
 from manipplan.support.errors import FileFormatError
 
 #: Elements that hold whole numbers, and elements that hold numbers.

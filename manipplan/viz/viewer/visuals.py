@@ -2,9 +2,10 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, mjcf_bodies, model_tree
+from manipplan.robots import attached, model_tree
+from manipplan.robots.formats import mjcf_bodies
+from manipplan.robots.formats.xml_files import read_xml
 from manipplan.robots.robot import Robot
-from manipplan.robots.xml_files import read_xml
 from manipplan.support.errors import ManipplanError
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pinocchio as pin
 
-from manipplan.robots.xml_files import MOST_BODIES, MOST_JOINTS, numbers
+from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS, numbers
 from manipplan.support.errors import FileFormatError
 
 #: Attributes of each shape, with the number of values of each.

@@ -1,0 +1,81 @@
+"""LoneArm: one of several arms without the others, and the motion of its tool along a path in view of theirs."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.model import CollisionModel
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.arms import arm_of
+from manipplan.robots.attached import without_bodies
+from manipplan.robots.robot import Robot
+from manipplan.search.candidates.layers import Layers
+from manipplan.search.max_min import max_min_search
+from manipplan.search.program import PoseRows, joint_path
+from manipplan.search.refine import refine
+from manipplan.support.checks import Array
+from manipplan.support.errors import PlanningError
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LoneArm:
+    """The joints that move one tool alone, the path of this tool, and all configurations at its positions.
+
+    Attributes:
+        tool: the tool frame.
+        joints: indices of the joints among those of the robot.
+        path: of the tool.
+        layers: configurations of these joints; those in collision with what stands still or moves with this tool are left out.
+    """
+
+    tool: str
+    joints: list[int]
+    path: CartesianPath
+    layers: Layers
+
+    def beside(self, model: CollisionModel, q: Array, clearance: float) -> "LoneArm":
+        """The arm with only the configurations that are free where the robot's other joints are as in q (L, n).
+
+        Raises PlanningError, which names the position, where there is none.
+        """
+        kept, m = [], []
+        for k, (own, values) in enumerate(zip(self.layers.q, self.layers.m, strict=True)):
+            whole = np.repeat(q[k : k + 1], len(own), axis=0)
+            whole[:, self.joints] = own
+            free = ~model.in_collision_rows(whole, clearance=clearance)
+            if not free.any():
+                bodies, _ = model.nearest_bodies(whole)
+                wanted = f"at position {k} of {len(q)} every configuration of {self.tool} is in the way of the other arms"
+                raise PlanningError(f"{wanted}: {bodies}")
+            kept.append(np.ascontiguousarray(own[free]))
+            m.append(values[free])
+        return replace(self, layers=replace(self.layers, q=tuple(kept), m=tuple(m)))
+
+    def courses(self, epsilon: ArrayLike, tolerance: Tolerance) -> tuple[JointPath, JointPath]:
+        """The joint path of the largest minimum manipulability, refined, and the one that was searched.
+
+        Raises PlanningError where no continuous path leads through the configurations.
+        """
+        layers = self.layers
+        found = max_min_search(layers, epsilon, throw=False)
+        if not found.connected:
+            raise PlanningError(f"{self.tool}: {found.message}")
+        refined = refine(layers, found)
+        return self._joined(refined.q, tolerance), self._joined(found.q, tolerance)
+
+    def _joined(self, q: Array, tolerance: Tolerance) -> JointPath:
+        sampler, s = self.layers.sampler, self.layers.s
+        assert sampler is not None and s is not None
+        rows = PoseRows(sampler.kinematics)
+        return joint_path(sampler.solver, rows, self.path, s, q, closed=False, allowed=rows.box(tolerance))
+
+
+def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Robot:
+    """The arm of some joints of one tool, with the others locked at `posture` (n,) and without the bodies of other arms."""
+    others = {i for i in range(robot.n) if i not in robot.joints_of(tool)}
+    away = [item.name for item in robot.geometry.geometryObjects if item.parentJoint - 1 in others]
+    arm = arm_of(robot, tool, joints, posture)
+    return replace(arm, geometry=without_bodies(arm.geometry, away), source=None)

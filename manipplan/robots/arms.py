@@ -1,0 +1,98 @@
+"""The arms of a robot with several tools: which joints move a tool, and the arm that they are, with the others locked."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import pinocchio as pin
+
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.model_tree import frame_index, reduce
+from manipplan.robots.srdf import NamedStates
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import once_per_owner
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+
+def check_tools(model: pin.Model, tools: Sequence[str]) -> None:
+    """Raise InvalidInputError unless each tool has a joint that moves it and not all of the others."""
+    if len(set(tools)) < len(tools):
+        raise InvalidInputError("tool", list(tools), "each tool frame once")
+    for tool in tools if len(tools) > 1 else ():
+        for other in tools:
+            if tool != other and set(carriers(model, tool)) <= set(carriers(model, other)):
+                wanted = f"tools of different arms: every joint that moves {tool} also moves {other}"
+                raise InvalidInputError("tool", list(tools), wanted)
+
+
+def carriers(model: pin.Model, frame: str) -> list[int]:
+    """Indices of the joints that move a frame, counted from 0."""
+    return [i - 1 for i in model.supports[model.frames[frame_index(model, frame)].parentJoint] if i > 0]
+
+
+def known_tool(robot: "Robot", argument: str, tool: Any) -> str:
+    """The name of one of the robot's tools; raises UnknownNameError, which names the argument and the nearest names."""
+    if not isinstance(tool, str) or tool not in robot.tools:
+        raise UnknownNameError(argument, str(tool), robot.tools)
+    return tool
+
+
+def one_tool(robot: "Robot", work: str) -> "Robot":
+    """The robot itself if it has one tool; otherwise raises InvalidInputError: `work` is done with one arm."""
+    if len(robot.tools) > 1:
+        each = " or ".join(f"robot.arm({tool!r})" for tool in robot.tools)
+        raise InvalidInputError(
+            "robot", f"{robot.name}, with {len(robot.tools)} tools", f"an arm with one tool: {work}. Use {each}"
+        )
+    return robot
+
+
+def disabled_within_arms(
+    model: pin.Model, tools: Sequence[str], disabled: frozenset[frozenset[str]]
+) -> frozenset[frozenset[str]]:
+    """The disabled pairs of links but for those of two arms, which are checked: arms meet where their SRDF expects it least.
+
+    Baxter's disables forearm against forearm.
+    """
+    joints = [set(carriers(model, tool)) for tool in tools]
+    own = [each.difference(*(joints[:k] + joints[k + 1 :])) for k, each in enumerate(joints)]
+    carrier = {frame.name: frame.parentJoint - 1 for frame in model.frames if frame.type == pin.FrameType.BODY}
+
+    def arms(pair: frozenset[str]) -> set[int]:
+        return {k for link in pair for k, each in enumerate(own) if carrier.get(link) in each}
+
+    return frozenset(pair for pair in disabled if len(arms(pair)) < 2) if len(tools) > 1 else disabled
+
+
+@once_per_owner
+def neutral_arm(robot: "Robot", tool: str) -> "Robot":
+    """The arm of one tool, with the other joints at the neutral posture; built once."""
+    return arm_of(robot, tool, carriers(robot.model, tool), robot.neutral)
+
+
+def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot":
+    """The arm with one tool and some of the joints, by index; the others are locked at q (n,) and remain bodies to check."""
+    names = robot.joint_names
+    held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
+    model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
+    kept = list(joints)
+    limits = {
+        kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
+    }
+    states = NamedStates({name: state[kept] for name, state in robot.states.items()})
+    return replace(
+        robot,
+        name=f"{robot.name} {tool}",
+        model=model,
+        geometry=geometry,
+        tool=tool,
+        other_tools=(),
+        limits=JointLimits(**limits, sources=robot.limits.sources),
+        neutral=robot.neutral[kept],
+        locked={**robot.locked, **held},
+        states=states,
+        source=None,
+    )

@@ -1,0 +1,392 @@
+"""Robots with several tools: kinematics, collisions between the arms, goals of both tools, and an object that both carry."""
+
+import casadi as ca
+import numpy as np
+import pinocchio as pin
+import pytest
+from scipy.spatial.transform import Rotation
+
+import manipplan as mp
+from manipplan.collision.body_motion import body_motion
+from manipplan.jobs.carrying.held import tool_poses
+from manipplan.jobs.goals.goal_file import goals_from_yaml
+from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.paths.cartesian import Offset
+
+TOOLS = ("left_gripper", "right_gripper")
+TABLE = mp.Box(size=(0.7, 1.6, 0.05), position=(0.85, 0.0, -0.2), name="table")
+
+
+@pytest.fixture(scope="module")
+def baxter():
+    return mp.load_robot("baxter")
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return mp.Scene([TABLE])
+
+
+def down(x, y, z, turn=0.0):
+    """A pose of a hand that looks down."""
+    pose = np.eye(4)
+    pose[:3, :3] = Rotation.from_euler("ZX", [turn, np.pi]).as_matrix()
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+def slopes(function, q, step=1e-6):
+    """Central differences of a function of q, the last axis of the result."""
+    return np.stack([(function(q + step * e) - function(q - step * e)) / (2 * step) for e in np.eye(len(q))], axis=-1)
+
+
+def place(robot, frame, q):
+    data = robot.model.createData()
+    pin.framesForwardKinematics(robot.model, data, q)
+    return data.oMf[robot.model.getFrameId(frame)].homogeneous
+
+
+@pytest.mark.parametrize(("name", "joints", "shared"), [("baxter", 14, 0), ("tiago_dual", 15, 1), ("talos", 16, 2)])
+def test_robots_with_both_arms(name, joints, shared):
+    robot = mp.load_robot(name)
+    assert robot.n == joints
+    assert len(robot.tools) == 2
+    left, right = (set(robot.joints_of(tool)) for tool in robot.tools)
+    assert len(left & right) == shared
+    assert left | right == set(range(joints))
+    assert not mp.Scene().in_collision(robot, robot.neutral)
+    q = robot.random_configuration(np.random.default_rng(0))
+    for tool in robot.tools:
+        arm = robot.arm(tool, robot.neutral)
+        np.testing.assert_allclose(arm.kinematics().pose(q[list(robot.joints_of(tool))]), place(robot, tool, q), atol=1e-12)
+
+
+def test_one_tool_is_its_own_arm():
+    panda = mp.load_robot("panda")
+    assert panda.tools == (panda.tool,)
+    assert panda.arm(panda.tool) is panda
+
+
+@pytest.mark.parametrize(
+    ("tool", "message"),
+    [
+        (("left_gripper", "right_griper"), "right_gripper"),
+        (("left_gripper", "left_gripper"), "each tool frame once"),
+        (("left_gripper", "left_wrist"), "tools of different arms"),
+        ((), "at least one frame"),
+    ],
+)
+def test_wrong_tools(tool, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.load_robot("baxter", tool=tool)
+
+
+def test_an_unknown_arm(baxter):
+    with pytest.raises(mp.UnknownNameError, match="left_gripper"):
+        baxter.arm("left_griper")
+
+
+def test_tools_and_parts_of_either_hand(baxter):
+    pose = np.eye(4)
+    pose[2, 3] = 0.1
+    changed = baxter.with_tool(pose, name="tip", tool="right_gripper").attach(mp.Sphere(radius=0.02, name="ball"), tool="tip")
+    assert changed.tools == ("left_gripper", "tip")
+    np.testing.assert_allclose(place(changed, "tip", baxter.neutral), place(baxter, "right_gripper", baxter.neutral) @ pose)
+    [ball] = [item for item in changed.geometry.geometryObjects if item.name == "ball"]
+    assert ball.parentJoint - 1 == baxter.joints_of("right_gripper")[-1]
+    with pytest.raises(mp.UnknownNameError, match="tip"):
+        changed.attach(mp.Sphere(radius=0.02), tool="tap")
+
+
+def test_the_smooth_minimum_is_near_the_minimum_of_both_arms(baxter):
+    q = baxter.random_configuration(np.random.default_rng(1), size=200)
+    m = np.array([baxter.arm(tool).kinematics().manipulability(q[:, list(baxter.joints_of(tool))]) for tool in TOOLS])
+    found = baxter.kinematics().manipulability(q)
+    assert (found <= m.min(axis=0) * (1 + 1e-12)).all()
+    assert (found >= m.min(axis=0) * 2 ** (-1 / 16) * (1 - 1e-12)).all()
+
+
+def test_weights_give_the_mean(baxter):
+    q = baxter.random_configuration(np.random.default_rng(1), size=20)
+    m = [baxter.arm(tool).kinematics().manipulability(q[:, list(baxter.joints_of(tool))]) for tool in TOOLS]
+    measure = mp.OverTools(weights={"left_gripper": 1.0, "right_gripper": 3.0})
+    np.testing.assert_allclose(baxter.kinematics(measure=measure).manipulability(q), (m[0] + 3 * m[1]) / 4, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"measure": mp.OverTools(weights={"left_gripper": 1.0, "right_gripper": 2.0})},
+        {"task": mp.Task.pose(relative_to="right_gripper")},
+        {"task": mp.Task.position(relative_to="torso")},
+    ],
+    ids=["minimum", "weights", "relative", "relative to the torso"],
+)
+def test_gradient_and_hessian(baxter, options):
+    kinematics = baxter.kinematics(compiled=False, **options)
+    q = baxter.random_configuration(np.random.default_rng(2))
+    gradient, hessian = kinematics.gradient(q), kinematics.hessian(q)
+    np.testing.assert_allclose(gradient, slopes(kinematics.manipulability, q), atol=1e-6 * np.abs(gradient).max())
+    np.testing.assert_allclose(hessian, slopes(kinematics.gradient, q), atol=1e-6 * np.abs(hessian).max())
+
+
+def test_one_singular_arm_makes_the_minimum_zero_and_decides_its_slope():
+    value, first, second = mp.OverTools()._combined(["left", "right"], [ca.SX(0.0), ca.SX(0.5)])
+    assert float(value) == 0.0
+    assert [float(each) for each in first] == pytest.approx([1.0, 0.0])
+    assert np.isfinite([[float(each) for each in row] for row in second]).all()
+
+
+def test_the_pose_and_jacobian_relative_to_the_other_tool(baxter):
+    kinematics = baxter.kinematics(mp.Task.pose(length=1.0, relative_to="right_gripper"), compiled=False)
+    q = baxter.random_configuration(np.random.default_rng(3))
+    seen = np.linalg.inv(place(baxter, "right_gripper", q)) @ place(baxter, "left_gripper", q)
+    np.testing.assert_allclose(kinematics.pose(q), seen, atol=1e-12)
+    changes = slopes(kinematics.pose, q)
+    np.testing.assert_allclose(kinematics.jacobian(q)[:3], changes[:3, 3], atol=1e-8)
+    spin = np.einsum("ijk,lj->ilk", changes[:3, :3], seen[:3, :3])
+    np.testing.assert_allclose(kinematics.jacobian(q)[3:], [spin[2, 1], spin[0, 2], spin[1, 0]], atol=1e-8)
+
+
+def test_a_frame_before_the_arm_changes_nothing_but_the_axes():
+    panda = mp.load_robot("panda")
+    q = panda.random_configuration(np.random.default_rng(0), size=5)
+    found = panda.kinematics(mp.Task.pose(relative_to="panda_link0")).manipulability(q)
+    np.testing.assert_allclose(found, panda.kinematics().manipulability(q), rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"task": mp.Task.pose(relative_to="right_griper")}, "right_gripper"),
+        ({"task": mp.Task.pose(relative_to="torso"), "measure": mp.OverTools()}, "one motion"),
+        ({"measure": mp.OverTools(weights={"left_gripper": 1.0})}, "right_gripper has none"),
+        ({"measure": mp.OverTools(weights={"left_gripper": 1.0, "rigth_gripper": 1.0})}, "right_gripper"),
+        ({"measure": "log_det"}, "at least 0 and better when larger"),
+    ],
+)
+def test_wrong_tasks_and_measures(baxter, options, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        baxter.kinematics(**options)
+
+
+@pytest.mark.parametrize("weights", [{"left_gripper": 0.0}, {"left_gripper": -1.0}, {}, 2.0])
+def test_weights_are_positive(weights):
+    with pytest.raises(mp.InvalidInputError, match="weights"):
+        mp.OverTools(weights=weights)
+
+
+def test_distances_between_the_arms_and_their_gradients(baxter, scene):
+    model = scene.collision_model(baxter)
+    rng = np.random.default_rng(4)
+    for q in baxter.random_configuration(rng, size=3):
+        ours, coal = model.distances(q), model._all_distances(q)
+        apart = (ours > 1e-3) & (coal > 1e-3)
+        np.testing.assert_allclose(ours[apart], coal[apart], atol=1e-6)
+        pairs = np.flatnonzero(apart)[rng.integers(0, apart.sum(), 40)]
+        found = model.witnesses(np.tile(q, (len(pairs), 1)), pairs).gradients
+        wanted = slopes(lambda q, pairs=pairs: model.pair_distances(np.tile(q, (len(pairs), 1)), pairs), q)
+        assert np.median(np.abs(found - wanted).max(axis=1)) < 1e-6
+
+
+def test_bounds_on_the_motion_of_arms_towards_each_other(baxter, scene):
+    model = scene.collision_model(baxter)
+    bounds, pairs, rng = body_motion(model), np.arange(len(model.pair_names)), np.random.default_rng(5)
+    rows = np.zeros(len(pairs), dtype=int)
+    for q in baxter.random_configuration(rng, size=5):
+        change = rng.uniform(0, 0.3, baxter.n)
+        found = bounds.motion(q[None], change[None], rows, pairs)
+        np.testing.assert_allclose(found, bounds._motion_by_numpy(q[None], change[None], rows, pairs), atol=1e-7)
+        moved = q + change * rng.choice([-1, 1], size=(20, baxter.n))
+        before, after = model.distances(q), model.distance_rows(moved).min(axis=0)
+        assert (found >= before - after - 1e-6)[before > 0].all()
+
+
+def test_clearance_rows_between_the_arms(baxter):
+    value, gradient, hessian = row_functions(baxter.kinematics(compiled=False))
+    rng = np.random.default_rng(6)
+    for carrier, other in ((7, 14), (14, 7), (3, 10), (12, 0), (9, 12)):
+        normal = rng.normal(size=3)
+        normal /= np.linalg.norm(normal)
+        row = ClearanceRow(
+            s=0.0, joint=carrier, point=rng.normal(size=3), other=other, normal=normal, offset=0.1, distance=0.01
+        )
+        column, q = row.column(baxter.n), baxter.random_configuration(rng)
+        slope = np.array(gradient(q, column)).ravel()
+        np.testing.assert_allclose(slopes(lambda q, c=column: float(value(q, c)), q), slope, atol=1e-7)
+        bends = slopes(lambda q, c=column: np.array(gradient(q, c)).ravel(), q)
+        np.testing.assert_allclose(bends, np.array(hessian(q, column)), atol=1e-7)
+
+
+def test_forearms_are_checked_though_the_srdf_disables_them(baxter):
+    alone = mp.load_robot("baxter_left")
+    pair = frozenset(("left_upper_forearm_visual", "right_upper_forearm_visual"))
+    assert pair in alone.disabled_pairs
+    assert pair not in baxter.disabled_pairs
+    assert frozenset(("left_upper_elbow", "left_lower_elbow")) in baxter.disabled_pairs
+
+
+@pytest.fixture(scope="module")
+def swapped(baxter, scene):
+    """A plan in which both hands go over the table, one of them to the other's side."""
+    goal = {"left_gripper": down(0.65, -0.05, 0.2), "right_gripper": mp.PoseGoal(down(0.75, -0.25, 0.0), free_axis=(0, 0, 1))}
+    return goal, mp.plan(baxter, baxter.neutral, goal, scene)
+
+
+def test_both_hands_reach_their_poses(baxter, scene, swapped):
+    goal, plan = swapped
+    q = plan.trajectory.q[-1]
+    np.testing.assert_allclose(place(baxter, "left_gripper", q), goal["left_gripper"], atol=1e-6)
+    reached = place(baxter, "right_gripper", q)
+    np.testing.assert_allclose(reached[:3, 3], (0.75, -0.25, 0.0), atol=1e-6)
+    np.testing.assert_allclose(reached[:3, 2], (0, 0, -1), atol=1e-6)
+    assert plan.report.passed
+    assert plan.report.proven_clearance > 0
+    model = scene.collision_model(baxter)
+    assert not any(model._touches(each, 0.0) for each in plan.path(np.linspace(0, 1, 100)))
+
+
+def test_the_report_tells_of_each_tool(baxter, swapped):
+    _, plan = swapped
+    left, right = plan.report.tools
+    assert (left.tool, right.tool) == TOOLS
+    q = plan.trajectory.path()(np.linspace(0, 1, 2001))
+    for figure in (left, right):
+        m = baxter.arm(figure.tool).kinematics().manipulability(q[:, list(baxter.joints_of(figure.tool))])
+        assert figure.min_manipulability == pytest.approx(m.min(), rel=1e-4)
+        assert figure.goal_position < 1e-6
+    assert plan.report.min_manipulability <= min(left.min_manipulability, right.min_manipulability)
+    assert "left_gripper: minimum m" in str(plan.report)
+
+
+def test_a_plan_is_the_same_when_it_is_loaded(swapped, tmp_path):
+    _, plan = swapped
+    plan.save(tmp_path)
+    loaded = mp.Plan.load(tmp_path)
+    assert loaded.robot.tools == TOOLS
+    assert loaded.report == plan.report
+    np.testing.assert_array_equal(loaded.trajectory.q, plan.trajectory.q)
+
+
+def test_goals_of_both_tools_in_a_file(baxter, tmp_path):
+    file = tmp_path / "goals.yml"
+    left, right = (
+        "{position: [0.7, 0.2, 0.1], rotation: [3.1416, 0, 0]}",
+        "{position: [0.7, -0.2, 0.1], rotation: [1, 0, 0, 0]}",
+    )
+    file.write_text(f"goals:\n- tools: {{left_gripper: {left}, right_gripper: {right}}}\n")
+    [goal] = goals_from_yaml(file, baxter)
+    assert list(goal) == list(TOOLS)
+    np.testing.assert_allclose(goal["right_gripper"].matrix, down(0.7, -0.2, 0.1), atol=1e-12)
+    file.write_text(f"goals:\n- tools: {{left_griper: {left}}}\n")
+    with pytest.raises(mp.InvalidInputError, match=r"goals\[0\]\.tools.*left_gripper"):
+        goals_from_yaml(file, baxter)
+    file.write_text("goals:\n- tools: {left_gripper: {position: [0.7, 0.2, 0.1]}}\n")
+    with pytest.raises(mp.FileFormatError, match=r"goals\[0\]\.tools\.left_gripper"):
+        goals_from_yaml(file, baxter)
+
+
+@pytest.mark.slow
+def test_one_hand_moves_and_the_other_ends_where_it_began(baxter, scene):
+    plan = mp.plan(baxter, baxter.neutral, {"left_gripper": down(0.7, 0.2, 0.1)}, scene)
+    right = list(baxter.joints_of("right_gripper"))
+    np.testing.assert_array_equal(plan.path.goal[right], baxter.neutral[right])
+
+
+@pytest.mark.slow
+def test_the_torso_helps_both_arms():
+    robot = mp.load_robot("tiago_dual")
+    q = robot.neutral.copy()
+    q[0] = 0.3
+    goal = {tool: place(robot, tool, q) for tool in robot.tools}
+    plan = mp.plan(robot, robot.neutral, goal)
+    assert plan.report.passed
+    assert max(figure.goal_position for figure in plan.report.tools) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("goal", "message"),
+    [
+        (np.eye(4), "which tool reaches it"),
+        ({"left_griper": np.eye(4)}, "left_gripper"),
+        ({}, "at least one of the tools"),
+        ({"left_gripper": "neutral"}, r"goal\['left_gripper'\]"),
+        ({"left_gripper": down(3.0, 0.2, 0.1), "right_gripper": down(0.7, -0.2, 0.1)}, "left_gripper is out of reach"),
+        ({tool: down(0.7, 0.0, 0.1) for tool in TOOLS}, "collides with"),
+        ([{"left_gripper": np.eye(3)}], r"goal\[0\]\['left_gripper'\]"),
+    ],
+    ids=["one pose", "unknown tool", "no tool", "a name", "out of reach", "both in one place", "no pose"],
+)
+def test_wrong_goals(baxter, scene, goal, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.plan(baxter, baxter.neutral, goal, scene)
+
+
+def test_what_needs_one_arm_says_so(baxter):
+    line = mp.CartesianPath.line(down(0.6, 0.2, 0.1), down(0.7, 0.2, 0.1))
+    calls = [
+        lambda: mp.inverse_kinematics(baxter, np.eye(4)),
+        lambda: mp.follow(baxter, line),
+        lambda: mp.sample_layers(baxter, line),
+        lambda: mp.Controller(baxter, mp.formulations.Classical(), dt=0.01),
+    ]
+    for call in calls:
+        with pytest.raises(mp.InvalidInputError, match=r"robot\.arm\('left_gripper'\)"):
+            call()
+
+
+def grasp(side):
+    """A hand at the side of a tray, from above and outside."""
+    pose = np.eye(4)
+    pose[:3, :3] = Rotation.from_euler("xz", [np.pi - side * np.pi / 4, 0.0]).as_matrix()
+    pose[:3, :3] = pose[:3, :3] @ Rotation.from_euler("z", side * np.pi / 2).as_matrix()
+    pose[:3, 3] = 0.0, 0.22 * side, 0.02
+    return pose
+
+
+def tray_at(x, y, z, turn=0.0):
+    pose = np.eye(4)
+    pose[:3, :3] = Rotation.from_euler("z", turn).as_matrix()
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+@pytest.mark.slow
+def test_both_arms_carry_a_tray(baxter, scene, tmp_path):
+    grasps = {"left_gripper": grasp(1), "right_gripper": grasp(-1)}
+    way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15, 0.2))
+    tray = mp.Box(size=(0.3, 0.4, 0.02), name="tray").at(np.linalg.inv(grasps["left_gripper"]))
+    robot = baxter.attach(tray, tool="left_gripper")
+    plan = mp.carry(robot, way, grasps, scene, positions=15, samples=12, epsilon=0.4)
+    assert plan.status is mp.Status.CARRIED
+    assert plan.report.passed
+    q = plan.trajectory(np.linspace(0, plan.trajectory.duration, 500))
+    poses = tool_poses(robot, q)
+    seen = np.linalg.inv(poses["left_gripper"]) @ poses["right_gripper"]
+    wanted = np.linalg.inv(grasps["left_gripper"]) @ grasps["right_gripper"]
+    assert np.abs(seen - wanted).max() < 1e-3
+    assert np.abs(seen[:, :3, 3] - wanted[:3, 3]).max() < 1e-4
+    assert plan.report.tools[1].held_position < 1e-4
+    assert plan.report.tools[1].held_position >= np.linalg.norm(seen[:, :3, 3] - wanted[:3, 3], axis=1).max() - 1e-6
+    objects = poses["left_gripper"] @ np.linalg.inv(grasps["left_gripper"])
+    np.testing.assert_allclose(objects[[0, -1]], [way(0.0), way(1.0)], atol=1e-4)
+    plan.save(tmp_path)
+    loaded = mp.Plan.load(tmp_path)
+    assert isinstance(loaded.workspace_path, Offset)
+    np.testing.assert_allclose(loaded.workspace_path(0.5), plan.workspace_path(0.5))
+
+
+@pytest.mark.parametrize(
+    ("grasps", "message"),
+    [
+        ({"left_gripper": np.eye(4)}, "two of the tools"),
+        ({"left_gripper": np.eye(4), "right_griper": np.eye(4)}, "right_gripper"),
+        ({"left_gripper": np.eye(4), "right_gripper": np.eye(3)}, r"grasps\['right_gripper'\]"),
+        ({"left_gripper": grasp(1), "right_gripper": tray_at(0.0, -2.0, 0.0)}, r"right_gripper: path, position \d"),
+    ],
+)
+def test_wrong_grasps(baxter, grasps, message):
+    way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15))
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.carry(baxter, way, grasps, positions=5, samples=6)
