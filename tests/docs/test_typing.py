@@ -13,7 +13,9 @@ import manipplan
 ROOT = Path(manipplan.__file__).parents[1]
 PROGRAMS = ["README.md", "docs/start.md"]
 #: Pages whose programs are checked as one, as they are run.
-HOW_TOS = [f"docs/howto/{name}.md" for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording")]
+HOW_TOS = [
+    f"docs/howto/{name}.md" for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording")
+]
 #: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
 CHECKERS = {
     "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
