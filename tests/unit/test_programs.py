@@ -138,17 +138,131 @@ def test_the_choice_is_that_of_all_choices(planar):
     )
 
 
-def test_a_path_of_the_tool_and_its_speed(hand):
-    path = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
-    made = mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=0.1), mp.MoveTo("default")], blend=0.02)
+UPRIGHT = [pose_at(0.45, 0.3, 0.09, turn) for turn in np.arange(4) * np.pi / 2]
+
+
+def carried_to(goal, *, first=None):
+    """Steps that take up the part and bring it to a goal."""
+    first = first or [mp.MoveTo(UPRIGHT, approach=0.1)]
+    return [*first, mp.Attach("part"), mp.MoveAlong([0, 0, -0.1]), mp.MoveTo(goal, approach=0.1), mp.Detach("part")]
+
+
+def part_pose(x, y, z, turn):
+    pose = np.eye(4)
+    pose[:3, :3] = pin.rpy.rpyToMatrix(0, 0, turn)
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+def placed_part(program):
+    _, scene, _ = program.final_state
+    return scene.obstacles[scene.names.index("part")].pose.homogeneous
+
+
+@pytest.mark.parametrize(
+    "first", [None, [mp.MoveTo([each @ pose_at(0, 0, -0.1) @ DOWN for each in UPRIGHT]), mp.MoveAlong([0, 0, 0.1])]]
+)
+def test_a_part_is_placed_at_its_own_pose(hand, cell, first):
+    """Also where the grasp ends a path, which the tool follows to its tolerance only."""
+    place = part_pose(0.45, -0.3, 0.051, 0.4)
+    made = mp.sequence(hand, "default", carried_to(mp.PoseGoal(place, of="part"), first=first), cell)
     assert made.passed
-    assert [mark.step for mark in made.marks] == [0, 1]
-    t = np.linspace(0, made.duration, 6000)
-    pose = hand.kinematics().pose(made.trajectory(t))
-    speed = np.linalg.norm(np.diff(pose[:, :3, 3], axis=0), axis=1) / np.diff(t)
-    on_path = (np.abs(pose[:-1, 0, 3] - 0.4) < 2e-4) & (np.abs(pose[:-1, 2, 3] - 0.3) < 2e-4) & (np.abs(pose[:-1, 1, 3]) < 0.17)
-    assert on_path.sum() > 1000
-    assert speed[on_path].max() <= 0.1 * (1 + 1e-3)
+    np.testing.assert_allclose(placed_part(made), place, atol=3e-6)
+
+
+def flat(x, y, turn):
+    return part_pose(x, y, 0.0, turn)
+
+
+@pytest.mark.parametrize("place", [flat(-1.0, 1.2, 0.5), flat(-0.5, 1.5, -1.0), flat(0.2, 1.8, 2.0), flat(-1.0, -1.0, 2.0)])
+def test_the_grasp_goes_with_the_place_of_the_part(place):
+    """Another grasp is best for each place, and the program is as good as with that one alone."""
+    arm, start, at = mp.planar_arm([1.0, 1.0, 1.0]), np.array([0.4, 0.9, 0.8]), np.array([1.2, 1.0])
+    scene = mp.Scene([mp.Box(size=(0.1, 0.05, 0.1), position=(*at, 0.0), name="part")])
+    grasps = [flat(*(at - 0.2 * np.array([np.cos(angle), np.sin(angle)])), angle) for angle in np.linspace(-1.5, 1.5, 4)]
+    ends = [mp.Attach("part"), mp.MoveTo(mp.PoseGoal(place, of="part"))]
+    whole = mp.sequence(arm, start, [mp.MoveTo(grasps), *ends], scene)
+    least = []
+    for grasp in grasps:
+        try:
+            least.append(mp.sequence(arm, start, [mp.MoveTo(grasp), *ends], scene).min_manipulability)
+        except mp.InvalidInputError as error:
+            least.append(0.0)
+            assert "out of reach" in str(error) or "in collision" in str(error) or "collides" in str(error)
+    assert max(least) > 1.05 * min(least)
+    assert whole.min_manipulability >= max(least) * 0.99
+    assert least[whole.goals[0]] >= max(least) * 0.99
+
+
+def test_free_axes_and_tolerances_of_a_part(hand, cell):
+    place = part_pose(0.45, -0.3, 0.053, 0.4)
+    turned = placed_part(mp.sequence(hand, "default", carried_to(mp.PoseGoal(place, of="part", free_axis=[0, 0, 1])), cell))
+    np.testing.assert_allclose(turned[:, 2:], place[:, 2:], atol=3e-6)
+    tolerance = mp.Tolerance(position=0.002, rotation=0.1)
+    made = mp.sequence(hand, "default", carried_to(mp.PoseGoal(place, of="part", tolerance=tolerance)), cell)
+    off = np.linalg.inv(place) @ placed_part(made)
+    assert np.linalg.norm(off[:3, 3]) <= 0.002 + 1e-6
+    assert np.arccos(np.clip((np.trace(off[:3, :3]) - 1) / 2, -1, 1)) <= 0.1 + 1e-6
+
+
+def test_a_part_is_taken_up_twice(hand, cell):
+    """Where it is after the first place depends on the grasp; its last pose does not."""
+    steps = carried_to([pose_at(0.45, -0.3, 0.09, turn) for turn in (0.0, 1.0)])
+    away = [mp.MoveAlong([0, 0, -0.1])]
+    again = [pose_at(0.45, -0.3, 0.09, turn) for turn in (0.3, 0.3 + np.pi / 2)]
+    place = part_pose(0.5, 0.25, 0.051, 0.7)
+    steps += [*away, *carried_to(mp.PoseGoal(place, of="part"), first=[mp.MoveTo(again, approach=0.1)]), *away]
+    made = mp.sequence(hand, "default", steps, cell, blend=0.05)
+    np.testing.assert_allclose(placed_part(made), place, atol=3e-6)
+
+
+def test_plan_to_a_pose_of_a_carried_part(hand):
+    ball = mp.Box(size=(0.05, 0.03, 0.02), position=(0.02, 0.0, 0.05), rotation=(0.1, 0.2, 0.3), name="bar")
+    carrying = hand.attach(ball)
+    place = part_pose(0.4, 0.3, 0.4, 0.5)
+    made = mp.plan(carrying, "default", mp.PoseGoal(place @ DOWN, of="bar"))
+    reached = carrying.kinematics().pose(made.trajectory.q[-1]) @ carrying.carried["bar"].solid.pose.homogeneous
+    np.testing.assert_allclose(reached, place @ DOWN, atol=3e-6)
+    with pytest.raises(mp.UnknownNameError, match=r"goal\.of: got 'bra'; allowed: did you mean bar"):
+        mp.plan(carrying, "default", mp.PoseGoal(place, of="bra"))
+    with pytest.raises(mp.InvalidInputError, match=r"goal\.free_axis: .* it is 8\.81 mm beside that of bar"):
+        mp.plan(carrying, "default", mp.PoseGoal(place, of="bar", free_axis=[0, 0, 1]))
+
+
+def seam_steps(speed):
+    seam = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
+    return [mp.MoveAlong(seam, tool_speed=speed), mp.MoveAlong([0, 0, -0.1], tool_speed=0.05), mp.MoveTo("default")]
+
+
+@pytest.mark.parametrize("blend", [0.0, 0.02])
+def test_the_tool_speed_is_constant(hand, blend, tmp_path):
+    made = mp.sequence(hand, "default", seam_steps(0.1), blend=blend)
+    assert made.passed
+    assert len(made.stops) == (3 if blend == 0 else 0)
+    assert made.marks[2].tool_speed is None
+    for mark, asked in zip(made.marks[:2], (0.1, 0.05), strict=True):
+        told = mark.tool_speed
+        assert told.asked == asked
+        assert max(told.ramps) < 0.1 * told.length
+        t = np.linspace(told.begin, told.end, 4000)  # measured again, by finite differences
+        way = hand.kinematics().pose(made.trajectory(t))[:, :3, 3]
+        speed = np.linalg.norm(np.diff(way, axis=0), axis=1) / np.diff(t)
+        assert 0.99 * asked * (1 - 1e-4) <= speed.min() <= speed.max() <= asked * (1 + 1e-4)
+        assert told.length > (0.39 if asked == 0.1 else 0.09) - 2 * blend
+    assert f"tool speed   {made.marks[0].tool_speed}" in str(made)
+    made.save(tmp_path / "made")
+    assert mp.Program.load(tmp_path / "made").marks[:2] == made.marks[:2]
+
+
+def test_a_tool_speed_that_is_not_possible_is_refused_with_the_fastest(hand):
+    steps = seam_steps(3.0)
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 3\.0; allowed: at most [\d.]+ m/s") as caught:
+        mp.sequence(hand, "default", steps)
+    fastest = float(caught.value.allowed.split()[2])
+    made = mp.sequence(hand, "default", seam_steps(fastest))
+    assert made.marks[0].tool_speed.is_steady
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed"):
+        mp.sequence(hand, "default", seam_steps(1.1 * fastest))
 
 
 def test_constraints_of_a_move(hand):
@@ -250,8 +364,38 @@ BAD = {
         [mp.MoveTo("default"), mp.MoveTo(pose_at(2.0, 0.0, 0.3))],
         r"steps\[1\]\.goal: .*out of reach: the nearest configuration found leaves the tool",
     ),
+    "no part": (
+        [mp.MoveTo(mp.PoseGoal(DOWN, of="part"))],
+        r"steps\[0\]\.goal\.of: got 'part'; allowed: none: the arm carries nothing then",
+    ),
+    "part put down": (
+        [mp.Attach("part"), mp.Detach("part"), mp.MoveTo(["default", mp.PoseGoal(DOWN, of="part")])],
+        r"steps\[2\]\.goal\[1\]\.of: got 'part'",
+    ),
+    "another part": (
+        [mp.Attach("part"), mp.MoveTo(mp.PoseGoal(DOWN, of="prat"))],
+        r"steps\[1\]\.goal\.of: got 'prat'; allowed: did you mean part",
+    ),
+    "turn in the hand not known": (
+        [
+            mp.MoveAlong(
+                mp.CartesianPath.line(pose_at(0.45, 0.3, 0.3), pose_at(0.45, 0.3, 0.2)), task=mp.Task.pointing([0, 0, 1])
+            ),
+            mp.MoveAlong([0, 0, 0.1]),
+            mp.Attach("part"),
+            mp.MoveTo(mp.PoseGoal(DOWN, of="part")),
+        ],
+        r"steps\[3\]\.goal\.of: got 'part'; allowed: a part that was taken up and put down after a MoveTo",
+    ),
     "unknown state": ([mp.MoveTo("redy")], r"steps\[0\]\.goal: got 'redy'"),
     "approach to a configuration": ([mp.MoveTo("default", approach=0.1)], "a pose of the tool, since there is an approach"),
+    "turns in place": (
+        [
+            mp.MoveTo("default"),
+            mp.MoveAlong(mp.CartesianPath.line(pose_at(0.4, 0.3, 0.4), pose_at(0.4, 0.3, 0.4, 1)), tool_speed=0.1),
+        ],
+        r"steps\[1\]\.tool_speed: got 0.1; allowed: None for this path: at s = .* it turns the tool in place",
+    ),
     "path out of reach": (
         [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
         r"steps\[0\]\.path: ",
@@ -294,6 +438,7 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
     legs = {leg.number: leg for leg in read_steps([step], hand, start)}
     made = assemble(
         [motion],
+        state,
         state,
         [step],
         legs,
@@ -338,6 +483,17 @@ steps:
 - wait: 0.2
 - move_to: {goal: [{state: default}]}
 """
+CARRY = """
+robot: panda
+locked: {panda_finger_joint1: 0.04, panda_finger_joint2: 0.04}
+scene: scene.yaml
+start: default
+steps:
+- move_to: {goal: {position: [0.45, 0.3, 0.09], rotation: [3.14159265, 0, 0]}}
+- attach: part
+- move_to: {goal: [{position: [0.45, -0.3, 0.3], rotation: [0, 0, 0.5], of: part}]}
+- detach: part
+"""
 
 
 def test_a_program_from_a_shell(tmp_path, capsys):
@@ -348,6 +504,20 @@ def test_a_program_from_a_shell(tmp_path, capsys):
     assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 0
     assert "4 steps, all checks passed" in capsys.readouterr().out
     assert [mark.name for mark in mp.Program.load(tmp_path / "made").marks] == ["MoveTo", "MoveAlong", "Wait", "MoveTo"]
+
+
+def test_a_part_is_carried_from_a_shell(tmp_path, capsys):
+    (tmp_path / "scene.yaml").write_text(
+        "obstacles: [{shape: box, size: [0.04, 0.04, 0.1], position: [0.45, 0.3, 0.05], name: part}]\n"
+    )
+    (tmp_path / "program.yaml").write_text(CARRY)
+    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 0
+    made = mp.Program.load(tmp_path / "made")
+    np.testing.assert_allclose(placed_part(made), part_pose(0.45, -0.3, 0.3, 0.5), atol=3e-6)
+    assert "let go in the air" in " ".join(capsys.readouterr().out.split())
+    (tmp_path / "program.yaml").write_text(CARRY.replace("of: part", "of: prat"))
+    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "again")]) == 2
+    assert "steps[2].goal[0].of: got 'prat'; allowed: did you mean part?" in " ".join(capsys.readouterr().err.split())
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.yaml_files import read_yaml
 
 #: Keys of an entry: those of a pose, and the two others, each of which stands alone.
-POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance"), ("q", "state")
+POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance", "of"), ("q", "state")
 #: Length up to which a quaternion may differ from 1.
 UNIT = 1e-3
 
@@ -25,8 +25,8 @@ def goals_from_yaml(file: str | Path, robot: Robot) -> list[OneGoal]:
     """Read goals: ``goals: [{position: [0.5, 0, 0.3], rotation: [3.1416, 0, 0]}, {q: [0, 1, ...]}, {state: ready}, ...]``.
 
     A pose of the tool in the world has `position` [m] and `rotation`: roll, pitch, yaw [rad], a quaternion x, y, z, w, or a
-    matrix (3, 3); and, where wanted, `free_axis` (3,) and `tolerance: {position: [m], rotation: [rad]}`. `q` is one number per
-    joint, `state` the name of one of `robot.states`.
+    matrix (3, 3); and, where wanted, `free_axis` (3,), `tolerance: {position: [m], rotation: [rad]}` and `of`, the name of a
+    carried part whose pose it is. `q` is one number per joint, `state` the name of one of `robot.states`.
 
     Raises FileFormatError or InvalidInputError, which name the file, the entry, the key and what is allowed.
     """
@@ -67,12 +67,15 @@ def goal_of_entry(argument: str, entry: Any, robot: Robot) -> OneGoal:
         assert target.q is not None
         return target.q
     if not {"position", "rotation"} <= keys or not keys <= set(POSE_KEYS):
-        wanted = f"position and rotation, with free_axis and tolerance where wanted, or one of {' and '.join(ALONE)}"
+        wanted = f"position and rotation, with free_axis, tolerance and of where wanted, or one of {' and '.join(ALONE)}"
         raise InvalidInputError(argument, entry, f"an entry with the keys {wanted}")
     position = finite_array(f"{argument}.position", entry["position"], (3,))
     pose = _pose(f"{argument}.rotation", position, entry["rotation"])
     goal = PoseGoal(
-        pose, free_axis=entry.get("free_axis"), tolerance=_tolerance(f"{argument}.tolerance", entry.get("tolerance"))
+        pose,
+        free_axis=entry.get("free_axis"),
+        tolerance=_tolerance(f"{argument}.tolerance", entry.get("tolerance")),
+        of=entry.get("of", ""),
     )
     read_goal(argument, goal, robot)
     return goal

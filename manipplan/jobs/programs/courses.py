@@ -34,7 +34,7 @@ class Motion:
         path: the joint path.
         state: arm and scene during it.
         workspace_path, task, tolerance: the path of the tool that it follows; None for a free motion.
-        tool_speed: highest speed of the tool [m/s]; None for no limit.
+        tool_speed: constant speed of the tool [m/s]; None for no such.
     """
 
     step: int

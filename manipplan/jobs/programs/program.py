@@ -12,6 +12,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.files import writable_folder, write_text
+from manipplan.timing.steady.speed import SteadySpeed
 
 
 @one_line
@@ -24,12 +25,19 @@ class Mark:
         name: of its class, such as MoveTo.
         begin: when it begins [s]; the step before ends then.
         path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; nan without.
+        tool_speed: of a MoveAlong with a tool speed: the speed of the tool, measured on the motion; None for others.
     """
 
     step: int
     name: str
     begin: float
     path_begin: float = float("nan")
+    tool_speed: SteadySpeed | None = None
+
+    def lines(self) -> list[str]:
+        """Lines of a report."""
+        speed = [f"  tool speed   {self.tool_speed}"] if self.tool_speed is not None else []
+        return [f"  {self.begin:8.3f} s  steps[{self.step}] {self.name}", *speed]
 
 
 @one_line
@@ -39,6 +47,7 @@ class Program:
 
     Attributes:
         robot, scene: as they are at the beginning.
+        final_robot, final_scene: as they are at the end.
         parts: the motions between stops at which something is taken up or put down, or the arm waits: each a Plan from rest to
             rest, of the arm with what it carries then, among the obstacles that are there then.
         begins: when each part begins [s].
@@ -51,6 +60,8 @@ class Program:
 
     robot: Robot
     scene: Scene
+    final_robot: Robot
+    final_scene: Scene
     parts: tuple[Plan, ...]
     begins: tuple[float, ...]
     marks: tuple[Mark, ...]
@@ -76,9 +87,8 @@ class Program:
 
     @property
     def final_state(self) -> tuple[Robot, Scene, Array]:
-        """Arm, scene and configuration (n,) at the end of the last motion."""
-        last = self.parts[-1]
-        return last.robot, last.scene, last.trajectory.q[-1]
+        """Arm, scene and configuration (n,) at the end: what a following program begins with."""
+        return self.final_robot, self.final_scene, self.trajectory.q[-1]
 
     def __str__(self) -> str:
         verdict = "all checks passed" if self.passed else "CHECK FAILED"
@@ -88,7 +98,7 @@ class Program:
             f"  minimum m    {shown(self.min_manipulability)}",
             f"  stops        {len(self.stops)} at corners{_times(self.stops)}",
         ]
-        lines += [f"  {each.begin:8.3f} s  steps[{each.step}] {each.name}" for each in self.marks]
+        lines += [line for each in self.marks for line in each.lines()]
         lines += [f"  warning      {each}" for each in self.warnings]
         for k, (each, begin) in enumerate(zip(self.parts, self.begins, strict=True)):
             lines += [f"part {k}, from {begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]

@@ -14,7 +14,8 @@ from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
 from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.legs import Leg, read_steps
-from manipplan.jobs.programs.nodes import nodes_of
+from manipplan.jobs.programs.nodes import Node, nodes_of, places_after
+from manipplan.jobs.programs.places import Places, needed_by
 from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.states import State, check_parts
 from manipplan.jobs.programs.steps import Attach, Detach, Step
@@ -89,12 +90,13 @@ def sequence(
     legs = read_steps(steps, robot, q_start)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
     first = State(robot=robot, scene=scene)
-    nodes = []
-    known = first
+    nodes: list[list[Node]] = []
+    known, needed = first, needed_by(legs)
+    places = [Places.at_first(robot, scene, needed[0])]
     for k, leg in enumerate(legs):
         tell(0.2 * k / len(legs), f"configurations of step {leg.number}")
-        nodes.append(nodes_of(leg, known, q_start, objective, clearance))
-        known = _known_after(leg, known)
+        nodes.append(nodes_of(leg, known, q_start, objective, clearance, places, needed[k + 1]))
+        known, places = _known_after(leg, known), places_after(nodes[-1])
     free = sum(each.is_free for each in legs)
     search = ProgramSearch(
         legs=legs,
@@ -117,6 +119,7 @@ def sequence(
     program = assemble(
         items,
         first,
+        chosen.courses[-1].state,
         steps,
         {leg.number: leg for leg in legs},
         goals={leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},
