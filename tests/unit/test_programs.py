@@ -15,6 +15,9 @@ from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
+from manipplan.viz.programs.figure import program_figure
+from manipplan.viz.programs.moved import moved_parts
+from manipplan.viz.viewer import plan_viewer
 
 DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
 
@@ -273,6 +276,66 @@ def test_constraints_of_a_move(hand):
     path = cut(made.trajectory.path(), 0.0, end)
     axes = hand.kinematics().pose(path(np.linspace(0, 1, 3000)))[:, :3, 2]
     assert np.arccos(np.clip(-axes[:, 2], -1, 1)).max() <= 0.1 + 1e-6
+
+
+def test_the_viewer_shows_parts_where_they_are(program, hand):
+    pytest.importorskip("viser")
+    with program.show(port=0, open_browser=False) as page:
+        (figure,) = page.stage.parts
+        marks = {mark.name: mark.begin for mark in program.marks}
+        assert not page.motion.robot.carried and "part" not in page.motion.scene.names
+        for t in (0.0, 0.5 * marks["Attach"], (marks["Attach"] + marks["Detach"]) / 2, program.duration):
+            page.time = t
+            k = max(k for k, begin in enumerate(program.begins) if begin <= t)
+            robot, scene = program.parts[k].robot, program.parts[k].scene
+            if robot.carried:
+                data = robot.model.createData()
+                pin.framesForwardKinematics(robot.model, data, program.trajectory(t))
+                wanted = data.oMf[robot.model.getFrameId(robot.tool)] * robot.carried["part"].solid.pose
+            else:
+                wanted = scene.obstacles[scene.names.index("part")].pose
+            np.testing.assert_allclose(figure.root.position, wanted.translation, atol=1e-6)
+            assert dict(page.motion.values(t))["carries"] == ("part" if robot.carried else "nothing")
+        page.time = (marks["Wait"] + program.marks[-1].begin) / 2
+        assert dict(page.motion.values(page.time))["step"] == "6 Wait"
+        assert page._chart.svg().count('<g class="mark">') == len(program.marks)
+        assert "A program of moves." in plan_viewer.about(page.motion)
+
+
+def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
+    pytest.importorskip("viser")
+    ball = mp.Sphere(radius=0.02, position=(0, 0, 0.04), name="ball")
+    steps = [mp.MoveTo(hand.neutral + 0.1), mp.Attach(ball), mp.MoveTo("default"), mp.Detach("ball")]
+    made = mp.sequence(hand, "default", steps)
+    (part,) = moved_parts(made)
+    assert part.at(0.0, np.eye(4)) is None
+    assert part.is_held((made.marks[1].begin + made.duration) / 2) and not part.is_held(made.duration)
+    with made.show(port=0, open_browser=False) as page:
+        seen = []
+        for t in (0.0, made.duration):
+            page.time = t
+            seen.append(page.stage.parts[0].root.visible)
+        assert seen == [False, True]
+
+
+def test_pictures_of_a_program(program, planar, tmp_path):
+    assert "\n" not in repr(program) and len(repr(program)) <= 200
+    assert '<img alt="Program(' in program._repr_html_()
+    left, right = program_figure(program).subfigs
+    labels = [text.get_text() for text in left.axes[0].texts]
+    assert {"table", "post", "part", "part, put down"} <= set(labels)
+    told = ", ".join(text.get_text() for text in right.axes[0].texts)
+    assert all(f"{mark.step} {mark.name}" in told for mark in program.marks)
+    flat_one = mp.sequence(planar, [0.4, 0.6, 0.8], [mp.MoveTo([1.0, -0.3, 0.25])])
+    assert len(program_figure(flat_one).subfigs) == 2
+    program.save(tmp_path / "made")
+    assert main(["view", str(tmp_path / "made"), "--record", str(tmp_path / "motion.html")]) == 0
+    assert (tmp_path / "motion.html").stat().st_size > 1e6
+    rows = (tmp_path / "made" / "marks.csv").read_text().splitlines()
+    assert rows[0] == "step,name,begin"
+    assert [row.split(",")[1] for row in rows[1:]] == [mark.name for mark in program.marks]
+    assert float(rows[2].split(",")[2]) == program.marks[1].begin
+    assert (tmp_path / "made" / "program.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_saved_and_loaded(program, tmp_path):

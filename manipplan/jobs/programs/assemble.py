@@ -15,7 +15,7 @@ from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
-from manipplan.jobs.programs.steps import Attach, Detach, Step
+from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.programs.timed import Timing, times_of
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
@@ -39,7 +39,7 @@ def assemble(
     items: Sequence[Motion | Stop],
     first: State,
     last: State,
-    steps: Sequence[Step],
+    steps: Sequence[ProgramStep],
     legs: Mapping[int, Leg],
     *,
     goals: Mapping[int, int],
@@ -236,7 +236,7 @@ def _missed(
     return faults
 
 
-def _far_away(step: Step, stop: Stop) -> list[str]:
+def _far_away(step: ProgramStep, stop: Stop) -> list[str]:
     """A warning where a part is taken up or let go far from every body that could hold it."""
     robot, scene, q = stop.state.robot, stop.state.scene, stop.q[None]
     if isinstance(step, Detach):

@@ -8,7 +8,7 @@ import numpy as np
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -36,7 +36,7 @@ class Leg:
     targets: tuple[Target, ...]
     approach: Array | None
     constraints: ConstraintSet
-    rest: tuple[tuple[int, Step], ...]
+    rest: tuple[tuple[int, ProgramStep], ...]
     is_free: bool = True
 
     @property
@@ -46,7 +46,7 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[Step], robot: Robot, start: Array) -> list[Leg]:
+def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list[Leg]:
     """The legs of a program.
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.

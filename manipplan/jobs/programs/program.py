@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from manipplan.collision.scene import Scene
 from manipplan.jobs.reports.report import shown
@@ -10,9 +11,12 @@ from manipplan.jobs.result import Plan
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.display import one_line
+from manipplan.support.display import Pictured, one_line
 from manipplan.support.files import writable_folder, write_text
 from manipplan.timing.steady.speed import SteadySpeed
+
+if TYPE_CHECKING:
+    from manipplan.viz.viewer import PlanViewer
 
 
 @one_line
@@ -42,7 +46,7 @@ class Mark:
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Program:
+class Program(Pictured):
     """A program of moves, timed and checked.
 
     Attributes:
@@ -105,19 +109,36 @@ class Program:
         return "\n".join(lines)
 
     def save(self, folder: str | Path) -> list[Path]:
-        """Write trajectory.csv, .json and .yaml (ROS), report.txt, program.json and one file for each part; returns the files.
+        """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
-        `load` reads program.json and the parts. Raises InvalidInputError when the folder cannot be written.
+        marks.csv tells when each step begins. `load` reads program.json and one file for each part. Raises InvalidInputError
+        when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
+        from manipplan.viz.programs.figure import save_program
 
         to = writable_folder("folder", folder)
         self.trajectory.to_csv(to / "trajectory.csv")
         self.trajectory.to_json(to / "trajectory.json")
         self.trajectory.to_ros(to / "trajectory.yaml")
         write_text(to / "report.txt", f"{self}\n")
-        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt")
-        return [*(to / name for name in names), *write_program(self, to)]
+        write_text(to / "marks.csv", "step,name,begin\n" + "".join(f"{e.step},{e.name},{e.begin!r}\n" for e in self.marks))
+        written = write_program(self, to)
+        save_program(self, to / "program.png")  # last: the data are on disk even if the picture fails
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt", "marks.csv")
+        return [*(to / name for name in names), *written, to / "program.png"]
+
+    def show(self, *, port: int = 8080, host: str = "localhost", open_browser: bool = True) -> "PlanViewer":
+        """Show the whole motion in the browser, with the parts; see `manipplan.viz.viewer.show`."""
+        from manipplan.viz.viewer import show
+
+        return show(self, port=port, host=host, open_browser=open_browser)
+
+    def record(self, file: str | Path) -> Path:
+        """Write the whole motion as an HTML file that plays in any browser; see `manipplan.viz.viewer.record`."""
+        from manipplan.viz.viewer import record
+
+        return record(self, file)
 
     @staticmethod
     def load(folder: str | Path) -> "Program":

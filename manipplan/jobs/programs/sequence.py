@@ -18,7 +18,7 @@ from manipplan.jobs.programs.nodes import Node, nodes_of, places_after
 from manipplan.jobs.programs.places import Places, needed_by
 from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.states import State, check_parts
-from manipplan.jobs.programs.steps import Attach, Detach, Step
+from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
@@ -37,7 +37,7 @@ from manipplan.timing.retime import check_timing_limits
 def sequence(
     robot: Robot,
     start: ArrayLike | str,
-    steps: Sequence[Step],
+    steps: Sequence[ProgramStep],
     scene: Scene | None = None,
     *,
     blend: float = 0.0,

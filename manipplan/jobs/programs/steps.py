@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,9 +17,13 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 
 
+class ProgramStep:
+    """A step of a program: MoveTo, MoveAlong, Attach, Detach or Wait."""
+
+
 @one_line
 @dataclass(frozen=True, eq=False)
-class MoveTo:
+class MoveTo(ProgramStep):
     """A free motion to a goal.
 
     Attributes:
@@ -42,7 +45,7 @@ class MoveTo:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class MoveAlong:
+class MoveAlong(ProgramStep):
     """A motion of the tool along a path, or straight on. A free motion to its first pose comes first where one is needed.
 
     Attributes:
@@ -73,7 +76,7 @@ class MoveAlong:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Attach:
+class Attach(ProgramStep):
     """The hand takes up a part, which the arm carries from then on.
 
     Attributes:
@@ -97,7 +100,7 @@ class Attach:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Detach:
+class Detach(ProgramStep):
     """The hand puts down a part, which is an obstacle of the scene from then on.
 
     Attributes:
@@ -112,7 +115,7 @@ class Detach:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Wait:
+class Wait(ProgramStep):
     """The arm stands still.
 
     Attributes:
@@ -123,9 +126,6 @@ class Wait:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "seconds", number("seconds", self.seconds, above=0.0))
-
-
-Step: TypeAlias = MoveTo | MoveAlong | Attach | Detach | Wait
 
 
 def _way(argument: str, value: float | ArrayLike) -> tuple[float, float, float]:
