@@ -1,6 +1,7 @@
 """Programs of moves: choice, parts, blends, stops, files, bad input."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pinocchio as pin
@@ -354,6 +355,14 @@ def test_saved_and_loaded(program, tmp_path):
     (tmp_path / "made" / "program.json").write_text(text.replace('"version": 1', '"version": 7', 1))
     with pytest.raises(mp.FileFormatError, match="this is version 7"):
         mp.Program.load(tmp_path / "made")
+    (tmp_path / "made" / "program.json").write_text(text)
+    part = tmp_path / "made" / "part_1.json"
+    part.write_text(part.read_text().replace('"version": ', '"version": 9', 1))
+    with pytest.raises(mp.FileFormatError, match=r"part_1\.json.*this is version 9"):
+        mp.Program.load(tmp_path / "made")
+    part.unlink()
+    with pytest.raises(mp.FileFormatError, match=r"part_1\.json"):
+        mp.Program.load(tmp_path / "made")
 
 
 def test_cutting_a_path():
@@ -461,7 +470,7 @@ BAD = {
     ),
     "path out of reach": (
         [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
-        r"steps\[0\]\.path: ",
+        r"steps\[0\]\.path, position \d+ of 0 to 19 \(s = [\d.]+\): .* the arm stays [\d.]+ mm and [\d.]+° away",
     ),
 }
 
@@ -471,6 +480,63 @@ def test_bad_programs(hand, cell, name):
     given, message = BAD[name]
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.sequence(hand, "default", given, cell)
+
+
+@pytest.mark.parametrize(
+    ("steps", "message"),
+    [
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.4)), mp.MoveAlong([0.6, 0, 0])],
+            r"steps\[1\]: path, position \d+ of 0 to 39 .* is not a pose within reach and joint limits; the arm stays [\d.]+ mm",
+        ),
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.4), approach=[1.2, 0, 0])],
+            r"steps\[0\]: no straight approach: path, position .* the arm stays [\d.]+ mm",
+        ),
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.2)), mp.MoveAlong([0, 0, 0.3])],
+            r"steps\[1\]: path, position .* in the best of them panda_leftfinger_\d and table overlap by [\d.]+ mm",
+        ),
+    ],
+)
+def test_ways_that_do_not_exist_are_told(hand, cell, steps, message):
+    with pytest.raises(mp.PlanningError, match=message):
+        mp.sequence(hand, "default", steps, cell)
+
+
+def test_blends_never_overlap(hand, cell, steps):
+    made = mp.sequence(hand, "default", steps, cell, blend=2.0)
+    assert made.passed
+    placed = hand.kinematics().pose(made.parts[1].trajectory.q[-1])
+    np.testing.assert_allclose(placed[:3, 3], [0.45, -0.3, 0.09], atol=1e-5)
+
+
+def test_blends_keep_the_clearance():
+    """A ball inside the corner: the wide blend would touch it, and is halved."""
+    hand = mp.load_robot("panda")  # its hand is closed
+    corner = [pose_at(0.55, -0.2, 0.4), pose_at(0.55, 0.25, 0.4), pose_at(0.2, 0.25, 0.4)]
+    steps = [mp.MoveAlong(mp.CartesianPath.line(one, other)) for one, other in pairwise(corner)]
+    free = mp.sequence(hand, "default", steps, blend=0.15)
+    cut_off = hand.kinematics().pose(free.trajectory(np.linspace(0, free.duration, 8000)))[:, :3, 3]
+    away = np.linalg.norm(cut_off - corner[1][:3, 3], axis=1)
+    ball = mp.Sphere(radius=0.005, position=cut_off[away.argmin()] + [0, 0, -0.006], name="ball")
+    made = mp.sequence(hand, "default", steps, mp.Scene([ball]), blend=0.15, clearance=0.005)
+    assert made.passed and made.parts[0].report.proven_clearance >= 0.005
+    way = hand.kinematics().pose(made.trajectory(np.linspace(0, made.duration, 8000)))[:, :3, 3]
+    assert np.linalg.norm(way - corner[1][:3, 3], axis=1).min() < 0.5 * away.min()
+
+
+def test_parts_go_to_controllers(tmp_path):
+    arm = mp.load_robot("ur5")
+    away = arm.neutral + [0.3, -0.4, 0.5, 0.2, 0.3, 0.0]
+    made = mp.sequence(arm, arm.neutral, [mp.MoveTo(away), mp.Wait(0.5), mp.MoveTo(arm.neutral)])
+    for k, part in enumerate(made.parts):
+        part.trajectory.to_urscript(tmp_path / f"part_{k}.script", name=f"part_{k}")
+        assert f"def part_{k}():" in (tmp_path / f"part_{k}.script").read_text()
+    for kind in ("csv", "json", "ros", "npz"):
+        getattr(made.trajectory, f"to_{kind}")(tmp_path / f"all.{kind}")
+        again = getattr(mp.Trajectory, f"from_{kind}")(tmp_path / f"all.{kind}")
+        np.testing.assert_allclose(again.q, made.trajectory.q, atol=1e-9)
 
 
 @pytest.mark.parametrize(

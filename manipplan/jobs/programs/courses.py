@@ -146,7 +146,7 @@ def _along(
     try:
         finder = finder_of(step, path, state, objective, clearance).beginning(q)
     except InvalidInputError as error:
-        return str(error)
+        return f"{error.argument} is not {error.allowed}"
     search = max_min_search(finder.layers, EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON, throw=False)
     if not search.connected:
         return search.message

@@ -149,7 +149,7 @@ def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float)
     try:
         finder = finder_of(along, along.path, state, objective, clearance)
     except InvalidInputError as error:
-        raise InvalidInputError(f"steps[{number}].path", error.value, error.allowed) from error
+        raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     first = max_min_search(finder.layers, EPSILON, throw=False)
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
