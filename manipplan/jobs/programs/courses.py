@@ -95,6 +95,7 @@ def course_of(
         pose = state.robot.kinematics(Task.pose()).pose(q)
         back = straight_on(pose, -leg.approach)
         made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, objective, clearance)
+        made = made if isinstance(made, str) else _outside(made) or made
         if isinstance(made, str):
             return f"no straight approach: {made}"
         path = JointPath(breaks=1 - made.path.breaks[::-1], control=made.path.control[::-1, ::-1])
@@ -110,6 +111,7 @@ def course_of(
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
                 made = _along(number, step, workspace, q, state, objective, clearance)
+            made = made if isinstance(made, str) else _outside(made) or made
             if isinstance(made, str):
                 return f"steps[{number}]: {made}"
             items.append(made)
@@ -127,6 +129,14 @@ def course_of(
     least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, Motion)]
     at_entry = float(integral.kinematics.manipulability(entry))
     return Course(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
+
+
+def _outside(motion: Motion) -> str:
+    """Which joint of a motion leaves its limits between the positions that were searched; "" where none does."""
+    robot = motion.state.robot
+    outside = robot.limits.outside(np.array(motion.path.bounds())).max(axis=0)
+    joint = int(outside.argmax())
+    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""
 
 
 def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: PathObjective, clearance: float) -> CourseFinder:
