@@ -301,6 +301,7 @@ def test_the_viewer_shows_parts_where_they_are(program, hand):
         assert dict(page.motion.values(page.time))["step"] == "6 Wait"
         assert page._chart.svg().count('<g class="mark">') == len(program.marks)
         assert "A program of moves." in plan_viewer.about(page.motion)
+        assert f'<iframe src="{page.url}"' in page._repr_html_()
 
 
 def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
