@@ -152,13 +152,13 @@ class ProgramSearch:
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
             tell(k / len(self.legs), f"step {leg.number}")
             course = self._course(k, node, state)
+            # a part is carried in the same way after all that end with the tool in the same pose
+            same = self._tools[k] == self._tools[k][before] if state.history else slice(None)
+            kept = -np.inf if isinstance(course, str) else course.minimum
+            self._between[k][same, node] = np.minimum(self._between[k][same, node], kept)
             if isinstance(course, str):
-                # a part is carried in the same way after all that end with the tool in the same pose
-                same = self._tools[k] == self._tools[k][before] if state.history else slice(None)
-                self._between[k][same, node] = -np.inf
                 self.failures.append(f"steps[{leg.number}]: {course}" if not course.startswith("steps[") else course)
                 return None
-            self._at[k][node] = min(self._at[k][node], course.minimum)
             course = _turned(course, q, state)
             plan = None
             if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:

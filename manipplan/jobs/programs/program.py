@@ -80,6 +80,18 @@ class Program(Pictured):
         return self.trajectory.duration
 
     @property
+    def in_order(self) -> tuple[Plan | Mark, ...]:
+        """The parts and, before, between and after them, the marks of the steps at which the arm stands still.
+
+        A controller that moves its hand only between motions executes them one after the other.
+        """
+        rows: list[tuple[float, int, Plan | Mark]] = [
+            (each.begin, 0, each) for each in self.marks if each.name in ("Attach", "Detach", "Wait")
+        ]
+        rows += [(begin, 1, each) for begin, each in zip(self.begins, self.parts, strict=True)]
+        return tuple(each for _, _, each in sorted(rows, key=lambda row: row[:2]))
+
+    @property
     def passed(self) -> bool:
         """Whether all parts passed their checks."""
         return all(each.report.passed for each in self.parts)

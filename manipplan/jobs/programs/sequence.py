@@ -53,7 +53,8 @@ def sequence(
     All configurations that reach the goals of all moves are candidates. One search over the whole program chooses among them
     for the largest minimum manipulability, by bounds for the free motions, which are then planned; where a motion fails or
     keeps less than its bound, the search is repeated with that. Of programs that differ by less than 1 % the one with the
-    smallest sum of g on straight lines is taken.
+    smallest sum of g on straight lines is taken. A part is carried as it was grasped: a goal that is a pose of the part has
+    configurations of its own for each grasp, and both are chosen together.
 
     Args:
         robot: the arm.
@@ -73,7 +74,8 @@ def sequence(
         The Program, all of whose parts passed their checks.
 
     Raises:
-        InvalidInputError: an argument is invalid, or no goal of a move can be reached; the message names the step.
+        InvalidInputError: an argument is invalid, no goal of a move can be reached, or a tool speed is too fast; the message
+            names the step, and the fastest speed.
         UnknownNameError: a part or state of that name is not there; the nearest names are listed.
         PlanningError: no program was found, or a part did not pass its check; the message names the step.
     """

@@ -27,7 +27,8 @@ class MoveTo(ProgramStep):
     """A free motion to a goal.
 
     Attributes:
-        goal: as for `plan`: a configuration, the name of a state, a pose, a PoseGoal, or a list of these.
+        goal: as for `plan`: a configuration, the name of a state, a pose, a PoseGoal, or a list of these. A PoseGoal may be one
+            of a part that the arm carries then (`of`).
         approach: straight way of the tool by which the motion ends [m]: a distance along the tool's z-axis, or a vector (3,) in
             the tool frame. Its goals are poses.
         constraints: what the motion keeps, as for `plan`; an approach does not count.
