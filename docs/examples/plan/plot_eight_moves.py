@@ -2,7 +2,7 @@
 A program of eight moves
 ========================
 
-A Panda takes a part from a table, carries it upright over the wall of a bin, puts it
+A Panda takes a part from a table, carries it upright over the wall of a tray, puts it
 down there, and then draws a bead along a seam at a constant speed before it goes home.
 The eight moves are planned together.
 """
@@ -16,17 +16,10 @@ from manipplan import viz
 
 open_hand = {"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04}
 robot = mp.load_robot("panda", locked=open_hand)
-bin_at = np.array([0.45, -0.35, 0.0])
+tray = np.array([0.45, -0.35, 0.0])
 walls = [
-    mp.Box(size=size, position=bin_at + middle, name=f"wall {k}")
-    for k, (size, middle) in enumerate(
-        [
-            ((0.01, 0.3, 0.08), (-0.15, 0.0, 0.04)),
-            ((0.01, 0.3, 0.08), (0.15, 0.0, 0.04)),
-            ((0.3, 0.01, 0.08), (0.0, -0.15, 0.04)),
-            ((0.3, 0.01, 0.08), (0.0, 0.15, 0.04)),
-        ]
-    )
+    mp.Box(size=(0.3, 0.01, 0.08), position=tray + np.array([0.0, y, 0.04]), name=name)
+    for name, y in (("near wall", 0.15), ("far wall", -0.15))
 ]
 scene = mp.Scene(
     [
@@ -55,7 +48,7 @@ turns = np.arange(8) * np.pi / 4
 grasps = [hand_at(0.4, 0.4, 0.06, a, b, away=0.03) for a in turns for b in (0.0, 0.5)]
 look = [hand_at(0.4, 0.4, 0.35, turn) for turn in turns]
 place = np.eye(4)
-place[:3, 3] = bin_at + np.array([0.0, 0.0, 0.051])
+place[:3, 3] = tray + np.array([0.0, 0.0, 0.051])
 seam = mp.CartesianPath.line(hand_at(0.45, -0.1, 0.25), hand_at(0.45, 0.2, 0.25))
 upright = mp.TiltLimit(axis=[0, 0, 1], direction=[0, 0, -1], angle=np.deg2rad(15))
 
@@ -73,7 +66,7 @@ steps = [
 ]
 program = mp.sequence(robot, "default", steps, scene, blend=0.05)
 assert program.passed
-print(program)
+print("\n".join(str(program).splitlines()[:15]))
 
 # %%
 # Of sixteen grasps one from above was taken: only these let the part be carried upright.
@@ -84,7 +77,7 @@ print(
 assert program.goals[1] % 2 == 0
 
 # %%
-# The arm with the part where it was, on its way and in the bin; manipulability and
+# The arm with the part where it was, on its way and in the tray; manipulability and
 # joints over time, with the beginnings of the steps.
 
 viz.program_figure(program, plt.figure(figsize=(11.5, 6.0)))
