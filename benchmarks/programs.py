@@ -3,8 +3,9 @@
 Run with `make benchmark`. Writes docs/benchmarks/programs.md. Scenes of a table, a shelf and a bin for three arms by turns: the
 arm goes to a pose from which it looks at the part, to the part with an approach, takes it up and lifts it, carries it to its
 place with an approach, puts it down, retreats and goes home. Every grasp may be turned about the hand's axis in steps of 45°.
-Move by move is the same planner, which gets each free motion with what follows it by itself. Times are CPU times of whole calls
-of `mp.sequence`.
+A second set of programs has grasps from above and from the side, tilted by up to 70°, and its place is one pose of the part:
+the grasp determines how the arm can put it down. Move by move is the same planner, which gets each free motion with what
+follows it by itself, so that it takes the grasp that is best for picking. Times are CPU times of whole calls of `mp.sequence`.
 """
 
 import argparse
@@ -32,6 +33,10 @@ OPEN = {"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04}
 PLACES = ("table", "shelf", "bin")
 #: Size of the part [m], number of turns of a grasp, length of approach and retreat [m], and blend [m].
 PART, TURNS, WAY, BLEND = np.array([0.04, 0.04, 0.08]), 8, 0.08, 0.04
+#: Tilts of the grasps of parts that are placed by their own pose [rad].
+TILTS = (0.0, 0.6, 1.2)
+#: The sets of programs: whether places are poses of the part.
+SETS = {"tool": False, "part": True}
 #: Minima that differ by less than this share count as equal.
 SAME = 0.01
 #: Manipulability below this is rounding noise.
@@ -44,12 +49,14 @@ class Pair:
 
     Attributes:
         set: arm and place.
+        of_part: whether the place is a pose of the part.
         together, by_moves: minimum manipulability, nan where there is no program, and CPU time [s].
         stops: number of stops at corners of the first.
         message: why there is no program.
     """
 
     set: str
+    of_part: bool
     together: tuple[float, float]
     by_moves: tuple[float, float]
     stops: int
@@ -88,19 +95,21 @@ def world(place: str, at: NDArray[np.float64], rng: np.random.Generator) -> list
     return []
 
 
-def grasps(middle: NDArray[np.float64], above: float) -> list[NDArray[np.float64]]:
-    """Poses of the hand over a part, turned about the hand's axis."""
+def grasps(middle: NDArray[np.float64], above: float, tilt: float = 0.0) -> list[NDArray[np.float64]]:
+    """Poses of the hand at a distance from the middle of a part, turned about the vertical; tilted [rad]: beside it."""
     poses = []
     for k in range(TURNS):
         pose = np.eye(4)
-        pose[:3, :3] = Rotation.from_euler("ZX", [2 * np.pi * k / TURNS, np.pi]).as_matrix()
-        pose[:3, 3] = middle + np.array([0.0, 0.0, above])
+        pose[:3, :3] = Rotation.from_euler("ZX", [2 * np.pi * k / TURNS, np.pi - tilt]).as_matrix()
+        pose[:3, 3] = middle - above * pose[:3, 2]
         poses.append(pose)
     return poses
 
 
-def problem(robot: mp.Robot, name: str, place: str, rng: np.random.Generator) -> tuple[list[object], mp.Scene]:
-    """The steps of a program, and its scene."""
+def problem(
+    robot: mp.Robot, name: str, place: str, rng: np.random.Generator, of_part: bool
+) -> tuple[list[mp.ProgramStep], mp.Scene]:
+    """The steps of a program, and its scene; `of_part`: its place is a pose of the part."""
     reach, above = ARMS[name]
     height = rng.uniform(0.0, 0.15)
     spots = []
@@ -121,12 +130,19 @@ def problem(robot: mp.Robot, name: str, place: str, rng: np.random.Generator) ->
     ]
     scene = mp.Scene(obstacles).allow("part", "table")
     look = grasps(begin + up + np.array([0.0, 0.0, 0.25]), above)
-    steps = [
+    picks, places = grasps(begin + up, above), grasps(end + up, above)
+    if of_part:
+        picks = [pose for tilt in TILTS for pose in grasps(begin + up, above, tilt)]
+        pose = np.eye(4)
+        pose[:3, :3] = Rotation.from_euler("z", rng.uniform(-np.pi, np.pi)).as_matrix()
+        pose[:3, 3] = end + up
+        places = [mp.PoseGoal(pose, of="part")]
+    steps: list[mp.ProgramStep] = [
         mp.MoveTo(look),
-        mp.MoveTo(grasps(begin + up, above), approach=WAY),
+        mp.MoveTo(picks, approach=WAY),
         mp.Attach("part"),
         mp.MoveAlong([0.0, 0.0, -WAY]),
-        mp.MoveTo(grasps(end + up, above), approach=WAY),
+        mp.MoveTo(places, approach=WAY),
         mp.Detach("part"),
         mp.MoveAlong([0.0, 0.0, -WAY]),
         mp.MoveTo(robot.neutral),
@@ -134,7 +150,7 @@ def problem(robot: mp.Robot, name: str, place: str, rng: np.random.Generator) ->
     return steps, scene
 
 
-def together(robot: mp.Robot, steps: Sequence[object], scene: mp.Scene) -> tuple[mp.Program | None, float, str]:
+def together(robot: mp.Robot, steps: Sequence[mp.ProgramStep], scene: mp.Scene) -> tuple[mp.Program | None, float, str]:
     """The program as a whole, its CPU time [s], and why there is none."""
     began = time.process_time()
     try:
@@ -144,10 +160,10 @@ def together(robot: mp.Robot, steps: Sequence[object], scene: mp.Scene) -> tuple
     return program, time.process_time() - began, message
 
 
-def by_moves(robot: mp.Robot, steps: Sequence[object], scene: mp.Scene) -> tuple[float, float]:
+def by_moves(robot: mp.Robot, steps: Sequence[mp.ProgramStep], scene: mp.Scene) -> tuple[float, float]:
     """Minimum manipulability and CPU time [s] where each free motion with what follows is a program of its own."""
     began, least, q = time.process_time(), np.inf, robot.neutral
-    groups: list[list[object]] = []
+    groups: list[list[mp.ProgramStep]] = []
     for step in steps:
         groups += [[]] if isinstance(step, mp.MoveTo) else []
         groups[-1].append(step)
@@ -177,17 +193,14 @@ def line(name: str, pairs: Sequence[Pair]) -> str:
     return "| " + " | ".join(map(str, cells)) + " |"
 
 
-def main(arguments: Sequence[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--programs", type=int, default=100, help="number of programs")
-    parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
-    options = parser.parse_args(arguments)
-    rng, pairs = np.random.default_rng(0), []
+def pairs_of(count: int, of_part: bool) -> list[Pair]:
+    """The programs of a set."""
+    rng, pairs = np.random.default_rng(int(of_part)), []
     arms = {name: mp.load_robot(name, locked=OPEN if name == "panda" else {}) for name in ARMS}
-    for k in track(range(options.programs), description="programs"):
+    for k in track(range(count), description="programs"):
         name, place = list(ARMS)[k % len(ARMS)], PLACES[k // len(ARMS) % len(PLACES)]
         while True:
-            steps, scene = problem(arms[name], name, place, rng)
+            steps, scene = problem(arms[name], name, place, rng, of_part)
             if not scene.in_collision(arms[name], arms[name].neutral):
                 break
         made, seconds, message = together(arms[name], steps, scene)
@@ -197,22 +210,42 @@ def main(arguments: Sequence[str] | None = None) -> None:
         pairs.append(
             Pair(
                 set=f"{name}, {place}",
+                of_part=of_part,
                 together=(least, seconds),
                 by_moves=by_moves(arms[name], steps, scene),
                 stops=0 if made is None else len(made.stops),
                 message=message,
             )
         )
-    lines = [
-        "| programs | number | solved and proven | stops at corners | solved move by move | minimum m at least as high as "
+    return pairs
+
+
+def table(pairs: Sequence[Pair], of_part: bool) -> list[str]:
+    """The lines of a set of programs."""
+    what = "place by the part's pose" if of_part else "place by the tool's pose"
+    return [
+        f"| {what} | number | solved and proven | stops at corners | solved move by move | minimum m at least as high as "
         "move by move | its ratio: smallest | number that differ | median of those | median time | 90 % | largest |",
         "|---" * 12 + "|",
         *(line(name, [each for each in pairs if each.set.startswith(name)]) for name in ARMS),
         *(line(place, [each for each in pairs if each.set.endswith(place)]) for place in PLACES),
         line("**all**", pairs),
         "",
-        f"{options.programs} programs of eight motions; blend {1e3 * BLEND:g} mm. Minima that differ by less than "
-        f"{100 * SAME:g} % count as equal. CPU time; Python {platform.python_version()}, {platform.machine()}; "
+    ]
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--programs", type=int, default=100, help="number of programs of each set")
+    parser.add_argument("--sets", nargs="+", choices=SETS, default=list(SETS), help="whose poses the places are")
+    parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
+    options = parser.parse_args(arguments)
+    lines: list[str] = []
+    for name in options.sets:
+        lines += table(pairs_of(options.programs, SETS[name]), SETS[name])
+    lines += [
+        f"{options.programs} programs of eight motions in each table; blend {1e3 * BLEND:g} mm. Minima that differ by less "
+        f"than {100 * SAME:g} % count as equal. CPU time; Python {platform.python_version()}, {platform.machine()}; "
         "command: `make benchmark`.",
     ]
     options.out.write_text("\n".join(lines) + "\n")

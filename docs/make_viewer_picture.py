@@ -1,6 +1,6 @@
-"""Draw docs/_static/viewer.png and viewer_checked.png: plans in the viewer, as a browser shows them.
+"""Draw docs/_static/viewer.png, viewer_checked.png and viewer_program.png: what a browser shows of the viewer.
 
-Run: python docs/make_viewer_picture.py [viewer] [viewer_checked]
+Run: python docs/make_viewer_picture.py [viewer] [viewer_checked] [viewer_program]
 """
 
 import io
@@ -37,7 +37,25 @@ def beside_a_block():
     return mp.plan(mp.load_robot("ur5"), start, start + np.array([0.9, 0.2, -0.3, 0.2, 0.3, 0.2]), mp.Scene([block]))
 
 
-#: Each picture: its plan, the switches that are on and off, and the size of the window.
+def carrying():
+    """The program of docs/howto/programs.md, whose place is a pose of the part."""
+    robot = mp.load_robot("panda", locked={"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04})
+    scene = mp.Scene(
+        [
+            mp.Box(size=(0.9, 1.6, 0.04), position=(0.6, 0.0, -0.02), name="table"),
+            mp.Box(size=(0.1, 0.1, 0.3), position=(0.45, 0.0, 0.15), name="post"),
+            mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.051), name="part"),
+        ]
+    ).allow("part", "table")
+    grasp, place = np.diag([1.0, -1.0, -1.0, 1.0]), np.eye(4)
+    grasp[:3, 3], place[:3, 3] = [0.45, 0.3, 0.09], [0.45, -0.3, 0.051]
+    away = mp.MoveAlong([0, 0, -0.1])
+    steps = [mp.MoveTo(grasp, approach=0.1), mp.Attach("part"), away]
+    steps += [mp.MoveTo(mp.PoseGoal(place, of="part"), approach=0.1), mp.Detach("part"), away, mp.MoveTo("default")]
+    return mp.sequence(robot, "default", steps, scene, blend=0.05)
+
+
+#: Each picture: its plan or program, the switches that are on and off, and the size of the window.
 PICTURES = {
     "viewer": (demo, (), (), (1200, 760)),
     "viewer_checked": (
@@ -46,6 +64,7 @@ PICTURES = {
         ("seed", "path, seed", "ellipsoid, tool", "ellipsoids, path"),
         (1200, 830),
     ),
+    "viewer_program": (carrying, (), (), (1200, 760)),
 }
 
 

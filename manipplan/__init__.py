@@ -37,7 +37,7 @@ from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import PlanReport, Report
@@ -178,6 +178,7 @@ __all__ = [
     "Posture",
     "Problem",
     "Program",
+    "ProgramStep",
     "Refinement",
     "Report",
     "Robot",

@@ -3,8 +3,10 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated, TypeAlias
 
 import numpy as np
+from tyro.conf import OmitArgPrefixes, arg
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.catalog import load_robot
@@ -15,7 +17,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 @dataclass(frozen=True, kw_only=True)
 class RobotOptions:
-    """Robot and scene options shared by the commands."""
+    """Options of the robot and its scene."""
 
     scene: Path | None = None
     """YAML file with obstacles."""
@@ -45,6 +47,10 @@ class RobotOptions:
         return load_robot(name, **files, **plain, **held_options), Scene.from_yaml(
             self.scene
         ) if self.scene is not None else Scene()
+
+
+#: The options without a prefix, in a box of their own in the help.
+WithRobotOptions: TypeAlias = OmitArgPrefixes[Annotated[RobotOptions, arg(name="robot")]]
 
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:

@@ -4,10 +4,10 @@ import json as json_module
 from pathlib import Path
 
 from rich.console import Console
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
 from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.check import check as check_job
@@ -23,7 +23,7 @@ def check(
     robot: str,
     start: tuple[str, ...] = (),
     goal: tuple[str, ...] = (),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    options: WithRobotOptions = RobotOptions(),
     jerk: tuple[float, ...] = (),
     path: Path | None = None,
     path_begin: float = 0.0,

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
@@ -29,7 +29,7 @@ def follow(
     pointing: tuple[float, float, float] | None = None,
     tolerance: tuple[float, float] | None = None,
     out: Path = Path("follow"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    options: WithRobotOptions = RobotOptions(),
     jerk: tuple[float, ...] = (),
     clearance: float = 0.0,
     closed: bool = False,

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions
+from manipplan.cli.arm import RobotOptions, WithRobotOptions
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.improve import improve as improve_job
 from manipplan.paths.tolerance import Tolerance
@@ -23,7 +23,7 @@ def improve(
     clearance: float = 0.0,
     measure: str | None = None,
     out: Path = Path("improve"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    options: WithRobotOptions = RobotOptions(),
 ) -> int:
     """Make a recorded joint motion smooth and raise its manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 

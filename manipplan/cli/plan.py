@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, configuration_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
 from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
@@ -35,7 +35,7 @@ def plan(
     goals: Path | None = None,
     constraints: Path | None = None,
     out: Path = Path("plan"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    options: WithRobotOptions = RobotOptions(),
     jerk: tuple[float, ...] = (),
     power: float = 1.0,
     measure: str | None = None,

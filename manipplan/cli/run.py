@@ -3,10 +3,10 @@
 from pathlib import Path
 
 from rich.console import Console
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions
+from manipplan.cli.arm import RobotOptions, WithRobotOptions
 from manipplan.jobs.programs.program_file import ProgramFile
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.support.errors import InvalidInputError
@@ -19,7 +19,7 @@ def run(
     /,
     robot: str = "",
     out: Path = Path("program"),
-    options: OmitArgPrefixes[RobotOptions] = RobotOptions(),
+    options: WithRobotOptions = RobotOptions(),
     jerk: tuple[float, ...] = (),
     torque: bool = False,
 ) -> int:

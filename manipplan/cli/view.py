@@ -1,4 +1,4 @@
-"""`manipplan view`: show a saved plan in the browser, or record it as an HTML file."""
+"""`manipplan view`: show a saved plan or program in the browser, or record it as an HTML file."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -7,6 +7,8 @@ from rich.console import Console
 from tyro.conf import Positional
 
 from manipplan.cli.terminal import show_line
+from manipplan.jobs.programs.program import Program
+from manipplan.jobs.programs.stored import NAME as PROGRAM
 from manipplan.jobs.result import Plan
 
 
@@ -18,17 +20,18 @@ def view(
     browser: bool = True,
     record: Path | None = None,
 ) -> None:
-    """Show a saved plan in the browser until Ctrl-C, or record it as an HTML file.
+    """Show a saved plan or program in the browser until Ctrl-C, or record it as an HTML file.
 
     Args:
-        result: Folder that `manipplan plan`, `follow` or `improve` wrote, or its plan.json.
+        result: Folder that `manipplan plan`, `follow`, `improve` or `run` wrote, or its plan.json or program.json.
         port: Port of the page; 0 takes any free port.
         host: Address on which the page is served; 0.0.0.0 lets other machines see it.
         browser: Open the page in the browser.
         record: Write this HTML file, which plays anywhere, instead of showing the page.
     """
     console = Console()
-    plan = Plan.load(result)
+    is_program = result.name == PROGRAM or (result / PROGRAM).is_file()
+    plan = Program.load(result) if is_program else Plan.load(result)
     if record is not None:
         file = plan.record(record)
         show_line(console, f"wrote {file}; open it in a browser")

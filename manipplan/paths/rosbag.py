@@ -85,7 +85,7 @@ def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
     fitting = {name: kind for name, kind in topics.items() if kind in (STATE, TRAJECTORY)}
     if topic is not None:
         if not isinstance(topic, str) or topic not in fitting:
-            raise UnknownNameError("topic", str(topic), fitting or [f"none: {path} has no JointState and no JointTrajectory"])
+            raise UnknownNameError("topic", str(topic), fitting, empty=f"none: {path} has no JointState and no JointTrajectory")
         return topic
     for kind in (STATE, TRAJECTORY):
         found = [name for name in fitting if fitting[name] == kind]

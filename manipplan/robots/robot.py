@@ -365,7 +365,7 @@ class Robot(Pictured):
         Raises UnknownNameError when it carries no such part; the nearest names are listed.
         """
         if not isinstance(name, str) or name not in self.carried:
-            raise UnknownNameError("name", str(name), self.carried or ["none: the robot carries nothing"])
+            raise UnknownNameError("name", str(name), self.carried, empty="none: the robot carries nothing")
         geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 

@@ -45,7 +45,7 @@ class NamedStates(dict[str, Array]):
         return found
 
     def __missing__(self, name: str) -> Array:
-        raise UnknownNameError("named state", str(name), self or ["none: the robot was read without an SRDF that names any"])
+        raise UnknownNameError("named state", str(name), self, empty="none: the robot was read without an SRDF that names any")
 
 
 def read_srdf(file: Path) -> Semantics:

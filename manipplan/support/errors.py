@@ -7,6 +7,7 @@ solution raises `PlanningError`, which holds the result and its status; ``throw=
 import difflib
 import reprlib
 from collections.abc import Iterable
+from functools import partial
 from typing import Any
 
 
@@ -30,17 +31,18 @@ class InvalidInputError(ManipplanError, ValueError):
 class UnknownNameError(InvalidInputError):
     """A name that does not exist, with the nearest names that do."""
 
-    def __init__(self, argument: str, name: str, known: Iterable[str]) -> None:
-        self.known = sorted(known)
+    def __init__(self, argument: str, name: str, known: Iterable[str], *, empty: str = "none") -> None:
+        """`empty`: what is allowed where no name is known."""
+        self.known, self.empty = sorted(known), empty
         folded = {each.lower(): each for each in self.known}
         near = [folded[each] for each in difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.5)]
         listed = ", ".join(near or self.known[:12])
         more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
-        allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}"
+        allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}" if self.known else empty
         super().__init__(argument, name, allowed)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.argument, self.value, self.known)
+        return partial(type(self), empty=self.empty), (self.argument, self.value, self.known)
 
 
 class FileFormatError(InvalidInputError):

@@ -1,11 +1,15 @@
 """A path between two stops as a function of its arc length l: q(l), unit tangents, curvature, and a grid along it."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array
 
+#: Share by which ‖q'‖ jumps where it does not count as continuous, and minimum number of nodes between two such jumps.
+JUMP, EACH = 1e-6, 60
 #: Grid points closer to a break than this share of the mean grid spacing are dropped.
 BESIDE = 0.1
 
@@ -14,21 +18,28 @@ class ArcLength:
     """The path from s = a to s = b as q(l), where l is its arc length: a geometric path in toppra's terms."""
 
     def __init__(self, path: JointPath, a: float, b: float) -> None:
-        from scipy.interpolate import CubicSpline
+        from scipy.interpolate import CubicSpline, PPoly
 
         self.path = path
         nodes_along = max(1200, 12 * len(path.control))
-        # dense near the ends, where a path may start from q' = 0
-        s = a + (b - a) * (1 - np.cos(np.linspace(0.0, np.pi, nodes_along + 1))) / 2
         nodes, weights = gauss_rule(6)
-        half = np.diff(s) / 2
-        inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
-        length = np.concatenate([[0.0], np.cumsum(half * (_norms(path(inside, 1)) @ weights))])
-        self.length = float(length[-1])
-        rises = np.concatenate([[True], np.diff(length) > 1e-14 * self.length])
-        rises[-1] = True
-        self._at = length[rises]
-        self._s = CubicSpline(self._at, s[rises])
+        jumps = _jumps(path)
+        ends = np.concatenate([[a], jumps[(jumps > a) & (jumps < b)], [b]])
+        at, splines = [0.0], []
+        for begin, end in pairwise(ends):
+            count = max(EACH, int(np.ceil(nodes_along * (end - begin) / (b - a))))
+            # dense near the ends, where a path may start from q' = 0
+            s = begin + (end - begin) * (1 - np.cos(np.linspace(0.0, np.pi, count + 1))) / 2
+            half = np.diff(s) / 2
+            inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
+            length = at[-1] + np.concatenate([[0.0], np.cumsum(half * (_norms(path(inside, 1)) @ weights))])
+            rises = np.concatenate([[True], np.diff(length) > 1e-14 * length[-1]])
+            rises[-1] = True
+            splines.append(CubicSpline(length[rises], s[rises]))
+            at += length[rises][1:].tolist()
+        self.length = at[-1]
+        self._at = np.array(at)
+        self._s = PPoly(np.concatenate([each.c for each in splines], axis=1), self._at)
         self.ends = (a, b)
         # derivatives are evaluated slightly inside, since q' may vanish at the ends
         margin = 1e-6 * (b - a)
@@ -108,6 +119,14 @@ class ArcLength:
         turned = np.concatenate([[0.0], np.cumsum(_norms(np.diff(tangent, axis=0)))])
         length = np.interp(s, self._s(self._at), self._at)
         return length / self.length + turned / max(turned[-1], 0.1), length
+
+
+def _jumps(path: JointPath) -> Array:
+    """The breaks at which ‖q'‖ jumps, as where two paths were joined: the parameter has a kink there over the length."""
+    widths = np.diff(path.breaks)
+    last = _norms(path.control[:-1, -1] - path.control[:-1, -2]) / widths[:-1]
+    first = _norms(path.control[1:, 1] - path.control[1:, 0]) / widths[1:]
+    return np.asarray(path.breaks[1:-1][np.abs(last - first) > JUMP * np.maximum(last, first)])
 
 
 def _norms(vectors: Array) -> Array:

@@ -11,6 +11,7 @@ from manipplan.viz.ellipsoids import plot_ellipsoid, plot_ellipsoids
 from manipplan.viz.found import plot_convergence, plot_layers
 from manipplan.viz.plan import plan_figure, save_plan
 from manipplan.viz.planar import plot_planar_arm
+from manipplan.viz.programs.figure import program_figure, save_program
 from manipplan.viz.tool import plot_deviation, plot_tool_path
 
 __all__ = [
@@ -27,5 +28,7 @@ __all__ = [
     "plot_planar_arm",
     "plot_singular_values",
     "plot_tool_path",
+    "program_figure",
     "save_plan",
+    "save_program",
 ]

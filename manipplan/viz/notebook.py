@@ -9,6 +9,7 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.ik.solutions import SolutionSet
+from manipplan.jobs.programs.program import Program
 from manipplan.jobs.result import PartialPlan
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -17,6 +18,7 @@ from manipplan.viz.arm import draw_scene
 from manipplan.viz.curves import plot_joints
 from manipplan.viz.motions import skeleton
 from manipplan.viz.plan import plan_figure
+from manipplan.viz.programs.figure import program_figure
 from manipplan.viz.shapes import arm_surfaces, joined
 from manipplan.viz.space import draw_skeleton, draw_surface, look_at, points_of
 
@@ -39,6 +41,8 @@ def html_of(value: object) -> str:
 def _figure(value: object) -> Any:
     from matplotlib.figure import Figure
 
+    if isinstance(value, Program):
+        return program_figure(value)
     if isinstance(value, PartialPlan):
         return None if value.trajectory is None else plan_figure(value)  # type: ignore[arg-type]  # then it is a Plan
     with style.shared():

@@ -12,8 +12,8 @@ import manipplan
 
 ROOT = Path(manipplan.__file__).parents[1]
 PROGRAMS = ["README.md", "docs/start.md"]
-#: Pages whose first program is checked alone.
-FIRST = [
+#: Pages whose programs are checked as one, as they are run.
+HOW_TOS = [
     f"docs/howto/{name}.md"
     for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording", "two-arms")
 ]
@@ -31,6 +31,11 @@ print(plan.trajectory.duration)
 """
 
 
+def program_of(page):
+    """All Python blocks of a page as one program."""
+    return "\n".join(re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), flags=re.DOTALL))
+
+
 def checked(checker, program, folder):
     """The finished process of a checker on a program."""
     (folder / "program.py").write_text(program, encoding="utf-8")
@@ -42,17 +47,15 @@ def checked(checker, program, folder):
 @pytest.mark.parametrize("checker", CHECKERS)
 @pytest.mark.parametrize("page", PROGRAMS)
 def test_programs_of_the_first_pages_are_typed(page, checker, tmp_path):
-    text = (ROOT / page).read_text(encoding="utf-8")
-    program = "\n".join(re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL))
+    program = program_of(page)
     assert "mp.plan(" in program
     done = checked(checker, program, tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("page", FIRST)
-def test_the_first_program_of_a_how_to_is_typed(page, tmp_path):
-    text = (ROOT / page).read_text(encoding="utf-8")
-    done = checked("mypy", re.search(r"```python\n(.*?)```", text, flags=re.DOTALL)[1], tmp_path)
+@pytest.mark.parametrize("page", HOW_TOS)
+def test_the_programs_of_a_how_to_are_typed(page, tmp_path):
+    done = checked("mypy", program_of(page), tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
 
 

@@ -350,3 +350,11 @@ def test_an_interrupt_leaves_no_broken_file(tmp_path, step, file, sigint):
     readers = {"trajectory.csv": mp.Trajectory.from_csv, "trajectory.json": mp.Trajectory.from_json}
     read = [readers[each.name](each) for each in files if each.name in readers]
     assert read or file is None
+
+
+@pytest.mark.parametrize("command", ["plan", "follow", "improve", "run", "check"])
+def test_the_help_has_a_box_for_the_robot(command, capsys):
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    told = capsys.readouterr().out
+    assert "robot options" in told and "options options" not in told

@@ -1,13 +1,13 @@
-"""Programs of moves: choice, parts, blends, stops, files, bad input."""
+"""Programs of moves: choice, parts, blends, stops, speeds, bad input."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
-import pinocchio as pin
 import pytest
+from program_cell import DOWN, pose_at
 
 import manipplan as mp
-from manipplan.cli import main
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import Motion
@@ -15,52 +15,6 @@ from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
-
-DOWN = np.diag([1.0, -1.0, -1.0, 1.0])
-
-
-def pose_at(x, y, z, turn=0.0):
-    pose = DOWN.copy()
-    pose[:3, :3] = pin.rpy.rpyToMatrix(0, 0, turn) @ DOWN[:3, :3]
-    pose[:3, 3] = x, y, z
-    return pose
-
-
-@pytest.fixture(scope="module")
-def hand():
-    """A Panda whose hand is open."""
-    return mp.load_robot("panda", locked={"panda_finger_joint1": 0.04, "panda_finger_joint2": 0.04})
-
-
-@pytest.fixture(scope="module")
-def cell():
-    """A table with a post and a part."""
-    return mp.Scene(
-        [
-            mp.Box(size=(0.9, 1.6, 0.04), position=(0.6, 0.0, -0.02), name="table"),
-            mp.Box(size=(0.1, 0.1, 0.3), position=(0.45, 0.0, 0.15), name="post"),
-            mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, 0.051), name="part"),
-        ]
-    ).allow("part", "table")
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return [
-        mp.MoveTo(pose_at(0.45, 0.3, 0.09), approach=0.1),
-        mp.Attach("part"),
-        mp.MoveAlong([0, 0, -0.1]),
-        mp.MoveTo([pose_at(0.45, -0.3, 0.09), pose_at(0.45, -0.3, 0.09, 1.57)], approach=0.1),
-        mp.Detach("part"),
-        mp.MoveAlong([0, 0, -0.1]),
-        mp.Wait(0.5),
-        mp.MoveTo("default"),
-    ]
-
-
-@pytest.fixture(scope="module")
-def program(hand, cell, steps):
-    return mp.sequence(hand, "default", steps, cell, blend=0.05)
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
@@ -138,17 +92,40 @@ def test_the_choice_is_that_of_all_choices(planar):
     )
 
 
-def test_a_path_of_the_tool_and_its_speed(hand):
-    path = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
-    made = mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=0.1), mp.MoveTo("default")], blend=0.02)
+def seam_steps(speed):
+    seam = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
+    return [mp.MoveAlong(seam, tool_speed=speed), mp.MoveAlong([0, 0, -0.1], tool_speed=0.05), mp.MoveTo("default")]
+
+
+@pytest.mark.parametrize("blend", [0.0, 0.02])
+def test_the_tool_speed_is_constant(hand, blend, tmp_path):
+    made = mp.sequence(hand, "default", seam_steps(0.1), blend=blend)
     assert made.passed
-    assert [mark.step for mark in made.marks] == [0, 1]
-    t = np.linspace(0, made.duration, 6000)
-    pose = hand.kinematics().pose(made.trajectory(t))
-    speed = np.linalg.norm(np.diff(pose[:, :3, 3], axis=0), axis=1) / np.diff(t)
-    on_path = (np.abs(pose[:-1, 0, 3] - 0.4) < 2e-4) & (np.abs(pose[:-1, 2, 3] - 0.3) < 2e-4) & (np.abs(pose[:-1, 1, 3]) < 0.17)
-    assert on_path.sum() > 1000
-    assert speed[on_path].max() <= 0.1 * (1 + 1e-3)
+    assert len(made.stops) == (3 if blend == 0 else 0)
+    assert made.marks[2].tool_speed is None
+    for mark, asked in zip(made.marks[:2], (0.1, 0.05), strict=True):
+        told = mark.tool_speed
+        assert told.asked == asked
+        assert max(told.ramps) < 0.1 * told.length
+        t = np.linspace(told.begin, told.end, 4000)  # measured again, by finite differences
+        way = hand.kinematics().pose(made.trajectory(t))[:, :3, 3]
+        speed = np.linalg.norm(np.diff(way, axis=0), axis=1) / np.diff(t)
+        assert 0.99 * asked * (1 - 1e-4) <= speed.min() <= speed.max() <= asked * (1 + 1e-4)
+        assert told.length > (0.39 if asked == 0.1 else 0.09) - 2 * blend
+    assert f"tool speed   {made.marks[0].tool_speed}" in str(made)
+    made.save(tmp_path / "made")
+    assert mp.Program.load(tmp_path / "made").marks[:2] == made.marks[:2]
+
+
+def test_a_tool_speed_that_is_not_possible_is_refused_with_the_fastest(hand):
+    steps = seam_steps(3.0)
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 3\.0; allowed: at most [\d.]+ m/s") as caught:
+        mp.sequence(hand, "default", steps)
+    fastest = float(caught.value.allowed.split()[2])
+    made = mp.sequence(hand, "default", seam_steps(fastest))
+    assert made.marks[0].tool_speed.is_steady
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed"):
+        mp.sequence(hand, "default", seam_steps(1.1 * fastest))
 
 
 def test_constraints_of_a_move(hand):
@@ -159,24 +136,6 @@ def test_constraints_of_a_move(hand):
     path = cut(made.trajectory.path(), 0.0, end)
     axes = hand.kinematics().pose(path(np.linspace(0, 1, 3000)))[:, :3, 2]
     assert np.arccos(np.clip(-axes[:, 2], -1, 1)).max() <= 0.1 + 1e-6
-
-
-def test_saved_and_loaded(program, tmp_path):
-    files = program.save(tmp_path / "made")
-    assert all(file.is_file() for file in files)
-    again = mp.Program.load(tmp_path / "made")
-    assert str(again) == str(program)
-    assert again.trajectory.digest == program.trajectory.digest
-    assert list(again.parts[1].robot.carried) == ["part"]
-    ros = mp.Trajectory.from_ros(tmp_path / "made" / "trajectory.yaml")
-    np.testing.assert_allclose(ros.q, program.trajectory.q, atol=1e-9)
-    text = (tmp_path / "made" / "program.json").read_text()
-    (tmp_path / "made" / "program.json").write_text(text.replace('"begin"', '"begin" ', 1).replace("MoveTo", "MoveAt", 1))
-    with pytest.raises(mp.FileFormatError, match="changed since"):
-        mp.Program.load(tmp_path / "made")
-    (tmp_path / "made" / "program.json").write_text(text.replace('"version": 1', '"version": 7', 1))
-    with pytest.raises(mp.FileFormatError, match="this is version 7"):
-        mp.Program.load(tmp_path / "made")
 
 
 def test_cutting_a_path():
@@ -250,11 +209,41 @@ BAD = {
         [mp.MoveTo("default"), mp.MoveTo(pose_at(2.0, 0.0, 0.3))],
         r"steps\[1\]\.goal: .*out of reach: the nearest configuration found leaves the tool",
     ),
+    "no part": (
+        [mp.MoveTo(mp.PoseGoal(DOWN, of="part"))],
+        r"steps\[0\]\.goal\.of: got 'part'; allowed: none: the arm carries nothing then",
+    ),
+    "part put down": (
+        [mp.Attach("part"), mp.Detach("part"), mp.MoveTo(["default", mp.PoseGoal(DOWN, of="part")])],
+        r"steps\[2\]\.goal\[1\]\.of: got 'part'",
+    ),
+    "another part": (
+        [mp.Attach("part"), mp.MoveTo(mp.PoseGoal(DOWN, of="prat"))],
+        r"steps\[1\]\.goal\.of: got 'prat'; allowed: did you mean part",
+    ),
+    "turn in the hand not known": (
+        [
+            mp.MoveAlong(
+                mp.CartesianPath.line(pose_at(0.45, 0.3, 0.3), pose_at(0.45, 0.3, 0.2)), task=mp.Task.pointing([0, 0, 1])
+            ),
+            mp.MoveAlong([0, 0, 0.1]),
+            mp.Attach("part"),
+            mp.MoveTo(mp.PoseGoal(DOWN, of="part")),
+        ],
+        r"steps\[3\]\.goal\.of: got 'part'; allowed: a part that was taken up and put down after a MoveTo",
+    ),
     "unknown state": ([mp.MoveTo("redy")], r"steps\[0\]\.goal: got 'redy'"),
     "approach to a configuration": ([mp.MoveTo("default", approach=0.1)], "a pose of the tool, since there is an approach"),
+    "turns in place": (
+        [
+            mp.MoveTo("default"),
+            mp.MoveAlong(mp.CartesianPath.line(pose_at(0.4, 0.3, 0.4), pose_at(0.4, 0.3, 0.4, 1)), tool_speed=0.1),
+        ],
+        r"steps\[1\]\.tool_speed: got 0.1; allowed: None for this path: at s = .* it turns the tool in place",
+    ),
     "path out of reach": (
         [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
-        r"steps\[0\]\.path: ",
+        r"steps\[0\]\.path, position \d+ of 0 to 19 \(s = [\d.]+\): .* the arm stays [\d.]+ mm and [\d.]+° away",
     ),
 }
 
@@ -264,6 +253,50 @@ def test_bad_programs(hand, cell, name):
     given, message = BAD[name]
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.sequence(hand, "default", given, cell)
+
+
+@pytest.mark.parametrize(
+    ("steps", "message"),
+    [
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.4)), mp.MoveAlong([0.6, 0, 0])],
+            r"steps\[1\]: path, position \d+ of 0 to 39 .* is not a pose within reach and joint limits; the arm stays [\d.]+ mm",
+        ),
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.4), approach=[1.2, 0, 0])],
+            r"steps\[0\]: no straight approach: path, position .* the arm stays [\d.]+ mm",
+        ),
+        (
+            [mp.MoveTo(pose_at(0.5, 0.3, 0.2)), mp.MoveAlong([0, 0, 0.3])],
+            r"steps\[1\]: path, position .* in the best of them panda_leftfinger_\d and table overlap by [\d.]+ mm",
+        ),
+    ],
+)
+def test_ways_that_do_not_exist_are_told(hand, cell, steps, message):
+    with pytest.raises(mp.PlanningError, match=message):
+        mp.sequence(hand, "default", steps, cell)
+
+
+def test_blends_never_overlap(hand, cell, steps):
+    made = mp.sequence(hand, "default", steps, cell, blend=2.0)
+    assert made.passed
+    placed = hand.kinematics().pose(made.parts[1].trajectory.q[-1])
+    np.testing.assert_allclose(placed[:3, 3], [0.45, -0.3, 0.09], atol=1e-5)
+
+
+def test_blends_keep_the_clearance():
+    """A ball inside the corner: the wide blend would touch it, and is halved."""
+    hand = mp.load_robot("panda")  # its hand is closed
+    corner = [pose_at(0.55, -0.2, 0.4), pose_at(0.55, 0.25, 0.4), pose_at(0.2, 0.25, 0.4)]
+    steps = [mp.MoveAlong(mp.CartesianPath.line(one, other)) for one, other in pairwise(corner)]
+    free = mp.sequence(hand, "default", steps, blend=0.15)
+    cut_off = hand.kinematics().pose(free.trajectory(np.linspace(0, free.duration, 8000)))[:, :3, 3]
+    away = np.linalg.norm(cut_off - corner[1][:3, 3], axis=1)
+    ball = mp.Sphere(radius=0.005, position=cut_off[away.argmin()] + [0, 0, -0.006], name="ball")
+    made = mp.sequence(hand, "default", steps, mp.Scene([ball]), blend=0.15, clearance=0.005)
+    assert made.passed and made.parts[0].report.proven_clearance >= 0.005
+    way = hand.kinematics().pose(made.trajectory(np.linspace(0, made.duration, 8000)))[:, :3, 3]
+    assert np.linalg.norm(way - corner[1][:3, 3], axis=1).min() < 0.5 * away.min()
 
 
 @pytest.mark.parametrize(
@@ -295,6 +328,7 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
     made = assemble(
         [motion],
         state,
+        state,
         [step],
         legs,
         goals={k: 0 for k, leg in legs.items() if leg.targets},
@@ -324,54 +358,3 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
 def test_bad_steps(make, message):
     with pytest.raises(mp.InvalidInputError, match=message):
         make()
-
-
-PROGRAM = """
-robot: panda
-locked: {panda_finger_joint1: 0.03}
-scene: scene.yaml
-start: default
-blend: 0.04
-steps:
-- move_to: {goal: {position: [0.45, 0.3, 0.2], rotation: [3.14159265, 0, 0]}}
-- move_along: {way: [0, 0, 0.08], tool_speed: 0.1}
-- wait: 0.2
-- move_to: {goal: [{state: default}]}
-"""
-
-
-def test_a_program_from_a_shell(tmp_path, capsys):
-    (tmp_path / "scene.yaml").write_text(
-        "obstacles: [{shape: box, size: [0.9, 1.6, 0.04], position: [0.6, 0, -0.02], name: table}]\n"
-    )
-    (tmp_path / "program.yaml").write_text(PROGRAM)
-    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 0
-    assert "4 steps, all checks passed" in capsys.readouterr().out
-    assert [mark.name for mark in mp.Program.load(tmp_path / "made").marks] == ["MoveTo", "MoveAlong", "Wait", "MoveTo"]
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        (("start: default", "begin: default"), "keys start and steps"),
-        (("blend: 0.04", "blnd: 0.04"), "did you mean blend"),
-        (("wait: 0.2", "wait: -1"), r"steps\[2\]\.wait\.seconds"),
-        (("- wait: 0.2", "- wiat: 0.2"), "did you mean wait"),
-        (("way: [0, 0, 0.08], ", ""), r"steps\[1\]\.move_along\.path"),
-        (("state: default", "state: defalt"), r"steps\[3\]\.move_to\.goal\[0\]\.state"),
-        (("scene: scene.yaml", "scene: gone.yaml"), "gone.yaml"),
-        (("locked: {panda_finger_joint1: 0.03}", "locked: [1]"), "locked in"),
-        (("goal: [{state: default}]", "goal: [{state: default}], aproach: 0.1"), "did you mean approach"),
-        (
-            ("goal: [{state: default}]", "goal: [{state: default}], constraints: [{tilt_limt: 3}]"),
-            r"steps\[3\]\.move_to\.constraints\[0\] .* did you mean tilt_limit",
-        ),
-    ],
-)
-def test_bad_program_files(tmp_path, capsys, change, message):
-    (tmp_path / "scene.yaml").write_text("obstacles: []\n")
-    (tmp_path / "program.yaml").write_text(PROGRAM.replace(*change))
-    assert main(["run", str(tmp_path / "program.yaml"), "--out", str(tmp_path / "made")]) == 2
-    error = capsys.readouterr().err
-    assert __import__("re").search(message, " ".join(error.split())), error
-    assert not (tmp_path / "made" / "program.json").exists()

@@ -19,6 +19,9 @@ CONVENIENCES = {
     "jobs.result.PartialPlan.save",
     "jobs.result.PartialPlan.show",
     "jobs.result.PartialPlan.record",
+    "jobs.programs.program.Program.save",
+    "jobs.programs.program.Program.show",
+    "jobs.programs.program.Program.record",
 }
 
 

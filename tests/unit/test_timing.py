@@ -1,10 +1,14 @@
 """Timing: limits hold exactly, the motion is fast, and failure says why."""
 
+from dataclasses import replace
+from itertools import pairwise
+
 import numpy as np
 import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.paths.joint import cut
 from manipplan.timing.verify import limit_use
 
 
@@ -125,6 +129,19 @@ def test_a_sharp_bend_does_not_slow_the_whole_motion():
     stopping = mp.JointPath.through([hairpin(0.0), hairpin(0.4555), hairpin(1.0)])
     ratio = mp.retime(hairpin, robot).duration / mp.retime(stopping, robot).duration
     assert ratio < 1.3
+
+
+@pytest.mark.parametrize("jerk", [np.inf, 500.0])
+def test_a_jump_of_the_parameter_does_not_slow_the_motion(panda, jerk):
+    """The same curve in parts whose ‖q'‖ differ where they meet, as after a blend."""
+    q = np.array(
+        [panda.neutral, panda.neutral + [0.4, 0.2, 0, 0.3, 0, 0.2, 0], panda.neutral + [0.6, -0.3, 0.4, 0.0, 0, 0, 0.5]]
+    )
+    smooth = mp.JointPath.spline([0.0, 0.4, 1.0], q)
+    parts = [cut(smooth, begin, end) for begin, end in pairwise([0.0, 0.3, 0.4, 0.7, 1.0])]
+    joined = mp.JointPath(breaks=[0.0, 0.2, 0.5, 0.6, 1.0], control=np.concatenate([each.control[:1] for each in parts]))
+    arm = replace(panda, limits=replace(panda.limits, jerk=np.full(7, jerk)))
+    assert mp.retime(joined, arm).duration == pytest.approx(mp.retime(smooth, arm).duration, rel=5e-3)
 
 
 @pytest.mark.parametrize("middle", [0.3, 0.4, 0.5, 0.77])

@@ -390,3 +390,9 @@ def test_wrong_grasps(baxter, grasps, message):
     way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15))
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.carry(baxter, way, grasps, positions=5, samples=6)
+
+
+def test_a_goal_of_several_tools_takes_no_pose_of_a_part(baxter):
+    part = mp.PoseGoal(np.eye(4), of="cup")
+    with pytest.raises(mp.InvalidInputError, match=r"left_gripper'\].of: got 'cup'"):
+        mp.plan(baxter, baxter.neutral, {"left_gripper": part})

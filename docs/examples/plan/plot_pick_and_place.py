@@ -3,9 +3,10 @@ Pick, carry and place from poses
 ================================
 
 A program of moves: the hand goes to a part on a table with a straight approach, takes
-it up, carries it past a post, puts it down and goes home. Everything is given as poses.
-The grasps and the configurations of all moves are chosen together, for the largest
-minimum manipulability, and the corners between the moves are rounded.
+it up, carries it past a post, puts it down and goes home. Everything is given as poses:
+four grasps, and where the part is to stand at the end. Each grasp needs another pose of
+the hand there. The grasp and the configurations of all moves are chosen together, for
+the largest minimum manipulability, and the corners between the moves are rounded.
 """
 
 import matplotlib.pyplot as plt
@@ -38,11 +39,12 @@ def grasps(x, y, z):
 # Straight ways are given in the tool's frame, whose z-axis points down here: the
 # approach is 10 cm along it, the retreat 10 cm back.
 
+place = np.array([[0, -1, 0, 0.45], [1, 0, 0, -0.3], [0, 0, 1, 0.051], [0, 0, 0, 1]])
 steps = [
     mp.MoveTo(grasps(0.45, 0.3, 0.09), approach=0.1),
     mp.Attach("part"),
     mp.MoveAlong([0, 0, -0.1]),
-    mp.MoveTo(grasps(0.45, -0.3, 0.09), approach=0.1),
+    mp.MoveTo(mp.PoseGoal(place, of="part"), approach=0.1),
     mp.Detach("part"),
     mp.MoveAlong([0, 0, -0.1]),
     mp.MoveTo("default"),
@@ -52,6 +54,16 @@ assert program.passed
 assert not program.stops  # the arm stops only to take the part up and put it down
 for mark in program.marks:
     print(f"step {mark.step}: {mark.name}")
+end = program.final_scene
+stands = end.obstacles[end.names.index("part")].pose.homogeneous
+assert np.abs(stands - place).max() < 1e-5
+
+# %%
+# The whole program: the part where it was, on its way in the hand, and put down. The
+# vertical lines are where steps begin; the hand closes and opens at the solid ones.
+
+viz.program_figure(program, plt.figure(figsize=(11.5, 6.0)))
+plt.show()
 
 # %%
 # One trajectory for the controller. The dashed lines are where the hand closes and
@@ -75,13 +87,4 @@ for mark in program.marks:
         for ax in (top, bottom):
             ax.axvline(mark.begin, color="0.4", linestyle="--", linewidth=1.0)
         top.annotate(mark.name, (mark.begin, top.get_ylim()[1]), fontsize=8, va="top")
-plt.show()
-
-# %%
-# The second part of the program: the arm with what it carries.
-
-carrying = program.parts[1]
-figure = plt.figure(figsize=(8.5, 6.0), layout="constrained")
-ax = figure.add_subplot(projection="3d")
-viz.plot_arm(carrying.robot, carrying.path, carrying.scene, ax=ax)
 plt.show()

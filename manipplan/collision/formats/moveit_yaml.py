@@ -168,7 +168,7 @@ def _file(where: str, resource: str, file: Path, packages: Packages) -> Path:
         return existing_file(where, file.parent / resource.removeprefix("file://"))
     package, _, rest = resource.removeprefix("package://").partition("/")
     if package not in packages:
-        raise UnknownNameError("packages", package, packages or ["none: give packages={name: folder}"])
+        raise UnknownNameError("packages", package, packages, empty="none: give packages={name: folder}")
     return existing_file(where, Path(packages[package]) / rest)
 
 

@@ -89,6 +89,7 @@ def find_candidates(
     InvalidInputError where no candidate is free; the message counts the reasons.
     """
     robot = model.robot
+    targets = [each.of_tool(robot) for each in targets]
     given = {k: each.q for k, each in enumerate(targets) if each.q is not None}
     poses = {k: each.pose for k, each in enumerate(targets) if each.pose is not None}
     several = {k: each.tools for k, each in enumerate(targets) if each.tools is not None}

@@ -16,7 +16,7 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.yaml_files import read_yaml
 
 #: Keys of an entry: those of a pose, and the two others, each of which stands alone.
-POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance"), ("q", "state")
+POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance", "of"), ("q", "state")
 #: Key of an entry with poses of several tools, by their names.
 TOOLS = "tools"
 #: Length up to which a quaternion may differ from 1.
@@ -27,8 +27,9 @@ def goals_from_yaml(file: str | Path, robot: Robot) -> list[OneGoal]:
     """Read goals: ``goals: [{position: [0.5, 0, 0.3], rotation: [3.1416, 0, 0]}, {q: [0, 1, ...]}, {state: ready}, ...]``.
 
     A pose of the tool in the world has `position` [m] and `rotation`: roll, pitch, yaw [rad], a quaternion x, y, z, w, or a
-    matrix (3, 3); and, where wanted, `free_axis` (3,) and `tolerance: {position: [m], rotation: [rad]}`. `q` is one number per
-    joint, `state` the name of one of `robot.states`, and `tools` maps the tools of a robot with several to such poses.
+    matrix (3, 3); and, where wanted, `free_axis` (3,), `tolerance: {position: [m], rotation: [rad]}` and `of`, the name of a
+    carried part whose pose it is. `q` is one number per joint, `state` the name of one of `robot.states`, and `tools` maps the
+    tools of a robot with several to such poses.
 
     Raises FileFormatError or InvalidInputError, which name the file, the entry, the key and what is allowed.
     """
@@ -89,12 +90,12 @@ def _pose_goal(argument: str, entry: Any) -> PoseGoal:
     keys = set(entry) if isinstance(entry, Mapping) else set()
     if not {"position", "rotation"} <= keys or not keys <= set(POSE_KEYS):
         others = ", ".join((*ALONE, TOOLS))
-        wanted = f"position and rotation, with free_axis and tolerance where wanted, or one of {others}"
+        wanted = f"position and rotation, with free_axis, tolerance and of where wanted, or one of {others}"
         raise InvalidInputError(argument, entry, f"an entry with the keys {wanted}")
     position = finite_array(f"{argument}.position", entry["position"], (3,))
     pose = _pose(f"{argument}.rotation", position, entry["rotation"])
     tolerance = _tolerance(f"{argument}.tolerance", entry.get("tolerance"))
-    return PoseGoal(pose, free_axis=entry.get("free_axis"), tolerance=tolerance)
+    return PoseGoal(pose, free_axis=entry.get("free_axis"), tolerance=tolerance, of=entry.get("of", ""))
 
 
 def _pose(argument: str, position: Array, rotation: Any) -> Array:

@@ -1,4 +1,4 @@
-"""PoseGoal: a pose of the tool in which a motion ends, with what is free about it."""
+"""PoseGoal: a pose of the tool, or of a carried part, in which a motion ends, with what is free about it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -24,14 +24,17 @@ REACHED = 1e-6
 @one_line
 @dataclass(frozen=True, eq=False)
 class PoseGoal:
-    """A pose of the tool in the world, exact or with a free axis or a tolerance.
+    """A pose of the tool or of a carried part in the world, exact or with a free axis or a tolerance.
 
     Attributes:
-        pose: (4, 4) or pin.SE3, of the tool in the world; kept as a read-only matrix.
+        pose: (4, 4) or pin.SE3, in the world; kept as a read-only matrix.
         free_axis: (3,) axis of the tool, in the tool's frame, about which the tool may end at any angle; None: no such axis.
-        tolerance: how far the tool may end from the pose [m, rad]; the angle is that of the rotation or, with a free axis, that
+            With `of`, an axis of the part in its own frame, on which the tool's origin has to lie.
+        tolerance: how far it may end from the pose [m, rad]; the angle is that of the rotation or, with a free axis, that
             between the axes. A tolerance without a rotation leaves the rotation free, and one without a position is no goal.
             None: exact.
+        of: name of a part that the arm carries when it reaches the goal: the pose is that of the part's own frame. "": that of
+            the tool.
 
     Raises InvalidInputError: not a rigid transform, an axis of zero length, or a tolerance without a position.
     """
@@ -39,6 +42,7 @@ class PoseGoal:
     pose: ArrayLike | pin.SE3
     free_axis: ArrayLike | None = field(default=None, kw_only=True)
     tolerance: Tolerance | None = field(default=None, kw_only=True)
+    of: str = field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "pose", pose_matrix("pose", self.pose))
@@ -50,6 +54,7 @@ class PoseGoal:
             axis = axis / length
             axis.flags.writeable = False
             object.__setattr__(self, "free_axis", axis)
+        instance("of", self.of, str)
         if self.tolerance is not None and instance("tolerance", self.tolerance, Tolerance).position is None:
             raise InvalidInputError("tolerance", self.tolerance, "one with a position [m]: without it any place would do")
 
@@ -64,12 +69,39 @@ class PoseGoal:
         return None if self.free_axis is None else np.asarray(self.free_axis)
 
     @property
+    def is_exact(self) -> bool:
+        """Whether it is one pose of the tool."""
+        return not self.of and self.free_axis is None and self.tolerance is None
+
+    @property
     def allowed(self) -> tuple[float, float]:
         """Largest distance [m] and angle [rad] from the pose."""
         if self.tolerance is None:
             return 0.0, 0.0
         rotation = self.tolerance.rotation
         return self.tolerance.position or 0.0, np.pi if rotation is None else min(rotation, np.pi)
+
+    def of_tool(self, grip: Array) -> "PoseGoal":
+        """What this goal of a part is as one of the tool, where the part is at `grip` (4, 4) in the tool frame.
+
+        Its tolerance allows nothing that the one of the part does not: turning the tool moves a part that is beside it.
+        Raises InvalidInputError where the tool's origin is not on the free axis.
+        """
+        axis, tolerance = self.axis, self.tolerance
+        beside = float(np.linalg.norm(grip[:3, 3]))
+        if axis is not None:
+            axis = grip[:3, :3] @ axis
+            beside = float(np.linalg.norm(np.cross(grip[:3, 3], axis)))
+            if beside > REACHED:
+                wanted = f"an axis on which the tool's origin lies: it is {1e3 * beside:.3g} mm beside that of {self.of}"
+                raise InvalidInputError("free_axis", self.free_axis, f"{wanted}. Give a list of turned poses")
+            beside = abs(float(grip[:3, 3] @ axis))
+        if tolerance is not None:
+            position, rotation = self.allowed
+            if beside > 0:
+                rotation = min(rotation, position / (2 * beside))
+            tolerance = Tolerance(position=position - rotation * beside, rotation=rotation)
+        return PoseGoal(self.matrix @ np.linalg.inv(grip), free_axis=axis, tolerance=tolerance)
 
     def task(self, robot: Robot) -> Task:
         """The task whose inverse kinematics reach the pose.
@@ -85,26 +117,28 @@ class PoseGoal:
         return Task.planar()
 
     def distances(self, poses: Array) -> tuple[Array, Array]:
-        """Distances (k,) [m] and angles (k,) [rad] of tool poses (k, 4, 4) from this one; of the axes if one is free."""
+        """Distances (k,) [m] and angles (k,) [rad] of poses (k, 4, 4) from this one; of the axes if one is free."""
         position = np.linalg.norm(poses[:, :3, 3] - self.matrix[:3, 3], axis=1)
         return position, angles_between(poses[:, :3, :3], self.matrix[:3, :3], self.axis)
 
     def errors(self, robot: Robot, q: Array, tool: str) -> tuple[float, float]:
-        """Distance [m] and angle [rad] of a tool from the pose at q (n,), by Pinocchio's own kinematics."""
+        """Distance [m] and angle [rad] of a tool, or of the part that it carries, from the pose at q (n,), by Pinocchio."""
         data = robot.model.createData()
         pin.framesForwardKinematics(robot.model, data, q)
         place = data.oMf[frame_index(robot.model, tool)].homogeneous
+        if self.of:
+            place = place @ robot.carried[self.of].solid.pose.homogeneous
         position, rotation = (float(each[0]) for each in self.distances(place[None]))
         return position, rotation
 
     def missed_by(self, robot: Robot, q: Array, tool: str | None = None) -> str:
-        """How far a tool, by default the first, is outside the tolerance at q (n,); "" where the goal is reached."""
+        """How far a tool, by default the first, or the part miss the goal at q (n,); "" where it is reached."""
         position, rotation = self.errors(robot, q, tool or robot.tool)
         most = self.allowed
         if position <= most[0] + REACHED and rotation <= most[1] + REACHED:
             return ""
         name = "the tool" if tool is None or len(robot.tools) == 1 else tool
-        return f"{name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
+        return f"{self.of or name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"
 
 
 #: One goal: (n,) [rad or m], the name of a state, a pose of the tool, a PoseGoal, or one of these two for several tools each.

@@ -43,6 +43,24 @@ class Target:
             return self.q
         return self.pose if self.pose is not None else dict(self.tools or {})
 
+    def of_tool(self, robot: Robot) -> "Target":
+        """The goal as one of the tool; raises UnknownNameError where it is one of a part that the arm does not carry."""
+        if self.pose is None or not self.pose.of:
+            return self
+        if self.pose.of not in robot.carried:
+            raise UnknownNameError(
+                f"{self.argument}.of", self.pose.of, robot.carried, empty="none: the arm carries nothing then"
+            )
+        return self.with_grip(robot.carried[self.pose.of].solid.pose.homogeneous)
+
+    def with_grip(self, grip: Array) -> "Target":
+        """The goal of the tool that this one of a part is, with the part at `grip` (4, 4) in the tool frame."""
+        assert self.pose is not None
+        try:
+            return Target(argument=self.argument, pose=self.pose.of_tool(grip))
+        except InvalidInputError as error:
+            raise InvalidInputError(f"{self.argument}.{error.argument}", error.value, error.allowed) from error
+
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""
         if self.pose is not None:
@@ -99,6 +117,8 @@ def _read_tools(argument: str, goal: Mapping[Any, Any], robot: Robot) -> Target:
         pose = _read_pose(name, given, robot.arm(known_tool(robot, argument, tool)))
         if pose is None:
             raise InvalidInputError(name, given, "a pose (4, 4) or pin.SE3, or a PoseGoal")
+        if pose.of and len(robot.tools) > 1:
+            raise InvalidInputError(f"{name}.of", pose.of, "'': in a goal of several tools each pose is that of a tool")
         poses[tool] = pose
     return Target(argument=argument, tools=poses) if len(robot.tools) > 1 else Target(argument=argument, pose=poses[robot.tool])
 
@@ -125,8 +145,8 @@ def named_configuration(argument: str, q: Any, robot: Robot) -> Array:
     if not isinstance(q, str):
         return _one_configuration(argument, q, robot)
     if q not in robot.states:
-        known = robot.states or ["none: the robot has no named states, so give one number per joint"]
-        raise UnknownNameError(argument, q, known)
+        none = "one number per joint: the robot has no named states"
+        raise UnknownNameError(argument, q, robot.states, empty=none)
     return robot.states[q]
 
 

@@ -15,7 +15,8 @@ from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
-from manipplan.jobs.programs.steps import Attach, Detach, Step
+from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
+from manipplan.jobs.programs.timed import Timing, times_of
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
@@ -24,21 +25,21 @@ from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
-from manipplan.timing.retime import retime
-from manipplan.timing.segment import Segment
+from manipplan.timing.steady.speed import SteadySpeed
 
 #: Distance from the nearest body above which a part counts as let go in the air [m].
 IN_THE_AIR = 5e-3
 #: The same where a part is taken up: a hand closes around it [m].
 OUT_OF_HAND = 5e-2
-#: Number of places at which a motion is compared with the path of the tool, and number of times at which a mark is looked for.
-PLACES, TIMES = 800, 4000
+#: Number of places at which a motion is compared with the path of the tool.
+PLACES = 800
 
 
 def assemble(
     items: Sequence[Motion | Stop],
     first: State,
-    steps: Sequence[Step],
+    last: State,
+    steps: Sequence[ProgramStep],
     legs: Mapping[int, Leg],
     *,
     goals: Mapping[int, int],
@@ -49,7 +50,8 @@ def assemble(
 ) -> Program:
     """The program of motions and stops; each run of motions between two stops is one part.
 
-    `legs` and `goals`: the leg that begins at a step, and the index of the goal that its free motion reaches.
+    `first` and `last`: arm and scene before and after it. `legs` and `goals`: the leg that begins at a step, and the index of
+    the goal that its free motion reaches.
 
     Raises PlanningError, which names the step, where a part cannot be timed.
     """
@@ -71,12 +73,12 @@ def assemble(
                 clock += group.seconds
             continue
         blends = [_between(one, other, blend, clearance, legs) for one, other in pairwise(group)]
-        part, begins, corners = _part(group, blends, clock, legs, goals, objective, clearance, torque)
-        for motion, begin in zip(group, begins, strict=True):
+        part, begins, speeds, corners = _part(group, blends, clock, legs, goals, objective, clearance, torque)
+        for motion, begin, speed in zip(group, begins, speeds, strict=True):
             if not marks or marks[-1].step != motion.step:
                 marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
             if motion.workspace_path is not None:
-                marks[-1] = replace(marks[-1], path_begin=begin)
+                marks[-1] = replace(marks[-1], path_begin=begin, tool_speed=speed)
         stops += corners
         parts.append(part)
         clocks.append(clock)
@@ -85,6 +87,8 @@ def assemble(
     return Program(
         robot=first.robot,
         scene=first.scene,
+        final_robot=last.robot,
+        final_scene=last.scene,
         parts=tuple(parts),
         begins=tuple(clocks),
         marks=tuple(marks),
@@ -125,22 +129,18 @@ def _part(
     objective: PathObjective,
     clearance: float,
     torque: bool,
-) -> tuple[Plan, list[float], list[float]]:
-    """A part, the times at which its motions begin, and those at which it stops at a corner [s]."""
+) -> tuple[Plan, list[float], list[SteadySpeed | None], list[float]]:
+    """A part, when its motions begin [s], their speeds of the tool, and when it stops at a corner [s]."""
     state = group[0].state
     robot, model = state.robot, state.scene.collision_model(state.robot)
     path, own = with_blends(group, blends)
     middles = [(before[1] + after[0]) / 2 for before, after in pairwise(own)]
-    edges = [0.0, *middles, 1.0]
-    segments = [
-        Segment(begin=begin, end=end, tool_speed=motion.tool_speed)
-        for motion, (begin, end) in zip(group, pairwise(edges), strict=True)
-        if motion.tool_speed is not None
-    ]
+    spans = list(pairwise([0.0, *middles, 1.0]))
     try:
-        trajectory = retime(path, robot, torque=torque, segments=segments)
+        timed = Timing(robot=robot, path=path, motions=group, spans=spans, own=own, torque=torque).made()
     except PlanningError as error:
         raise PlanningError(f"steps[{group[0].step}] to steps[{group[-1].step}]: {error}") from error
+    trajectory = timed.trajectory
     integral = objective.integral(robot)
     sharp, _ = with_blends(group, [None] * len(blends))
     result = make_result(
@@ -154,12 +154,13 @@ def _part(
         status=Status.COMPOSED,
     )
     report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
-    begins = _times_of(trajectory, path, middles)
+    begins = times_of(trajectory, path, middles)
     kept = _constraint_figures(group, trajectory, begins, legs)
     broken = [f"constraint: {each}" for each in kept if each.least < -KEPT]
     faults = (
         *report.faults,
         *broken,
+        *(f"steps[{group[k].step}]: the tool speed is not constant: {v}" for k, v in timed.speeds.items() if not v.is_steady),
         *_off_paths(group, blends, own, trajectory, path),
         *_missed(group, blends, goals, legs, trajectory),
     )
@@ -179,7 +180,8 @@ def _part(
         for begin, one, other, made in zip(begins, group[:-1], group[1:], blends, strict=True)
         if made is None and is_corner(one.path, other.path)
     ]
-    return part, [clock, *(clock + begin for begin in begins)], corners
+    speeds = [timed.speeds.get(k) for k in range(len(group))]
+    return part, [clock, *(clock + begin for begin in begins)], [each and each.later(clock) for each in speeds], corners
 
 
 def _constraint_figures(
@@ -203,7 +205,7 @@ def _off_paths(
 ) -> list[str]:
     """Which motions leave their paths of the tool, but for their blends: in order as planned, and over their time."""
     faults = []
-    times = np.array(_times_of(trajectory, path, [s for each in own for s in each])).reshape(-1, 2)
+    times = np.array(times_of(trajectory, path, [s for each in own for s in each])).reshape(-1, 2)
     for motion, (low, high), (begin, end) in zip(group, unblended(blends), times, strict=True):
         if motion.workspace_path is None:
             continue
@@ -234,20 +236,7 @@ def _missed(
     return faults
 
 
-def _times_of(trajectory: Trajectory, path: JointPath, places: list[float]) -> list[float]:
-    """When the motion comes past places s of its path [s]."""
-    t = np.linspace(0.0, trajectory.duration, TIMES + 1)
-    q = trajectory(t)
-    found: list[float] = []
-    begin = 0
-    for s in places:
-        away = np.linalg.norm(q[begin:] - path(np.array([s]))[0], axis=1)
-        begin += int(away.argmin())
-        found.append(float(t[begin]))
-    return found
-
-
-def _far_away(step: Step, stop: Stop) -> list[str]:
+def _far_away(step: ProgramStep, stop: Stop) -> list[str]:
     """A warning where a part is taken up or let go far from every body that could hold it."""
     robot, scene, q = stop.state.robot, stop.state.scene, stop.q[None]
     if isinstance(step, Detach):

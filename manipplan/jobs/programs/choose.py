@@ -13,14 +13,18 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.reach import nearest
+from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.programs.courses import Course, Motion, course_of
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.nodes import Node
+from manipplan.jobs.programs.places import rounded
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
@@ -28,6 +32,8 @@ from manipplan.support.progress import Progress
 GAIN = 0.01
 #: Maximum number of free motions that are planned, and of failures of motions, per leg.
 MOTIONS, FAILURES = 5, 12
+#: Largest change of a joint by which a node is moved to reach its goal exactly [rad or m].
+NEARBY = 0.05
 #: What a motion that is not planned yet costs beside g of its straight line.
 UNPLANNED = 1e9
 
@@ -81,9 +87,12 @@ class ProgramSearch:
         self._courses: dict[tuple[object, ...], Course | str] = {}
         self._free: dict[tuple[object, ...], Plan | str] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
-        before = [np.array([self.start]), *(np.array([each.q for each in nodes]) for nodes in self.nodes)]
-        edges = [self._lines(one, other) for one, other in pairwise(before)]
+        first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
+        edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
         self._between, self._lengths = [each[0] for each in edges], [each[1] for each in edges]
+        pose = self.state.robot.kinematics().pose
+        keys = [[rounded(pose(each.q)) for each in nodes] for nodes in [[first], *self.nodes]]
+        self._tools = [np.array([each.index(key) for key in each]) for each in keys]
         self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
 
     def best(self, tell: Progress) -> Chosen | None:
@@ -143,11 +152,13 @@ class ProgramSearch:
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
             tell(k / len(self.legs), f"step {leg.number}")
             course = self._course(k, node, state)
+            # a part is carried in the same way after all that end with the tool in the same pose
+            same = self._tools[k] == self._tools[k][before] if state.history else slice(None)
+            kept = -np.inf if isinstance(course, str) else course.minimum
+            self._between[k][same, node] = np.minimum(self._between[k][same, node], kept)
             if isinstance(course, str):
-                self._at[k][node] = -np.inf
                 self.failures.append(f"steps[{leg.number}]: {course}" if not course.startswith("steps[") else course)
                 return None
-            self._at[k][node] = min(self._at[k][node], course.minimum)
             course = _turned(course, q, state)
             plan = None
             if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
@@ -167,8 +178,11 @@ class ProgramSearch:
     def _course(self, k: int, node: int, state: State) -> Course | str:
         key = (k, node, state.history)
         if key not in self._courses:
-            here = self.nodes[k][node]
-            self._courses[key] = course_of(self.legs[k], here.q, state, self.objective, self.clearance, here.found)
+            here, leg = self.nodes[k][node], self.legs[k]
+            q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
+            self._courses[key] = (
+                q if isinstance(q, str) else course_of(leg, q, state, self.objective, self.clearance, here.found)
+            )
         return self._courses[key]
 
     def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | str:
@@ -177,12 +191,38 @@ class ProgramSearch:
             self._free[key] = self.planner(self.legs[k], q, entry, state)
         return self._free[key]
 
-    def _lines(self, one: Array, other: Array) -> tuple[Array, Array]:
-        """A bound on m between each of one (a, n) and of other (b, n), 0 across singularities, and g of the straight lines."""
+    def _lines(self, one: list[Node], other: list[Node]) -> tuple[Array, Array]:
+        """A bound on m between each of `one` and of `other` (a, b), 0 across singularities, and g of the straight lines.
+
+        The bound is -inf where the parts are elsewhere after the one than before the other.
+        """
         robot = self.state.robot
         integral = self.objective.integral(robot)
-        lines = [straight_lines(begin, nearest_turns(robot, other, begin), integral) for begin in one]
-        return np.array([each.bound for each in lines]), np.array([each.g for each in lines])
+        bounds, lengths = np.full((len(one), len(other)), -np.inf), np.full((len(one), len(other)), np.inf)
+        ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
+        for k, begin in enumerate(one):
+            fits = [j for j, key in enumerate(keys) if key == begin.after.key]
+            if fits:
+                lines = straight_lines(begin.q, nearest_turns(robot, ends[fits], begin.q), integral)
+                bounds[k, fits], lengths[k, fits] = lines.bound, lines.g
+        return bounds, lengths
+
+
+def reached(target: Target, q: Array, robot: Robot) -> Array | str:
+    """The configuration nearest to q (n,) that reaches a goal exactly, or why there is none.
+
+    A part that was taken up at the end of a path is not quite where it was to be: as far off as the path's tolerance.
+    """
+    missed = target.missed_by(robot, q)
+    tool = target.of_tool(robot).pose
+    if not missed or tool is None:
+        return q
+    near = nearest(robot, [tool], q, np.zeros(robot.n, dtype=bool))[0].reaching
+    if len(near):
+        best = near[np.abs(near - q).max(axis=1).argmin()]
+        if np.abs(best - q).max() <= NEARBY:
+            return np.asarray(best)
+    return missed
 
 
 def _turned(course: Course, q: Array, state: State) -> Course:

@@ -34,7 +34,7 @@ class Motion:
         path: the joint path.
         state: arm and scene during it.
         workspace_path, task, tolerance: the path of the tool that it follows; None for a free motion.
-        tool_speed: highest speed of the tool [m/s]; None for no limit.
+        tool_speed: constant speed of the tool [m/s]; None for no such.
     """
 
     step: int
@@ -95,6 +95,7 @@ def course_of(
         pose = state.robot.kinematics(Task.pose()).pose(q)
         back = straight_on(pose, -leg.approach)
         made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, objective, clearance)
+        made = made if isinstance(made, str) else _outside(made) or made
         if isinstance(made, str):
             return f"no straight approach: {made}"
         path = JointPath(breaks=1 - made.path.breaks[::-1], control=made.path.control[::-1, ::-1])
@@ -110,6 +111,7 @@ def course_of(
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
                 made = _along(number, step, workspace, q, state, objective, clearance)
+            made = made if isinstance(made, str) else _outside(made) or made
             if isinstance(made, str):
                 return f"steps[{number}]: {made}"
             items.append(made)
@@ -129,6 +131,14 @@ def course_of(
     return Course(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
+def _outside(motion: Motion) -> str:
+    """Which joint of a motion leaves its limits between the positions that were searched; "" where none does."""
+    robot = motion.state.robot
+    outside = robot.limits.outside(np.array(motion.path.bounds())).max(axis=0)
+    joint = int(outside.argmax())
+    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""
+
+
 def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: PathObjective, clearance: float) -> CourseFinder:
     """The finder of motions along a path; raises InvalidInputError for a position that is out of reach or not free."""
     straight = not isinstance(step.path, CartesianPath)
@@ -146,7 +156,7 @@ def _along(
     try:
         finder = finder_of(step, path, state, objective, clearance).beginning(q)
     except InvalidInputError as error:
-        return str(error)
+        return f"{error.argument} is not {error.allowed}"
     search = max_min_search(finder.layers, EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON, throw=False)
     if not search.connected:
         return search.message

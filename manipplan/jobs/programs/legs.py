@@ -8,11 +8,12 @@ import numpy as np
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.timing.steady.speed import check_tool_speed
 
 #: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
 STANDS = 1e-6
@@ -35,7 +36,7 @@ class Leg:
     targets: tuple[Target, ...]
     approach: Array | None
     constraints: ConstraintSet
-    rest: tuple[tuple[int, Step], ...]
+    rest: tuple[tuple[int, ProgramStep], ...]
     is_free: bool = True
 
     @property
@@ -45,7 +46,7 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[Step], robot: Robot, start: Array) -> list[Leg]:
+def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list[Leg]:
     """The legs of a program.
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
@@ -65,25 +66,34 @@ def read_steps(steps: Sequence[Step], robot: Robot, start: Array) -> list[Leg]:
             only = targets[0] if len(targets) == 1 else None
             if only is not None and only.q is not None:
                 at = kinematics.pose(only.q)
-            elif only is not None and only.pose is not None and only.pose.axis is None and only.pose.tolerance is None:
+            elif only is not None and only.pose is not None and only.pose.is_exact:
                 at = only.pose.matrix
             approach = None if step.approach is None else np.array(step.approach)
             constraints = ConstraintSet.of(robot, step.constraints)
             legs.append(Leg(number=k, targets=targets, approach=approach, constraints=constraints, rest=()))
             continue
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
+            if step.tool_speed is not None:
+                _check_speed(k, step.tool_speed, step.path)
             if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
         elif isinstance(step, MoveAlong) and at is not None:
-            at = at @ _moved(np.array(step.path))
+            at = at @ moved_by(np.array(step.path))
         legs[-1] = replace(legs[-1], rest=(*legs[-1].rest, (k, step)))
     return legs if legs[0].rest else legs[1:]
 
 
 def straight_on(pose: Array, way: Array) -> CartesianPath:
     """The straight path from a pose (4, 4) by a way (3,) in the tool frame [m]."""
-    return CartesianPath.line(pose, pose @ _moved(way))
+    return CartesianPath.line(pose, pose @ moved_by(way))
+
+
+def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
+    try:
+        check_tool_speed(speed, path)
+    except InvalidInputError as error:
+        raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 
 
 def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
@@ -99,7 +109,8 @@ def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
     return targets
 
 
-def _moved(way: Array) -> Array:
+def moved_by(way: Array) -> Array:
+    """The pose (4, 4) in the tool frame that is a way (3,) off [m]."""
     pose = np.eye(4)
     pose[:3, 3] = way
     return pose

@@ -1,7 +1,8 @@
 """Nodes: the configurations in which the free motion of a leg may end, with bounds on the manipulability that they allow."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import zip_longest
 
 import numpy as np
 
@@ -9,16 +10,18 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.course import CourseFinder
 from manipplan.jobs.following.lead_in import best_courses
 from manipplan.jobs.goals.candidates import find_candidates
+from manipplan.jobs.goals.read import Target
 from manipplan.jobs.programs.courses import EPSILON, finder_of
 from manipplan.jobs.programs.legs import Leg
+from manipplan.jobs.programs.places import NOWHERE, Places, different, rounded
 from manipplan.jobs.programs.states import State
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 
-#: Maximum number of nodes of a leg, the best by their bounds.
-MOST_NODES = 48
+#: Maximum number of nodes of a leg, the best by their bounds; and where parts may be in several places before it.
+MOST_NODES, MOST_OF_PLACES = 48, 192
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -30,51 +33,114 @@ class Node:
         goal_index: index of the goal in its list.
         bound: no motion through it has a larger minimum manipulability.
         found: for a leg that begins on a path: its finder, and the best motion along the path from q.
+        before, after: where the parts are before and after its leg, as far as later goals depend on that.
     """
 
     q: Array
     goal_index: int
     bound: float
     found: tuple[CourseFinder, SearchResult] | None = None
+    before: Places = NOWHERE
+    after: Places = NOWHERE
 
 
-def nodes_of(leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float) -> list[Node]:
+def nodes_of(
+    leg: Leg,
+    state: State,
+    start: Array,
+    objective: PathObjective,
+    clearance: float,
+    places: Sequence[Places],
+    needed: set[str],
+) -> list[Node]:
     """The nodes of a leg, those with the largest bound first, as far as `state` is known before anything is planned.
 
-    Raises InvalidInputError, which names the step, where there is none.
+    `places`: where parts may be before the leg; `needed`: the parts on which goals of later legs depend. Raises
+    InvalidInputError, which names the step, where there is none.
     """
+    pose = state.robot.kinematics().pose
+    if any(each.pose is not None and each.pose.of for each in leg.targets):
+        nodes = _at_targets(leg, state, start, objective, clearance, places)
+    else:
+        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, objective, clearance) for each in places]
+    nodes = _different_bounds(nodes, MOST_NODES if len(places) == 1 else MOST_OF_PLACES)
+    return [replace(node, after=node.before.after(leg, pose(node.q)).of(needed)) for node in nodes]
+
+
+def places_after(nodes: Sequence[Node]) -> list[Places]:
+    """Where parts may be after a leg with these nodes."""
+    return different([each.after for each in nodes])
+
+
+def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float) -> list[Node]:
+    """The nodes of a leg whose goals do not depend on where parts are."""
     kinematics = objective.kinematics(state.robot)
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, objective, clearance))[:MOST_NODES]
+        return list(_on_path(leg, state, objective, clearance))
+    return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
+
+
+def _at_targets(
+    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, places: Sequence[Places]
+) -> list[Node]:
+    """Nodes at the goals of a leg, for each of the places where parts may be."""
+    kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
-        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)))
+        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), before=before)
         for k, each in enumerate(leg.targets)
         if each.q is not None
+        for before in places
     ]
     if nodes:
         touching = model.in_collision_rows(np.array([each.q for each in nodes]), clearance=clearance)
         nodes = [node for node, touches in zip(nodes, touching, strict=True) if not touches]
-    poses = [(k, each) for k, each in enumerate(leg.targets) if each.pose is not None]
+    poses, owners = _tool_goals(leg, places)
     if poses:
         try:
-            found = find_candidates(
-                [each for _, each in poses], start, model, objective.integral(state.robot), clearance, leg.constraints
-            )
+            found = find_candidates(poses, start, model, objective.integral(state.robot), clearance, leg.constraints)
         except InvalidInputError as error:
             if not nodes:
                 raise InvalidInputError(f"steps[{leg.number}].goal", error.value, error.allowed) from error
             found = []
-        free = [each for each in found if each.is_free]
-        nodes += [Node(q=each.q, goal_index=poses[each.goal_index][0], bound=each.manipulability) for each in free]
+        nodes += [
+            Node(q=each.q, goal_index=k, bound=each.manipulability, before=before)
+            for each in found
+            if each.is_free
+            for k, before in owners[each.goal_index]
+        ]
     if not nodes:
         q = leg.targets[0].q
         assert q is not None
         model.free_configuration(f"steps[{leg.number}].goal", q, clearance)
-    nodes.sort(key=lambda each: -each.bound)
-    return _different_bounds(nodes)
+    return nodes
+
+
+def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[list[tuple[int, Places]]]]:
+    """The goals of a leg that are poses as poses of the tool, each once, and for each the goals and places that it stands for.
+
+    Raises InvalidInputError where no place allows any.
+    """
+    owners: dict[tuple[object, ...], tuple[Target, list[tuple[int, Places]]]] = {}
+    refused: list[InvalidInputError] = []
+    for k, target in enumerate(leg.targets):
+        for before in places:
+            if target.pose is None:
+                continue
+            try:
+                made = target.with_grip(before.held[target.pose.of]) if target.pose.of else target
+            except InvalidInputError as error:
+                refused.append(error)
+                continue
+            assert made.pose is not None
+            axis = () if made.pose.axis is None else tuple(made.pose.axis)
+            key = (*rounded(made.pose.matrix), axis, made.pose.tolerance)
+            owners.setdefault(key, (made, []))[1].append((k, before))
+    if refused and not owners:
+        raise refused[0]
+    return [each for each, _ in owners.values()], [each for _, each in owners.values()]
 
 
 def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float) -> Iterator[Node]:
@@ -83,7 +149,7 @@ def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float)
     try:
         finder = finder_of(along, along.path, state, objective, clearance)
     except InvalidInputError as error:
-        raise InvalidInputError(f"steps[{number}].path", error.value, error.allowed) from error
+        raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     first = max_min_search(finder.layers, EPSILON, throw=False)
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
@@ -91,13 +157,10 @@ def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float)
         yield Node(q=found.q[0], goal_index=0, bound=found.minimum, found=(finder, found))
 
 
-def _different_bounds(nodes: list[Node]) -> list[Node]:
-    """The best nodes of each goal in turn, so that no goal with many configurations displaces all others."""
-    kept: list[Node] = []
-    for rank in range(len(nodes)):
-        for goal in dict.fromkeys(each.goal_index for each in nodes):
-            of_goal = [each for each in nodes if each.goal_index == goal]
-            kept += of_goal[rank : rank + 1]
-        if len(kept) >= MOST_NODES:
-            break
-    return kept[:MOST_NODES]
+def _different_bounds(nodes: list[Node], most: int) -> list[Node]:
+    """The best nodes of each goal and each of the places before in turn, so that none displaces all others."""
+    groups: dict[tuple[object, ...], list[Node]] = {}
+    for node in sorted(nodes, key=lambda each: -each.bound):
+        groups.setdefault((node.goal_index, node.before.key), []).append(node)
+    ranked = [node for row in zip_longest(*groups.values()) for node in row if node is not None]
+    return ranked[:most]

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from manipplan.collision.scene import Scene
 from manipplan.jobs.reports.report import shown
@@ -10,8 +11,12 @@ from manipplan.jobs.result import Plan
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.display import one_line
+from manipplan.support.display import Pictured, one_line
 from manipplan.support.files import writable_folder, write_text
+from manipplan.timing.steady.speed import SteadySpeed
+
+if TYPE_CHECKING:
+    from manipplan.viz.viewer import PlanViewer
 
 
 @one_line
@@ -24,21 +29,29 @@ class Mark:
         name: of its class, such as MoveTo.
         begin: when it begins [s]; the step before ends then.
         path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; nan without.
+        tool_speed: of a MoveAlong with a tool speed: the speed of the tool, measured on the motion; None for others.
     """
 
     step: int
     name: str
     begin: float
     path_begin: float = float("nan")
+    tool_speed: SteadySpeed | None = None
+
+    def lines(self) -> list[str]:
+        """Lines of a report."""
+        speed = [f"  tool speed   {self.tool_speed}"] if self.tool_speed is not None else []
+        return [f"  {self.begin:8.3f} s  steps[{self.step}] {self.name}", *speed]
 
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Program:
+class Program(Pictured):
     """A program of moves, timed and checked.
 
     Attributes:
         robot, scene: as they are at the beginning.
+        final_robot, final_scene: as they are at the end.
         parts: the motions between stops at which something is taken up or put down, or the arm waits: each a Plan from rest to
             rest, of the arm with what it carries then, among the obstacles that are there then.
         begins: when each part begins [s].
@@ -51,6 +64,8 @@ class Program:
 
     robot: Robot
     scene: Scene
+    final_robot: Robot
+    final_scene: Scene
     parts: tuple[Plan, ...]
     begins: tuple[float, ...]
     marks: tuple[Mark, ...]
@@ -65,6 +80,18 @@ class Program:
         return self.trajectory.duration
 
     @property
+    def in_order(self) -> tuple[Plan | Mark, ...]:
+        """The parts and, before, between and after them, the marks of the steps at which the arm stands still.
+
+        A controller that moves its hand only between motions executes them one after the other.
+        """
+        rows: list[tuple[float, int, Plan | Mark]] = [
+            (each.begin, 0, each) for each in self.marks if each.name in ("Attach", "Detach", "Wait")
+        ]
+        rows += [(begin, 1, each) for begin, each in zip(self.begins, self.parts, strict=True)]
+        return tuple(each for _, _, each in sorted(rows, key=lambda row: row[:2]))
+
+    @property
     def passed(self) -> bool:
         """Whether all parts passed their checks."""
         return all(each.report.passed for each in self.parts)
@@ -76,9 +103,8 @@ class Program:
 
     @property
     def final_state(self) -> tuple[Robot, Scene, Array]:
-        """Arm, scene and configuration (n,) at the end of the last motion."""
-        last = self.parts[-1]
-        return last.robot, last.scene, last.trajectory.q[-1]
+        """Arm, scene and configuration (n,) at the end: what a following program begins with."""
+        return self.final_robot, self.final_scene, self.trajectory.q[-1]
 
     def __str__(self) -> str:
         verdict = "all checks passed" if self.passed else "CHECK FAILED"
@@ -88,26 +114,43 @@ class Program:
             f"  minimum m    {shown(self.min_manipulability)}",
             f"  stops        {len(self.stops)} at corners{_times(self.stops)}",
         ]
-        lines += [f"  {each.begin:8.3f} s  steps[{each.step}] {each.name}" for each in self.marks]
+        lines += [line for each in self.marks for line in each.lines()]
         lines += [f"  warning      {each}" for each in self.warnings]
         for k, (each, begin) in enumerate(zip(self.parts, self.begins, strict=True)):
             lines += [f"part {k}, from {begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]
         return "\n".join(lines)
 
     def save(self, folder: str | Path) -> list[Path]:
-        """Write trajectory.csv, .json and .yaml (ROS), report.txt, program.json and one file for each part; returns the files.
+        """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
-        `load` reads program.json and the parts. Raises InvalidInputError when the folder cannot be written.
+        marks.csv tells when each step begins. `load` reads program.json and one file for each part. Raises InvalidInputError
+        when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
+        from manipplan.viz.programs.figure import save_program
 
         to = writable_folder("folder", folder)
         self.trajectory.to_csv(to / "trajectory.csv")
         self.trajectory.to_json(to / "trajectory.json")
         self.trajectory.to_ros(to / "trajectory.yaml")
         write_text(to / "report.txt", f"{self}\n")
-        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt")
-        return [*(to / name for name in names), *write_program(self, to)]
+        write_text(to / "marks.csv", "step,name,begin\n" + "".join(f"{e.step},{e.name},{e.begin!r}\n" for e in self.marks))
+        written = write_program(self, to)
+        save_program(self, to / "program.png")  # last: the data are on disk even if the picture fails
+        names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt", "marks.csv")
+        return [*(to / name for name in names), *written, to / "program.png"]
+
+    def show(self, *, port: int = 8080, host: str = "localhost", open_browser: bool = True) -> "PlanViewer":
+        """Show the whole motion in the browser, with the parts; see `manipplan.viz.viewer.show`."""
+        from manipplan.viz.viewer import show
+
+        return show(self, port=port, host=host, open_browser=open_browser)
+
+    def record(self, file: str | Path) -> Path:
+        """Write the whole motion as an HTML file that plays in any browser; see `manipplan.viz.viewer.record`."""
+        from manipplan.viz.viewer import record
+
+        return record(self, file)
 
     @staticmethod
     def load(folder: str | Path) -> "Program":

@@ -9,7 +9,7 @@ from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint_file import constraint_of_entry
 from manipplan.jobs.goals.goal_file import goal_of_entry
 from manipplan.jobs.goals.pose_goal import Goal
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Step, Wait
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
@@ -87,12 +87,12 @@ class ProgramFile:
             **numbers,
         )
 
-    def steps(self, robot: Robot) -> list[Step]:
+    def steps(self, robot: Robot) -> list[ProgramStep]:
         """The steps for a robot; raises FileFormatError, which names the entry and the key."""
         return [self._step(f"steps[{k}]", entry, robot) for k, entry in enumerate(self.entries)]
 
-    def _step(self, argument: str, entry: Any, robot: Robot) -> Step:
-        makers: dict[str, Callable[[Any], Step]] = {
+    def _step(self, argument: str, entry: Any, robot: Robot) -> ProgramStep:
+        makers: dict[str, Callable[[Any], ProgramStep]] = {
             "move_to": lambda value: _move_to(argument, value, robot, self.path),
             "move_along": self._move_along,
             "attach": Attach,

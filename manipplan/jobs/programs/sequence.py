@@ -14,10 +14,11 @@ from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
 from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.legs import Leg, read_steps
-from manipplan.jobs.programs.nodes import nodes_of
+from manipplan.jobs.programs.nodes import Node, nodes_of, places_after
+from manipplan.jobs.programs.places import Places, needed_by
 from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.states import State, check_parts
-from manipplan.jobs.programs.steps import Attach, Detach, Step
+from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
@@ -36,7 +37,7 @@ from manipplan.timing.retime import check_timing_limits
 def sequence(
     robot: Robot,
     start: ArrayLike | str,
-    steps: Sequence[Step],
+    steps: Sequence[ProgramStep],
     scene: Scene | None = None,
     *,
     blend: float = 0.0,
@@ -52,7 +53,8 @@ def sequence(
     All configurations that reach the goals of all moves are candidates. One search over the whole program chooses among them
     for the largest minimum manipulability, by bounds for the free motions, which are then planned; where a motion fails or
     keeps less than its bound, the search is repeated with that. Of programs that differ by less than 1 % the one with the
-    smallest sum of g on straight lines is taken.
+    smallest sum of g on straight lines is taken. A part is carried as it was grasped: a goal that is a pose of the part has
+    configurations of its own for each grasp, and both are chosen together.
 
     Args:
         robot: the arm.
@@ -72,7 +74,8 @@ def sequence(
         The Program, all of whose parts passed their checks.
 
     Raises:
-        InvalidInputError: an argument is invalid, or no goal of a move can be reached; the message names the step.
+        InvalidInputError: an argument is invalid, no goal of a move can be reached, or a tool speed is too fast; the message
+            names the step, and the fastest speed.
         UnknownNameError: a part or state of that name is not there; the nearest names are listed.
         PlanningError: no program was found, or a part did not pass its check; the message names the step.
     """
@@ -89,12 +92,13 @@ def sequence(
     legs = read_steps(steps, robot, q_start)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
     first = State(robot=robot, scene=scene)
-    nodes = []
-    known = first
+    nodes: list[list[Node]] = []
+    known, needed = first, needed_by(legs)
+    places = [Places.at_first(robot, scene, needed[0])]
     for k, leg in enumerate(legs):
         tell(0.2 * k / len(legs), f"configurations of step {leg.number}")
-        nodes.append(nodes_of(leg, known, q_start, objective, clearance))
-        known = _known_after(leg, known)
+        nodes.append(nodes_of(leg, known, q_start, objective, clearance, places, needed[k + 1]))
+        known, places = _known_after(leg, known), places_after(nodes[-1])
     free = sum(each.is_free for each in legs)
     search = ProgramSearch(
         legs=legs,
@@ -117,6 +121,7 @@ def sequence(
     program = assemble(
         items,
         first,
+        chosen.courses[-1].state,
         steps,
         {leg.number: leg for leg in legs},
         goals={leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},

@@ -7,7 +7,9 @@ import numpy as np
 from manipplan.collision.near_pairs import apart_text
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
-from manipplan.jobs.programs.steps import Attach, Detach
+from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -62,15 +64,44 @@ class State:
         return State(robot=robot, scene=scene, history=(*self.history, (type(step).__name__, name, place)))
 
 
+def _parts(goal: object) -> list[tuple[str, str]]:
+    """The parts whose poses are goals, with what messages call them: goal, or goal[k]."""
+    if isinstance(goal, PoseGoal):
+        return [("goal", goal.of)] if goal.of else []
+    listed = goal if isinstance(goal, list | tuple) else []
+    return [(f"goal[{k}]", each.of) for k, each in enumerate(listed) if isinstance(each, PoseGoal) and each.of]
+
+
 def check_parts(steps: list[tuple[str, object]], robot: Robot, scene: Scene) -> None:
-    """Raise an error for a part that is taken up twice, or is not there, before anything is planned."""
+    """Raise an error for a part that is taken up twice, or is not there, before anything is planned.
+
+    So does a goal of a part that the arm does not carry then, or whose pose in the hand is not known before it is planned.
+    """
     carried, there = set(robot.carried), set(scene.names)
+    turned: set[str] = set()  # parts taken up at the end of a path that leaves the tool's turn free
+    is_turned = False
     for argument, step in steps:
+        if isinstance(step, MoveTo):
+            is_turned = False
+            for each, of in _parts(step.goal):
+                if of not in carried:
+                    raise UnknownNameError(f"{argument}.{each}.of", of, carried, empty="none: the arm carries nothing then")
+                if of in turned:
+                    wanted = "a part that was taken up and put down after a MoveTo, or after a path with Task.pose()"
+                    raise InvalidInputError(f"{argument}.{each}.of", of, wanted)
+        elif isinstance(step, MoveAlong) and step.task is not None and step.task.free_axis is not None:
+            is_turned = True
+        elif isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
+            is_turned = False
+        elif is_turned and isinstance(step, Detach):
+            turned.add(step.name)
+        elif is_turned and isinstance(step, Attach) and isinstance(step.part, str):
+            turned.add(step.part)
         if isinstance(step, Attach) and isinstance(step.part, str):
             if step.part in carried:
                 raise InvalidInputError(f"{argument}.part", step.part, "a part that the arm does not carry already")
             if step.part not in there:
-                raise UnknownNameError(f"{argument}.part", step.part, there or ["none: the scene is empty"])
+                raise UnknownNameError(f"{argument}.part", step.part, there, empty="none: the scene is empty")
             there.remove(step.part)
             carried.add(step.part)
         elif isinstance(step, Attach):
@@ -83,6 +114,6 @@ def check_parts(steps: list[tuple[str, object]], robot: Robot, scene: Scene) -> 
             carried.add(step.part_name)
         elif isinstance(step, Detach):
             if step.name not in carried:
-                raise UnknownNameError(f"{argument}.name", step.name, carried or ["none: the arm carries nothing then"])
+                raise UnknownNameError(f"{argument}.name", step.name, carried, empty="none: the arm carries nothing then")
             carried.remove(step.name)
             there.add(step.name)

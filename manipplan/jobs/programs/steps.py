@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,13 +17,18 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 
 
+class ProgramStep:
+    """A step of a program: MoveTo, MoveAlong, Attach, Detach or Wait."""
+
+
 @one_line
 @dataclass(frozen=True, eq=False)
-class MoveTo:
+class MoveTo(ProgramStep):
     """A free motion to a goal.
 
     Attributes:
-        goal: as for `plan`: a configuration, the name of a state, a pose, a PoseGoal, or a list of these.
+        goal: as for `plan`: a configuration, the name of a state, a pose, a PoseGoal, or a list of these. A PoseGoal may be one
+            of a part that the arm carries then (`of`).
         approach: straight way of the tool by which the motion ends [m]: a distance along the tool's z-axis, or a vector (3,) in
             the tool frame. Its goals are poses.
         constraints: what the motion keeps, as for `plan`; an approach does not count.
@@ -42,12 +46,13 @@ class MoveTo:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class MoveAlong:
+class MoveAlong(ProgramStep):
     """A motion of the tool along a path, or straight on. A free motion to its first pose comes first where one is needed.
 
     Attributes:
         path: a CartesianPath in the world; or a vector (3,) by which the tool moves straight on, in the tool frame [m].
-        tool_speed: highest speed of the tool's origin [m/s]; None: as fast as the limits allow.
+        tool_speed: constant speed of the tool's origin [m/s], kept to a hundredth between the ramps or blends at its ends, and
+            not exceeded; None: as fast as the limits allow. One that is too fast is refused with the fastest that is possible.
         tolerance: largest deviation from the path, as for `follow`.
         task: Task.pose() or Task.pointing(axis); None: Task.pose().
         positions: number of positions at which configurations are enumerated.
@@ -72,7 +77,7 @@ class MoveAlong:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Attach:
+class Attach(ProgramStep):
     """The hand takes up a part, which the arm carries from then on.
 
     Attributes:
@@ -96,7 +101,7 @@ class Attach:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Detach:
+class Detach(ProgramStep):
     """The hand puts down a part, which is an obstacle of the scene from then on.
 
     Attributes:
@@ -111,7 +116,7 @@ class Detach:
 
 @one_line
 @dataclass(frozen=True, eq=False)
-class Wait:
+class Wait(ProgramStep):
     """The arm stands still.
 
     Attributes:
@@ -122,9 +127,6 @@ class Wait:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "seconds", number("seconds", self.seconds, above=0.0))
-
-
-Step: TypeAlias = MoveTo | MoveAlong | Attach | Detach | Wait
 
 
 def _way(argument: str, value: float | ArrayLike) -> tuple[float, float, float]:

@@ -31,6 +31,8 @@ def write_program(program: "Program", folder: Path) -> list[Path]:
             "version": VERSION,
             "robot": robot_data(program.robot, folder),
             "scene": scene_data(program.scene, folder),
+            "final_robot": robot_data(program.final_robot, folder),
+            "final_scene": scene_data(program.final_scene, folder),
             "parts": len(program.parts),
             "begins": program.begins,
             "marks": program.marks,
@@ -59,6 +61,8 @@ def read_program(folder: str | Path) -> "Program":
         return Program(
             robot=robot_of(path, data["robot"], home, None),
             scene=scene_of(path, data["scene"], home, None),
+            final_robot=robot_of(path, data["final_robot"], home, None),
+            final_scene=scene_of(path, data["final_scene"], home, None),
             parts=parts,
             begins=_numbers(data["begins"]),
             marks=tuple(from_json(each, Mark) for each in data["marks"]),

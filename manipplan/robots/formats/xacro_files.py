@@ -75,7 +75,7 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
         log.warning("%s: xacro says: %s", file, " ".join(run.stderr[:2000].split()))
     for name in arguments:
         if name not in answer["arguments"]:
-            raise UnknownNameError("arguments", name, answer["arguments"] or ["none: the file has no arguments"])
+            raise UnknownNameError("arguments", name, answer["arguments"], empty="none: the file has no arguments")
     return str(answer["urdf"])
 
 

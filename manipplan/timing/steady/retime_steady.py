@@ -1,5 +1,7 @@
 """retime_steady: times a path at a constant speed of the tool, or names the fastest such speed that it has."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pinocchio as pin
 
@@ -36,15 +38,32 @@ def retime_steady(path: JointPath, robot: Robot, speed: float, *, torque: bool =
     trajectory = _steady(path, robot, speed, torque=torque)
     if trajectory is not None:
         return trajectory
+    raise InvalidInputError(
+        "tool_speed", speed, slower(path, robot, speed, lambda each: _steady(path, robot, each, torque=torque), torque=torque)
+    )
+
+
+def slower(path: JointPath, robot: Robot, speed: float, keep: Callable[[float], object | None], *, torque: bool) -> str:
+    """What is allowed instead of a constant speed [m/s] that is not possible on a path: the fastest that is, and why.
+
+    `keep` gives None for a speed that is not kept.
+    """
     bound, reason = limits_bound(path, robot, torque=torque)
-    fastest = _fastest(path, robot, min(bound, speed), speed, torque=torque)
+    fastest = _fastest(keep, min(bound, speed), speed)
     if fastest is None:
-        raise InvalidInputError("tool_speed", speed, f"None for this motion: it has no constant speed of the tool; {reason}")
+        return f"None for this motion: it has no constant speed of the tool; {reason}"
     if fastest < BINDS * bound:
         reason = "a faster one is not reached from rest, and braked to rest, on a tenth of the path each"
-    raise InvalidInputError(
-        "tool_speed", speed, f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {reason}"
-    )
+    return f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {reason}"
+
+
+def steady_segments(begin: float, end: float, speed: float) -> list[Segment]:
+    """Segments that limit the tool's speed between two s of a path, and make short ramps possible at both.
+
+    The ends of segments are points of the grid of `retime`: these are dense near both ends.
+    """
+    width = end - begin
+    return [Segment(begin=begin + edge * width, end=end - edge * width, tool_speed=speed) for edge in (0.0, *EDGES)]
 
 
 def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[float, str]:
@@ -81,8 +100,7 @@ def _torque_bounds(robot: Robot, q: Array, slope: Array, bend: Array) -> Array:
 
 def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory | None:
     """The motion with a constant speed [m/s]; None where it is not constant on any grid."""
-    # the ends of segments are points of the grid of retime: dense ones near the ends make short ramps possible
-    segments = [Segment(begin=edge, end=1.0 - edge, tool_speed=speed) for edge in (0.0, *EDGES)]
+    segments = steady_segments(0.0, 1.0, speed)
     for grid in GRIDS:  # slow motions need more points, as the tool turns between two of them
         trajectory = retime(path, robot, torque=torque, segments=segments, grid=grid)
         if measure_speed(trajectory, robot, speed).is_steady:
@@ -90,12 +108,12 @@ def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Tra
     return None
 
 
-def _fastest(path: JointPath, robot: Robot, guess: float, most: float, *, torque: bool) -> float | None:
+def _fastest(keep: Callable[[float], object | None], guess: float, most: float) -> float | None:
     """The fastest constant speed, in three digits, found by bisection below `most`, which is too fast; None for none."""
     low, high, speed = 0.0, most, _rounded_down(0.999 * guess)
     for _ in range(TRIES):
         try:
-            kept = _steady(path, robot, speed, torque=torque) is not None
+            kept = keep(speed) is not None
         except PlanningError:
             kept = False
         low, high = (speed, high) if kept else (low, speed)

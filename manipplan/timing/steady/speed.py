@@ -1,6 +1,6 @@
 """SteadySpeed: the speed of the tool on a motion that is to have a constant one, measured on the motion."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +52,10 @@ class SteadySpeed:
         """Whether the speed is the one asked for, to a hundredth, between the ramps."""
         return self.slowest >= (1 - STEADY) * self.asked
 
+    def later(self, by: float) -> "SteadySpeed":
+        """The same with times from an earlier zero [s]."""
+        return replace(self, begin=self.begin + by, end=self.end + by)
+
     def __str__(self) -> str:
         return (
             f"{1e3 * self.slowest:.4g} to {1e3 * self.fastest:.4g} mm/s from {self.begin:.3f} s to {self.end:.3f} s "
@@ -72,16 +76,22 @@ def check_tool_speed(speed: float, path: CartesianPath) -> float:
     return value
 
 
-def measure_speed(trajectory: Trajectory, robot: Robot, asked: float, *, begin: float = 0.0) -> SteadySpeed:
-    """The speed of the tool from time `begin` [s] to the end of a motion, by Pinocchio's Jacobians."""
-    samples = np.unique(np.append(trajectory.t[trajectory.t > begin], begin))
+def measure_speed(
+    trajectory: Trajectory, robot: Robot, asked: float, *, begin: float = 0.0, end: float | None = None, short: float = SHORT
+) -> SteadySpeed:
+    """The speed of the tool from time `begin` to time `end` [s] of a motion, by Pinocchio's Jacobians; None: to its end.
+
+    `short`: the share of the tool's way at either end on which dips belong to the ramp in any case.
+    """
+    end = trajectory.duration if end is None else end
+    samples = np.unique(np.append(trajectory.t[(trajectory.t > begin) & (trajectory.t < end)], [begin, end]))
     t = np.unique(np.concatenate([samples[:-1] + np.diff(samples) * share / BETWEEN for share in range(BETWEEN + 1)]))
-    t = np.minimum(t, trajectory.duration)
+    t = np.minimum(t, end)
     speeds = ToolSpeed(robot)(trajectory(t), trajectory(t, 1))
     way = np.concatenate([[0.0], np.cumsum((speeds[1:] + speeds[:-1]) / 2 * np.diff(t))])
     slow = speeds < (1 - STEADY) * asked
-    first = _ramp_end(slow, way)
-    last = len(t) - 1 - _ramp_end(slow[::-1], way[-1] - way[::-1])
+    first = _ramp_end(slow, way, short)
+    last = len(t) - 1 - _ramp_end(slow[::-1], way[-1] - way[::-1], short)
     between = speeds[first : last + 1]
     return SteadySpeed(
         asked=asked,
@@ -94,9 +104,9 @@ def measure_speed(trajectory: Trajectory, robot: Robot, asked: float, *, begin: 
     )
 
 
-def _ramp_end(slow: NDArray[np.bool_], way: Array) -> int:
+def _ramp_end(slow: NDArray[np.bool_], way: Array, short: float) -> int:
     """The sample at which the first ramp ends: after it reached the speed, dips close behind belong to it."""
     reached = int(slow.argmin())
-    near = way <= min(max(SETTLES * way[reached], SHORT * way[-1]), RAMP * way[-1])
+    near = way <= min(max(SETTLES * way[reached], short * way[-1]), RAMP * way[-1])
     dips = np.flatnonzero(slow & near)
     return int(dips[-1]) + 1 if len(dips) else 0

@@ -24,11 +24,15 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Chart:
-    """Curves over the same times t (k,) [s], on an axis that includes zero; `label` gives quantity and unit."""
+    """Curves over the same times t (k,) [s], on an axis that includes zero; `label` gives quantity and unit.
+
+    `marks`: times [s] with names, drawn as dotted lines that show their name under the mouse.
+    """
 
     t: Array
     curves: Sequence[Curve]
     label: str
+    marks: Sequence[tuple[float, str]] = ()
 
     def svg(self, now: float | None = None) -> str:
         """The picture; a line and a dot on each curve mark the time `now` [s]."""
@@ -56,6 +60,10 @@ class Chart:
         for t in np.arange(np.ceil(start / time_step) * time_step, end + 1e-9, time_step):
             parts.append(f'<text x="{x(t):.1f}" y="{HEIGHT - BOTTOM + 13}" text-anchor="middle">{t:.6g}</text>')
         parts.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 3}" text-anchor="middle">time [s]</text>')
+        for begin, name in self.marks:
+            ends = f'x1="{x(begin):.1f}" x2="{x(begin):.1f}" y1="{TOP}" y2="{HEIGHT - BOTTOM}"'
+            lines = f'<line {ends} stroke="#999" stroke-dasharray="2 2"/><line {ends} stroke="transparent" stroke-width="6"/>'
+            parts.append(f'<g class="mark"><title>{escape(name)}</title>{lines}</g>')
         for curve in reversed(self.curves):
             points = " ".join(f"{place:.1f},{y(value):.1f}" for place, value in zip(across, curve.values, strict=True))
             parts.append(f'<polyline points="{points}" fill="none" stroke="{curve.colour}" stroke-width="2"/>')

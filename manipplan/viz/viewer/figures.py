@@ -7,10 +7,12 @@ import pinocchio as pin
 
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import velocity_ellipsoid
+from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import Body, appearance_of
+from manipplan.viz.viewer.triangles import triangles_of
 
 #: Opacity of the ghost robot shown for comparison.
 GHOST = 0.45
@@ -47,6 +49,24 @@ class RobotFigure:
         pin.forwardKinematics(self.robot.model, self._data, q)
         for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
             put(frame, placement)
+
+
+class PartFigure:
+    """A part that moves in the scene, at first where it is given."""
+
+    def __init__(self, scene: Any, name: str, solid: Solid) -> None:
+        self.root: Any = scene.add_frame(name, show_axes=False)
+        for k, shape in enumerate(solid.shapes()):
+            triangles = triangles_of(shape)
+            if triangles is not None:
+                scene.add_mesh_simple(f"{name}/{k}", *triangles, color=rgb(style.OPTIMUM), side="double", receive_shadow=False)
+        self.place(solid)
+
+    def place(self, solid: Solid | None) -> None:
+        """Move the part to where `solid` is; None hides it."""
+        self.root.visible = solid is not None
+        if solid is not None:
+            put(self.root, solid.pose)
 
 
 def draw_body(scene: Any, name: str, body: Body, colour: tuple[float, ...], *, casts: bool) -> Any:

@@ -1,22 +1,24 @@
-"""Data of a plan over time: configurations, manipulability and tool positions of the motion and of its seed."""
+"""Data of a plan or program over time: configurations, manipulability and tool positions of the motion and of its seed."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from manipplan.collision.scene import Scene
+from manipplan.jobs.programs.program import Mark, Program
+from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.optimize.result import PathResult
+from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
 from manipplan.viz.motions import beside, linear_kinematics, named_paths
+from manipplan.viz.programs.moved import MovedPart, bare, fixed, moved_parts
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale
-
-if TYPE_CHECKING:
-    from manipplan.jobs.result import Plan
 
 #: Number of times at which curves are sampled.
 SAMPLES = 201
@@ -45,10 +47,14 @@ class Course:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motion:
-    """The data behind the pictures of a plan, at SAMPLES evenly spaced times.
+    """The data behind the pictures of a plan or program, at SAMPLES evenly spaced times.
 
     Attributes:
-        plan: the plan.
+        robot: the arm; for a program without what it carries.
+        scene: the obstacles that stay where they are.
+        status: what the motion is.
+        marks: when the steps of a program begin.
+        moved: the parts that a program moves.
         trajectory: its motion.
         kinematics: kinematics with the measure that is drawn.
         position: kinematics of the tool's position, whose ellipsoids are drawn.
@@ -59,7 +65,9 @@ class Motion:
         scale: metres drawn per unit of an ellipsoid's radii.
     """
 
-    plan: "Plan"
+    robot: Robot
+    scene: Scene
+    status: str
     trajectory: Trajectory
     kinematics: Kinematics
     position: Kinematics
@@ -68,16 +76,33 @@ class Motion:
     seed: Course | None
     box: Array
     scale: float
+    marks: tuple[Mark, ...] = ()
+    moved: tuple[MovedPart, ...] = ()
 
     @classmethod
-    def of(cls, plan: "Plan") -> "Motion":
-        """The motion of a plan; raises PlanningError when it has none."""
-        from manipplan.jobs.result import PartialPlan, Plan
+    def of(cls, shown: "Plan | Program") -> "Motion":
+        """The motion of a plan or program; raises PlanningError when it has none."""
+        if isinstance(shown, Program):
+            robot, moved = bare(shown.robot), moved_parts(shown)
+            made = cls._made(robot, fixed(shown.scene, moved), shown.trajectory, shown.parts[0].result, {"motion": None}, "")
+            return replace(made, status="A program of moves", marks=shown.marks, moved=moved)
+        instance("plan", shown, PartialPlan)
+        if not isinstance(shown, Plan):
+            raise PlanningError(f"there is no motion to show: {shown.message or shown.status.value}", shown)
+        status = shown.status.value[0].upper() + shown.status.value[1:]
+        return cls._made(shown.robot, shown.scene, shown.trajectory, shown.result, named_paths(shown), status)
 
-        instance("plan", plan, PartialPlan)
-        if not isinstance(plan, Plan):
-            raise PlanningError(f"there is no motion to show: {plan.message or plan.status.value}", plan)
-        robot, trajectory, result = plan.robot, plan.trajectory, plan.result
+    @classmethod
+    def _made(
+        cls,
+        robot: Robot,
+        scene: Scene,
+        trajectory: Trajectory,
+        result: PathResult,
+        paths: Mapping[str, JointPath | None],
+        status: str,
+    ) -> "Motion":
+        """A motion under the first name of `paths`, beside the path of the second name where there is one."""
         if trajectory.n != robot.n:
             raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")
         kinematics = robot.kinematics(result.task, measure=result.measure)
@@ -88,12 +113,14 @@ class Motion:
             q = at(t)
             return Course(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tool=position.pose(q)[:, :3, 3])
 
-        (name, _), *others = named_paths(plan).items()
+        (name, _), *others = paths.items()
         ours = course(name, trajectory)
-        seed = next((course(name, beside(trajectory, path)) for name, path in others), None)
+        seed = next((course(name, beside(trajectory, path)) for name, path in others if path is not None), None)
         box = _box(robot, ours.q if seed is None else np.concatenate([ours.q, seed.q]))
         return cls(
-            plan=plan,
+            robot=robot,
+            scene=scene,
+            status=status,
             trajectory=trajectory,
             kinematics=kinematics,
             position=position,
@@ -103,11 +130,6 @@ class Motion:
             box=box,
             scale=ellipsoid_scale(position, ours.q[:: SAMPLES // 20], box),
         )
-
-    @property
-    def robot(self) -> Robot:
-        """The arm."""
-        return self.plan.robot
 
     @property
     def courses(self) -> tuple[Course, ...]:
@@ -131,8 +153,16 @@ class Motion:
         """Names and values of the panel at time t [s]."""
         q, qd = self.trajectory(t), self.trajectory(t, order=1)
         now = self._with_unit(float(self.kinematics.manipulability(q)))
-        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), ("measure now", now)]
+        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), *self._step(t), ("measure now", now)]
         return rows + self.least() + limits_now(self.robot, q, qd)
+
+    def _step(self, t: float) -> list[tuple[str, str]]:
+        """The step of a program and what is carried at time t [s]."""
+        if not self.marks:
+            return []
+        mark = [each for each in self.marks if each.begin <= t + 1e-9][-1]
+        carried = [part.name for part in self.moved if part.is_held(t)]
+        return [("step", f"{mark.step} {mark.name}"), ("carries", ", ".join(carried) or "nothing")]
 
     def _with_unit(self, value: float) -> str:
         unit = style.raised(self.kinematics.measure.unit(self.kinematics.task))

@@ -1,4 +1,4 @@
-"""PlanViewer: a plan in the browser, with a time slider, playback at real speed, and a switch per layer."""
+"""PlanViewer: a plan or program in the browser, with a time slider, playback at real speed, and a switch per layer."""
 
 import threading
 import time
@@ -17,6 +17,7 @@ from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
+    from manipplan.jobs.programs.program import Program
     from manipplan.jobs.result import Plan
 
 #: Pictures per second during playback.
@@ -25,11 +26,11 @@ RATE = 25.0
 SPEEDS = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "real speed": 1.0, "2 x": 2.0}
 
 
-def show(plan: "Plan", *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
+def show(plan: "Plan | Program", *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
     """Show a plan in the browser; the page stays open until `stop`, or until Python exits: use `show(plan).wait()` in a script.
 
     Args:
-        plan: with a trajectory.
+        plan: with a trajectory; or a Program, whose parts are shown where they are, with the steps on the axis of time.
         port: of the page; 0: any free port.
         host: "localhost", visible to this machine only, or one of its network addresses ("0.0.0.0": all of them).
         open_browser: whether to open the page; if no browser can be opened, the log gives the page's address.
@@ -161,14 +162,15 @@ def chart_of(motion: Motion) -> Chart:
         Curve(name=course.name, colour=colour, values=np.nan_to_num(course.manipulability, posinf=0.0))
         for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
     ]
-    return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics))
+    marks = [(mark.begin, f"{mark.step} {mark.name}") for mark in motion.marks]
+    return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics), marks=marks)
 
 
 def about(motion: Motion) -> str:
     """A description of the scene as HTML, with names escaped."""
-    plan, robot = motion.plan, motion.robot
+    robot = motion.robot
     lines = [f"{robot.name}, tool frame {robot.tool}; drawn from its {appearance_of(robot).origin}."]
-    lines.append(plan.status.value[0].upper() + plan.status.value[1:] + ".")
+    lines.append(f"{motion.status}.")
     if motion.seed is not None:
         lines.append(f"The {motion.seed.name} is shown where it has covered the same share of its length.")
     lines.append(

@@ -16,6 +16,7 @@ from manipplan.viz.viewer.server import Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
+    from manipplan.jobs.programs.program import Program
     from manipplan.jobs.result import Plan
 
 #: Time for which the last picture is shown before the motion repeats [s].
@@ -26,13 +27,13 @@ FOLD = "<script>if (innerWidth < 700) document.getElementById('figures').open = 
 END = "</body>"
 
 
-def record(plan: "Plan", file: str | Path, *, rate: float = 25.0) -> Path:
+def record(plan: "Plan | Program", file: str | Path, *, rate: float = 25.0) -> Path:
     """Write the motion of a plan as a self-contained HTML file, with legend, measure over time and values; returns the file.
 
     The page of one to two megabytes plays the motion at real speed; the bar at its bottom selects the time.
 
     Args:
-        plan: with a trajectory.
+        plan: with a trajectory; or a Program.
         file: file name that ends in .html.
         rate: pictures per second.
 

@@ -10,6 +10,7 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable, Iterator
+from html import escape
 from types import TracebackType
 from typing import Any, Self
 
@@ -66,6 +67,10 @@ class Page:
     def running(self) -> bool:
         """Whether the page is being served."""
         return not self._stopped.is_set()
+
+    def _repr_html_(self) -> str:
+        """The page itself, in the cell of a notebook that runs on this machine."""
+        return f'<iframe src="{escape(self.url)}" style="width:100%;height:600px;border:0"></iframe>'
 
     def open(self) -> bool:
         """Open the page in a browser; if none can be opened, log the address and return False."""

@@ -7,7 +7,7 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.checked import checked_layers
-from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, rgb
+from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, rgb
 from manipplan.viz.viewer.motion import Motion
 from manipplan.viz.viewer.surroundings import surround
 
@@ -22,6 +22,7 @@ class Stage:
         motion: the motion that is shown.
         robot, seed: figures of the arm on its motion and on the seed; seed is None without a seed.
         ellipsoid: the ellipsoid at the tool.
+        parts: figures of the parts that a program moves.
         layers: viser's handles, or a CheckedFigure, by the name of a switch; their `visible` shows and hides them.
     """
 
@@ -41,8 +42,12 @@ class Stage:
             self.layers[f"path, {course.name}"] = draw_path(scene, node, course.tool, colour)
         self.layers["ellipsoid, tool"] = self.ellipsoid.mesh
         self.layers["ellipsoids, path"] = fixed
-        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.plan.scene, motion.box)
+        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
         self.layers |= checked_layers(scene, self.robot)
+        self._tool = motion.robot.kinematics().pose
+        if motion.moved:
+            self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
+        self.parts = [PartFigure(scene, f"/parts/{k}", part.solid) for k, part in enumerate(motion.moved)]
         self.place(0.0)
 
     def place(self, t: float) -> None:
@@ -50,6 +55,8 @@ class Stage:
         q = self.motion.trajectory(t)
         self.robot.place(q)
         self.ellipsoid.place(q)
+        for part, figure in zip(self.motion.moved, self.parts, strict=True):
+            figure.place(part.at(t, self._tool(q)))
         if self.seed is not None and self.motion.seed is not None:
             self.seed.place(self.motion.seed.at(t))
 

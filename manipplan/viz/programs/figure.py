@@ -1,0 +1,115 @@
+"""The picture of a program: the arm with its parts, and manipulability and joints over time, with the steps."""
+
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from manipplan.support.checks import instance
+from manipplan.support.files import write_bytes
+from manipplan.support.interrupts import uninterrupted
+from manipplan.viz import style
+from manipplan.viz.arm import plot_arm
+from manipplan.viz.curves import POINTS, plot_joints
+from manipplan.viz.plan import joint_unit
+from manipplan.viz.planar import plot_planar_arm
+from manipplan.viz.programs.moved import MovedPart, bare, moved_parts
+from manipplan.viz.shapes import joined, surface_of
+from manipplan.viz.space import draw_surface, write
+
+if TYPE_CHECKING:
+    from manipplan.jobs.programs.program import Program
+
+#: Number of postures of the arm that are drawn, and of places of a part while it is carried.
+POSTURES, CARRIED = 9, 4
+#: Steps that begin within this share of the duration share a label.
+TOGETHER = 0.015
+
+
+def save_program(program: "Program", file: str | Path) -> None:
+    """Write the picture of a program as PNG; see `program_figure`."""
+    with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
+        figure = program_figure(program)
+        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+
+
+def program_figure(program: "Program", figure: Any = None) -> Any:
+    """Draw a program: the arm and its parts along the motion, and manipulability and joints over time, with the steps.
+
+    Parts are drawn where they are at the beginning, on their way, and where they are put down. `figure` is a Matplotlib figure
+    to draw into; default: a new one of 11.5 x 6 inches. Returns the figure.
+    """
+    from matplotlib.figure import Figure
+
+    from manipplan.jobs.programs.program import Program
+
+    instance("program", program, Program)
+    robot, moved = bare(program.robot), moved_parts(program)
+    with style.shared():
+        figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
+        figure.set_layout_engine("constrained")
+        parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
+        left, right = parts
+        title = (
+            f"{robot.name}: {len(program.marks)} steps, {program.duration:.2f} s, minimum m {program.min_manipulability:.3g}"
+        )
+        left.suptitle(title, fontsize=11, x=0.02, ha="left")
+        if robot.planar:
+            plot_planar_arm(robot, program.trajectory, program.scene, places=POSTURES, ax=left.subplots())
+        else:
+            ax = left.add_subplot(projection="3d")
+            plot_arm(robot, program.trajectory, program.scene, places=POSTURES, ax=ax)
+            for part in moved:
+                _draw_part(ax, program, part)
+        top, bottom = right.subplots(2, 1)
+        _plot_measure(program, top)
+        limits = robot.limits
+        ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
+        plot_joints(program.trajectory, limits, share=ranged, unit=joint_unit(robot), ax=bottom)
+        draw_marks(program, top, names=True)
+        draw_marks(program, bottom, names=False)
+    return figure
+
+
+def draw_marks(program: "Program", ax: Any, *, names: bool) -> None:
+    """Draw when the steps of a program begin, as lines on axes over its time, and where wanted their names."""
+    near: dict[float, list[str]] = {}
+    for mark in program.marks:
+        changes = mark.name in ("Attach", "Detach")
+        ax.axvline(mark.begin, color=style.LIMIT if changes else style.ARM, linewidth=1.0, linestyle="-" if changes else ":")
+        begin = next((each for each in near if mark.begin - each < TOGETHER * program.duration), mark.begin)
+        near.setdefault(begin, []).append(f"{mark.step} {mark.name}")
+    for begin, texts in near.items() if names else ():
+        at = {"xycoords": ("data", "axes fraction"), "xytext": (2, 2), "textcoords": "offset points"}
+        ax.annotate(", ".join(texts), (begin, 0.0), **at, fontsize=7, color=style.ARM, rotation=90, va="bottom", ha="left")
+
+
+def _plot_measure(program: "Program", ax: Any) -> None:
+    """The measure over time; a dot marks its minimum."""
+    result = program.parts[0].result
+    kinematics = program.parts[0].robot.kinematics(result.task, measure=result.measure)
+    t = np.linspace(0.0, program.duration, POINTS)
+    m = kinematics.manipulability(program.trajectory(t))
+    ax.plot(t, m, color=style.OPTIMUM)
+    ax.plot(t[m.argmin()], m.min(), "o", color=style.OPTIMUM, markersize=4, clip_on=False)
+    ax.set(xlabel="time [s]", xlim=(0, program.duration), title="measure over time; dot: minimum")
+    ax.set_ylabel(style.measure_label(kinematics))
+    ax.set_ylim(min(0.0, m.min()), None)
+
+
+def _draw_part(ax: Any, program: "Program", part: MovedPart) -> None:
+    """A part on its way in the hand, and where it is put down."""
+    pose = bare(program.robot).kinematics().pose
+    edges = [*part.times, program.duration]
+    for k, (begin, end) in enumerate(pairwise(edges)):
+        times = np.linspace(begin, end, CARRIED + 2)[1:-1] if part.held[k] else [begin] if k else []
+        for t in times:
+            solid = part.at(float(t), pose(program.trajectory(float(t))))
+            if solid is None:
+                continue
+            surface = joined(surface_of(shape).placed(solid.pose) for shape in solid.shapes())
+            draw_surface(ax, surface, style.OPTIMUM, alpha=0.25 if part.held[k] else 0.7, edges=True)
+            if not part.held[k]:
+                low, high = surface.points.min(axis=0), surface.points.max(axis=0)
+                write(ax, np.append((low + high)[:2] / 2, high[2]), f"{part.name}, put down", style.OPTIMUM)
