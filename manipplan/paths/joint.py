@@ -106,6 +106,10 @@ class JointPath:
         control = np.concatenate([_raised(part.control, degree) for part in parts])
         return cls(breaks=np.concatenate([[0.0], *breaks[:-1], breaks[-1][:-1], [1.0]]), control=control)
 
+    def backwards(self) -> "JointPath":
+        """The same path from its goal to its start."""
+        return JointPath(breaks=1 - self.breaks[::-1], control=self.control[::-1, ::-1])
+
     @property
     def n(self) -> int:
         """Number of joints."""

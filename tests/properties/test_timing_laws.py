@@ -63,7 +63,7 @@ def test_time_scales_with_limits(seed, jerk, factor):
 @given(seeds, st.booleans())
 def test_the_way_back_takes_as_long(seed, jerk):
     path, limits = random_problem(seed, jerk=jerk)
-    back = mp.JointPath(breaks=1 - path.breaks[::-1], control=path.control[::-1, ::-1])
+    back = path.backwards()
     ratio = mp.retime(path, ARM, limits=limits).duration / mp.retime(back, ARM, limits=limits).duration
     np.testing.assert_allclose(ratio, 1, rtol=1e-2)
 

@@ -3,15 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, positions_on, straight_on
 from manipplan.jobs.plan import plan
 from manipplan.jobs.result import Plan
-from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
@@ -23,11 +21,6 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
-
-#: Maximum step of a joint between neighbouring positions of a straight way [rad or m].
-EPSILON = 0.4
-#: Distance between positions on a straight way [m], and their smallest number.
-STRIDE, FEWEST = 0.015, 6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -94,7 +87,7 @@ class TransitPlanner:
             on = straight_way(self.robot, self.scene, goal, way, self.objective, self.clearance)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
-            back = JointPath(breaks=1 - on.breaks[::-1], control=on.control[::-1, ::-1])
+            back = on.backwards()
             middle = self._free(off.goal, back.start, seconds, tell)
             if isinstance(middle, str):
                 return middle
@@ -131,15 +124,11 @@ def straight_way(
     robot: Robot, scene: Scene, begin: Array, way: Array, objective: PathObjective, clearance: float
 ) -> JointPath | str:
     """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
-    pose = robot.kinematics(Task.pose()).pose(begin)
-    moved = np.eye(4)
-    moved[:3, 3] = way
-    path = CartesianPath.line(pose, pose @ moved)
-    positions = max(FEWEST, int(np.ceil(np.linalg.norm(way) / STRIDE)))
+    path = straight_on(robot.kinematics(Task.pose()).pose(begin), way)
     try:
-        layers = sample_layers(robot, path, positions, measure=objective.measure, scene=scene, clearance=clearance)
+        layers = sample_layers(robot, path, positions_on(path), measure=objective.measure, scene=scene, clearance=clearance)
     except InvalidInputError as error:
-        return str(error)
+        return f"{error.argument} is not {error.allowed}"
     finder = CourseFinder(path=path, layers=layers, tolerance=None).beginning(begin)
-    found = max_min_search(finder.layers, EPSILON, throw=False)
+    found = max_min_search(finder.layers, STRAIGHT_EPSILON, throw=False)
     return finder.along(found, silent, hold_start=True).path if found.connected else found.message

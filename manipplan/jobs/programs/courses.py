@@ -6,7 +6,8 @@ import numpy as np
 
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.programs.legs import Leg, straight_on
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, positions_on, straight_on
+from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
@@ -19,10 +20,8 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent
 from manipplan.symbolic.task import Task
 
-#: Maximum step of a joint between neighbouring positions of a path, and of a straight way [rad or m].
-EPSILON, STRAIGHT_EPSILON = 0.2, 0.4
-#: Distance between positions on a straight way [m], and their smallest number.
-STRIDE, LEAST_POSITIONS = 0.015, 6
+#: Maximum step of a joint between neighbouring positions of a path [rad or m].
+EPSILON = 0.2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -98,7 +97,7 @@ def course_of(
         made = made if isinstance(made, str) else _outside(made) or made
         if isinstance(made, str):
             return f"no straight approach: {made}"
-        path = JointPath(breaks=1 - made.path.breaks[::-1], control=made.path.control[::-1, ::-1])
+        path = made.path.backwards()
         workspace = CartesianPath.line(back(1.0), pose)
         items.append(replace(made, path=path, workspace_path=workspace))
         entry = path.start
@@ -142,7 +141,7 @@ def _outside(motion: Motion) -> str:
 def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: PathObjective, clearance: float) -> CourseFinder:
     """The finder of motions along a path; raises InvalidInputError for a position that is out of reach or not free."""
     straight = not isinstance(step.path, CartesianPath)
-    positions = max(LEAST_POSITIONS, int(np.ceil(path.length / STRIDE))) if straight else step.positions
+    positions = positions_on(path) if straight else step.positions
     layers = sample_layers(
         state.robot, path, positions, task=step.task, measure=objective.measure, scene=state.scene, clearance=clearance
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.jobs.following.straight import moved_by
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
@@ -84,11 +85,6 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
     return legs if legs[0].rest else legs[1:]
 
 
-def straight_on(pose: Array, way: Array) -> CartesianPath:
-    """The straight path from a pose (4, 4) by a way (3,) in the tool frame [m]."""
-    return CartesianPath.line(pose, pose @ moved_by(way))
-
-
 def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
     try:
         check_tool_speed(speed, path)
@@ -107,10 +103,3 @@ def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
             if step.approach is not None:
                 raise InvalidInputError(each.argument, each.q.tolist(), "a pose of the tool, since there is an approach")
     return targets
-
-
-def moved_by(way: Array) -> Array:
-    """The pose (4, 4) in the tool frame that is a way (3,) off [m]."""
-    pose = np.eye(4)
-    pose[:3, 3] = way
-    return pose

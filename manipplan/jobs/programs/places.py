@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.programs.legs import Leg, moved_by
+from manipplan.jobs.following.straight import moved_by
+from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
