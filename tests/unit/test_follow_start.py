@@ -1,7 +1,5 @@
 """follow with a start: the lead-in, the choice of the first configuration, and motions that begin on the path."""
 
-from dataclasses import replace
-
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -9,7 +7,7 @@ import pytest
 import manipplan as mp
 from manipplan.jobs.following.course import CourseFinder
 from manipplan.jobs.following.lead_in import APART, best_courses, choose_entry
-from manipplan.jobs.result import PartialPlan
+from manipplan.jobs.following.transit import Transit, TransitPlanner
 
 FEW = {"samples": 48, "epsilon": 0.5}
 
@@ -67,11 +65,11 @@ def led_in(panda, line, post):
 def test_a_lead_in_goes_round_an_obstacle(panda, line, post, led_in):
     assert_begins_and_follows(panda, led_in, panda.states["default"], line, post)
     assert 0.1 < led_in.path_begin < led_in.trajectory.duration
-    assert led_in.path_begin == led_in.report.along.begin
-    assert led_in.report.along.tool_speed is None
+    assert led_in.path_begin == led_in.report.along[0].begin
+    assert led_in.report.along[0].tool_speed is None
     motion = led_in.trajectory
     along = panda.kinematics().manipulability(motion(np.linspace(led_in.path_begin, motion.duration, 2000)))
-    assert led_in.report.along.min_manipulability == pytest.approx(along.min(), rel=1e-3)
+    assert led_in.report.along[0].min_manipulability == pytest.approx(along.min(), rel=1e-3)
     whole = panda.kinematics().manipulability(motion(np.linspace(0.0, motion.duration, 4000)))
     assert led_in.report.min_manipulability == pytest.approx(whole.min(), rel=1e-3)
     (chosen,) = [each for each in led_in.candidates if each.chosen]
@@ -210,9 +208,9 @@ class Lead:
         self.goals.append(goal)
         least = self.minima[len(self.goals) - 1] if len(self.goals) <= len(self.minima) else None
         if least is None:
-            return PartialPlan(robot=self.robot, scene=mp.Scene(), status=mp.Status.NO_PATH, message="a wall is in the way")
+            return "a wall is in the way"
         made = mp.plan(self.robot, self.robot.neutral, self.robot.neutral + 0.1)
-        return replace(made, report=replace(made.report, min_manipulability=least))
+        return Transit(path=made.path, trajectory=made.trajectory, min_manipulability=least, g=made.report.g)
 
 
 @pytest.mark.slow
@@ -247,9 +245,7 @@ def test_the_best_entry_is_chosen(panda, searched, minima, chosen, tried):
 
 @pytest.mark.slow
 def test_no_lead_in_is_told(panda, line, monkeypatch):
-    from manipplan.jobs.following import follow as module
-
-    monkeypatch.setattr(module, "_lead_ins", lambda *_: Lead(panda, []))
+    monkeypatch.setattr(TransitPlanner, "lead_in", lambda *_: Lead(panda, []))
     plan = mp.follow(panda, line, start=panda.neutral, positions=5, throw=False, **FEW)
     assert plan.status is mp.Status.NO_PATH and "a wall is in the way" in plan.message
     assert plan.search is not None and plan.trajectory is None and len(plan.candidates) > 0

@@ -44,7 +44,7 @@ def test_a_line_at_constant_speed(panda, line, jerk):
     arm = panda if jerk is None else panda.with_limits(jerk=jerk)
     plan = mp.follow(arm, line, tool_speed=0.02, positions=8, **FEW)
     assert plan.report.passed
-    kept = plan.report.along.tool_speed
+    kept = plan.report.along[0].tool_speed
     t, speeds = tool_speeds(arm, plan.trajectory)
     between = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
     assert between.min() >= 0.02 * 0.99 and speeds.max() <= 0.02 * (1 + 1e-4)
@@ -52,21 +52,21 @@ def test_a_line_at_constant_speed(panda, line, jerk):
     assert kept.fastest == pytest.approx(between.max(), rel=1e-3)
     assert max(kept.ramps) < 1e-3 and kept.length == pytest.approx(line.length, rel=1e-3)
     assert plan.trajectory.duration == pytest.approx(line.length / 0.02, rel=0.01)
-    assert "tool speed   19." in str(plan.report) and "(20 asked for)" in str(plan.report)
+    assert f"tool speed   {1e3 * kept.slowest:.4g}" in str(plan.report) and "(20 asked for)" in str(plan.report)
 
 
 @pytest.mark.slow
 def test_after_a_lead_in(panda, line, tmp_path):
     start = panda.neutral + 0.3
     plan = mp.follow(panda, line, start=start, tool_speed=0.05, positions=8, **FEW)
-    kept = plan.report.along.tool_speed
+    kept = plan.report.along[0].tool_speed
     assert plan.path_begin < kept.begin < plan.path_begin + 0.1
     t, speeds = tool_speeds(panda, plan.trajectory)
     inside = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
     assert inside.min() > 0.05 * 0.99 and inside.max() <= 0.05 * (1 + 1e-4)
     assert speeds[t < plan.path_begin].max() > 0.1  # the lead-in is as fast as it can be
     plan.save(tmp_path)
-    assert mp.Plan.load(tmp_path).report.along.tool_speed == kept
+    assert mp.Plan.load(tmp_path).report.along[0].tool_speed == kept
 
 
 @pytest.mark.slow
@@ -75,7 +75,7 @@ def test_the_fastest_speed_is_named_and_kept(panda, line):
         mp.follow(panda, line, tool_speed=5.0, positions=8, **FEW)
     fastest = float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1))
     plan = mp.follow(panda, line, tool_speed=fastest, positions=8, **FEW)
-    assert plan.report.passed and plan.report.along.tool_speed.is_steady
+    assert plan.report.passed and plan.report.along[0].tool_speed.is_steady
     with pytest.raises(mp.InvalidInputError, match="tool_speed"):
         mp.follow(panda, line, tool_speed=1.1 * fastest, positions=8, throw=False, **FEW)
 

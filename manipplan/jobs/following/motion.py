@@ -12,10 +12,13 @@ from manipplan.jobs.following.parts import FoundPart
 from manipplan.jobs.following.transit import Transit, TransitPlanner
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.reports.tool import tool_distances
+from manipplan.jobs.reports.tool import tool_axis, tool_distances
 from manipplan.jobs.result import PartialPlan, Plan, finish
+from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult, make_result
+from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -25,7 +28,7 @@ from manipplan.timing.retime import retime
 from manipplan.timing.steady.retime_steady import retime_steady
 from manipplan.timing.steady.speed import measure_speed
 
-#: Places at which the nearest bodies are looked for, for a message.
+#: Places at which the tool is compared with the path, and at which the nearest bodies are looked for, for a message.
 PLACES = np.linspace(0.0, 1.0, 1500)
 
 
@@ -36,6 +39,12 @@ class Leg:
     part: FoundPart
     course: Course
     transit: Transit | None
+
+    def missed(self, kinematics: Kinematics, tolerance: Tolerance) -> str:
+        """By how much the course misses poses of the path, the given ones among them, in their order; "" for none."""
+        path = self.part.finder.path
+        s = np.union1d(PLACES, path.knots)
+        return deviation_at(path, s, kinematics.pose(self.course.path(s)), tool_axis(kinematics)).excess(tolerance, "path")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -126,7 +135,7 @@ class FollowingMotion:
         path, tolerance = draft.workspace_path, draft.tolerance
         assert path is not None and tolerance is not None
         model = draft.scene.collision_model(draft.robot)
-        deviation, missed = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
+        deviation, _ = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
         made = finish(
             replace(draft, deviation=deviation),
             result.path,
@@ -143,9 +152,9 @@ class FollowingMotion:
         if made.status not in ALONG:
             near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(PLACES))}; take more positions"
             return made, f"{made.report}{near}"
-        fault = deviation.excess(tolerance, "time") or missed.excess(tolerance, "path")
-        if fault:
-            return made, f"{fault}. Take more positions"
+        faults = [deviation.excess(tolerance, "time"), *(leg.missed(integral.kinematics, tolerance) for leg in self.legs)]
+        if any(faults):
+            return made, f"{next(filter(None, faults))}. Take more positions"
         speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
         return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
 

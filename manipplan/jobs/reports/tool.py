@@ -17,6 +17,13 @@ from manipplan.symbolic.task import Task
 STEP, LEAST, POSES = 2e-3, 1500, 2001
 
 
+def tool_axis(kinematics: Kinematics) -> Array | None:
+    """The tool axis (3,) about which the task leaves the tool free; None for none."""
+    if kinematics.robot.planar and kinematics.task == Task.planar():
+        return np.array([0.0, 0.0, 1.0])
+    return kinematics.task.free_axis
+
+
 def tool_distances(
     path: JointPath, duration: float, kinematics: Kinematics, workspace_path: CartesianPath, along: Sequence[PathPart]
 ) -> tuple[Deviation, Deviation]:
@@ -30,9 +37,7 @@ def tool_distances(
         kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
     """
-    free_rotation = kinematics.robot.planar and kinematics.task == Task.planar()
-    axis = np.array([0.0, 0.0, 1.0]) if free_rotation else kinematics.task.free_axis
-    fine = path.fine_samples(STEP)
+    axis, fine = tool_axis(kinematics), path.fine_samples(STEP)
     parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed = [], []
     for part in parts:
