@@ -127,8 +127,8 @@ def follow(
 
     Where no configurations connect, finer samples are tried. Where these do not either, the tool can leave the path and come
     back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples allow,
-    which is proven for them; with so many the minimum manipulability on the path is the largest. At an interruption the tool
-    retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` of the plan tells when.
+    which is proven for them. With that number the minimum manipulability on the path is the largest. At an interruption the
+    tool retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` tells when.
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
