@@ -25,6 +25,8 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 
 #: Minimum distance between neighbouring poses [m].
 APART = 1e-9
+#: Distance within which a path returns to its first pose [m, or entry of the rotation].
+RETURNS = 1e-9
 #: Distance in s within which two knots are one.
 SAME = 1e-12
 #: Columns of a CSV file of poses: position [m], then the quaternion.
@@ -55,14 +57,23 @@ class CartesianPath(ABC):
         return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
 
     @property
+    def closes(self) -> bool:
+        """Whether the last pose is the first one."""
+        first, last = self(np.array([0.0, 1.0]))
+        return bool(np.abs(first - last).max() <= RETURNS)
+
+    @property
     def knots(self) -> Array:
         """Parameters s (k,) of the poses through which the path was laid, with 0 and 1."""
         return np.array([0.0, 1.0])
 
     def part(self, begin: float, end: float) -> "CartesianPath":
         """The part from s = begin to s = end > begin. On a closed path the end may be beyond 1, at most one round farther."""
-        begin = number("begin", begin, least=0.0)
-        return Stretch(path=self, begin=begin, end=number("end", end, above=begin, most=1.0 + begin))
+        begin = number("begin", begin, least=0.0, most=1.0)
+        end = number("end", end, above=begin, most=1.0 + begin)
+        if end > 1.0 and not self.closes:
+            raise InvalidInputError("end", end, "at most 1, as the path's last pose is not its first")
+        return Stretch(path=self, begin=begin, end=end)
 
     @abstractmethod
     def _at(self, s: Array) -> tuple[Array, Array]:
@@ -240,4 +251,4 @@ class Offset(CartesianPath):
 
 
 #: The subclasses by name.
-PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline, Offset)}
+PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline, Stretch, Offset)}

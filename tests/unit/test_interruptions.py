@@ -45,7 +45,7 @@ def tool(robot, plan, begin, end, count=400):
 def test_the_message_tells_how_many_interruptions_are_needed(panda, circle):
     found = mp.follow(panda, circle, positions=60, throw=False)
     assert found.status is mp.Status.NOT_CONNECTED and found.trajectory is None
-    assert "with 1 interruption there is a motion: interruptions=1 allows them" in found.message
+    assert "with 1 interruption there is a motion: interruptions=1 allows it" in found.message
     with pytest.raises(mp.PlanningError, match="1 interruption"):
         mp.follow(panda, circle, positions=60)
 
@@ -134,6 +134,7 @@ def test_a_retreat_that_is_not_free_names_the_bodies(panda, circle, table):
         {"retreat": -0.1},
         {"retreat": [0.0, 0.1]},
         {"retreat": np.nan},
+        {"retreat": 1e-12},
         {"positions": 1},
         {"positions": [0.0, 0.5]},
         {"positions": [0.0, 0.6, 0.4, 1.0]},
@@ -155,6 +156,19 @@ def test_a_closed_path_begins_where_that_takes_the_fewest_interruptions(panda, c
     _, poses = tool(panda, plan, around.begin, around.end)
     assert deviation_from(circle, poses).position < 1e-4
     assert mp.check(panda, plan.trajectory, path=circle, path_parts=plan.report.along).passed
+
+
+def test_a_closed_path_with_a_free_axis_that_no_motion_follows_is_told_within_seconds(panda, circle):
+    objective = mp.PathObjective(task=mp.Task.pointing())
+    found = mp.follow(panda, circle, closed=True, positions=60, objective=objective, throw=False)
+    assert "with 1 interruption there is a motion" in found.message and found.search.smallest_epsilon is None
+
+
+def test_the_retreat_of_a_planar_arm_stays_in_its_plane():
+    arm = mp.planar_arm([0.4, 0.4, 0.3])
+    line = mp.CartesianPath.through(arm.kinematics(mp.Task.pose()).pose(np.array([[0.3, 0.8, 0.5], [0.4, 0.9, 0.5]])))
+    with pytest.raises(mp.InvalidInputError, match="retreat.*plane"):
+        mp.follow(arm, line, positions=5, samples=20, interruptions=1)
 
 
 def test_each_part_has_its_tool_speed(panda, circle):
@@ -192,3 +206,12 @@ def test_parts_of_a_path(circle):
     for begin, end in ((-0.1, 0.5), (0.5, 0.5), (0.5, 1.6)):
         with pytest.raises(mp.InvalidInputError):
             circle.part(begin, end)
+    with pytest.raises(mp.InvalidInputError, match="end.*last pose is not its first"):
+        spline.part(0.5, 1.2)
+
+
+def test_a_plan_along_a_part_of_a_path_is_saved_with_it(panda, circle, tmp_path):
+    plan = mp.follow(panda, circle.part(0.1, 0.2), positions=8)
+    plan.save(tmp_path / "saved")
+    loaded = mp.Plan.load(tmp_path / "saved").workspace_path
+    np.testing.assert_array_equal(loaded.sample(9), plan.workspace_path.sample(9))

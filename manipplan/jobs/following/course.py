@@ -119,7 +119,7 @@ class CourseFinder:
         )
         if len(self.layers.q[0]) == 1:
             through = replace(self, layers=through).beginning(self.layers.q[0][0]).layers
-        free = max_min_search(through, found.epsilon, strict=found.strict, throw=False)
+        free = max_min_search(through, found.epsilon, strict=found.strict, explain=False, throw=False)
         if not free.connected:
             return ""
         needed = f", and {1e3 * spec.clearance:.4g} mm are needed" if spec.clearance else ""

@@ -27,9 +27,9 @@ from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import SAMPLES, sample_layers
 from manipplan.search.max_min import SearchResult
 from manipplan.search.steps import check_epsilon
-from manipplan.support.checks import finite_array, instance, number, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead
-from manipplan.support.errors import PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import ALONG, Status
@@ -43,6 +43,8 @@ SPARE = 0.003
 INSIDE = 2e-3
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
+#: Minimum length of a retreat [m].
+LEAST_RETREAT = 1e-3
 #: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
 FINER, MOST = 10, 20_000_000
 
@@ -191,10 +193,10 @@ def follow(
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
     interruptions = whole_number("interruptions", interruptions, least=0)
-    if isinstance(retreat, list | tuple | np.ndarray):
-        way = finite_array("retreat", retreat, (3,))
-    else:
-        way = np.array([0.0, 0.0, -number("retreat", retreat, least=0.0)])
+    way = _retreat(retreat)
+    if interruptions and robot.planar and way[2]:
+        wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
+        raise InvalidInputError("retreat", retreat, wanted)
     compile_ahead(*SOURCES)
     if q_start is not None:
         q_start = scene.collision_model(robot).free_configuration("start", q_start, clearance)
@@ -228,8 +230,7 @@ def follow(
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
-        made = sampled(closer, FINER * SAMPLES[0] if one else samples, tell)
-        return made.beginning(q_start) if q_start is not None and stands else made
+        return sampled(closer, FINER * SAMPLES[0] if one else samples, tell)
 
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
@@ -238,14 +239,14 @@ def follow(
         robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=with_defaults(tolerance)
     )
     stands = q_start is not None and finder.begins_at(q_start)
-    whole = finder.beginning(q_start) if q_start is not None and stands else finder
-    parts = find_parts(whole, finer, epsilon, 0 if stands and closed else interruptions, part(tell, 0.4, 0.6))
-    if isinstance(parts, SearchResult) and stands and closed and interruptions:
-        stands, whole = False, finder  # an interrupted motion begins where that takes the fewest interruptions
-        parts = find_parts(whole, finer, epsilon, interruptions, part(tell, 0.4, 0.6))
+    begin = q_start if stands else None
+    parts = find_parts(finder, finer, epsilon, interruptions, part(tell, 0.4, 0.6), start=begin)
     if isinstance(parts, SearchResult):
-        begin = "from the start, which is at the first pose of the path, " if stands else ""
-        return failed(replace(draft, search=parts), throw, begin + parts.message + whole.in_the_way(parts))
+        whole = finder if begin is None else finder.beginning(begin)
+        told = "from the start, which is at the first pose of the path, " if stands else ""
+        return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
+    returns = closed and not parts[0].finder.layers.closed
+    stands &= not returns  # an interrupted motion begins where that takes the fewest interruptions
     transits = TransitPlanner(
         robot=robot,
         scene=scene,
@@ -255,7 +256,6 @@ def follow(
         torque=torque,
         seed=seed,
     )
-    returns = closed and not parts[0].finder.layers.closed
     motion, candidates = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), hold_start=stands, returns=returns)
     draft = replace(draft, candidates=candidates)
     if isinstance(motion, str):
@@ -278,3 +278,12 @@ def follow(
         return check_failed(made, throw, fault)
     tell(1.0, "done")
     return made
+
+
+def _retreat(value: float | ArrayLike) -> Array:
+    """The way (3,) off the path in the tool frame [m]; raises InvalidInputError."""
+    down = np.array([0.0, 0.0, 1.0])
+    way = finite_array("retreat", value, (3,)) if np.ndim(value) else -number("retreat", value, least=0.0) * down
+    if 0 < np.linalg.norm(way) < LEAST_RETREAT:
+        raise InvalidInputError("retreat", value, f"0 for none, or at least {1e3 * LEAST_RETREAT:g} mm")
+    return way

@@ -123,7 +123,7 @@ def best_courses(finder: CourseFinder, first: SearchResult) -> Iterator[SearchRe
             return
         begins = (np.ascontiguousarray(layers.q[0][away]), np.ascontiguousarray(layers.m[0][away]))
         layers = replace(layers, q=(begins[0], *layers.q[1:]), m=(begins[1], *layers.m[1:]))
-        found = max_min_search(layers, first.epsilon, strict=first.strict, throw=False)
+        found = max_min_search(layers, first.epsilon, strict=first.strict, explain=False, throw=False)
         if not found.connected:
             return
         chosen = np.flatnonzero((finder.layers.q[0] == layers.q[0][found.indices[0]]).all(axis=1))[:1]

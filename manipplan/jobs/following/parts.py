@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from manipplan.jobs.following.course import CourseFinder
 from manipplan.search.interruptions import fewest_interruptions, fewest_parts
 from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.support.checks import Array
 from manipplan.support.progress import Progress, part
 
 
@@ -33,7 +34,7 @@ Finer = Callable[[Progress], CourseFinder | None]
 
 
 def find_parts(
-    finder: CourseFinder, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress
+    finder: CourseFinder, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress, *, start: Array | None = None
 ) -> list[FoundPart] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
@@ -45,29 +46,38 @@ def find_parts(
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
         tell: called with the share done.
+        start: (n,) at the first pose of the path, where the motion begins; it may not on a closed path that is interrupted.
     """
-    found = max_min_search(finder.layers, epsilon, throw=False, progress=part(tell, 0.0, 0.3))
-    if found.connected:
-        return [FoundPart(s_begin=0.0, s_end=1.0, finder=finder, found=found)]
-    tried = [finder]
-    second = finer(part(tell, 0.3, 0.6))
-    if second is not None:
-        again = max_min_search(second.layers, epsilon, explain=False, throw=False, progress=part(tell, 0.6, 0.7))
-        if again.connected:
-            return [FoundPart(s_begin=0.0, s_end=1.0, finder=second, found=again)]
-        tried.append(second)
+    tried: list[CourseFinder] = []
+    for k, samples in enumerate((lambda _: finder, finer)):
+        each = samples(part(tell, 0.0, 0.5))
+        if each is None:
+            continue
+        begun = each if start is None else each.beginning(start)
+        search = part(tell, 0.5 * k, 0.5 * k + 0.2)
+        found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
+        if found.connected:
+            return [FoundPart(s_begin=0.0, s_end=1.0, finder=begun, found=found)]
+        tried.append(each if each.layers.closed else begun)
     counts = [(fewest_parts(each.layers, epsilon, progress=part(tell, 0.7, 0.8)), each) for each in tried]
     possible = [(parts, each) for parts, each in counts if parts is not None]
     if not possible:
-        return found
+        return _unconnected(finder, epsilon, start)
     parts, best = min(possible, key=lambda each: each[0])
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
-        times = "1 interruption" if interruptions == 1 else f"{interruptions} interruptions"
-        allowed = f"interruptions={interruptions} allows them" if not most else f"interruptions={most} does not allow them"
+        times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
+        allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
+        found = _unconnected(finder, epsilon, start)
         return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
     edges = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9)).edges
     return [_part(best, first, last, epsilon) for first, last in pairwise(edges)]
+
+
+def _unconnected(finder: CourseFinder, epsilon: ArrayLike, start: Array | None) -> SearchResult:
+    """The result of the search that finds no path, with the smallest epsilon unless finding it can take minutes."""
+    begun = finder if start is None else finder.beginning(start)
+    return max_min_search(begun.layers, epsilon, explain=not finder.layers.closed, throw=False)
 
 
 def _part(finder: CourseFinder, first: int, last: int, epsilon: ArrayLike) -> FoundPart:

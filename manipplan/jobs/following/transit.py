@@ -130,5 +130,5 @@ def straight_way(
     except InvalidInputError as error:
         return f"{error.argument} is not {error.allowed}"
     finder = CourseFinder(path=path, layers=layers, tolerance=None).beginning(begin)
-    found = max_min_search(finder.layers, STRAIGHT_EPSILON, throw=False)
+    found = max_min_search(finder.layers, STRAIGHT_EPSILON, explain=False, throw=False)
     return finder.along(found, silent, hold_start=True).path if found.connected else found.message

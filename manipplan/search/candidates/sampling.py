@@ -57,8 +57,7 @@ MEMORY = 0.5
 PROBES, PROBE = 3, 2000
 #: Memory per grid point while the grid is built [bytes].
 GRID = 200
-#: Tolerances within which a path returns to its start, and a pose is within reach [m, rad].
-RETURNS = 1e-9
+#: Tolerances within which a pose is within reach [m, rad].
 REACHES = (1e-6, 1e-6)
 
 
@@ -118,7 +117,7 @@ def sample_layers(
         raise InvalidInputError("path", path, "a CartesianPath")
     for name, value in (("closed", closed), ("collisions", collisions)):
         instance(name, value, bool)
-    if closed and np.abs(path(0.0) - path(1.0)).max() > RETURNS:
+    if closed and not path.closes:
         raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
     spec = SamplingSpec(
         robot=robot,
