@@ -1,6 +1,7 @@
 """`manipplan follow`: follow a path of the tool with the largest minimum manipulability."""
 
 from pathlib import Path
+from typing import Literal
 
 from tyro.conf import Positional
 
@@ -10,6 +11,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 from manipplan.symbolic.task import Task
@@ -27,6 +29,7 @@ def follow(
     epsilon: float = 0.2,
     samples: tuple[int, ...] = (),
     pointing: tuple[float, float, float] | None = None,
+    only: Literal["position", "orientation"] | None = None,
     tolerance: tuple[float, float] | None = None,
     out: Path = Path("follow"),
     options: WithRobotOptions = RobotOptions(),
@@ -51,6 +54,7 @@ def follow(
         epsilon: Maximum step of a joint between neighbouring positions [rad or m].
         samples: Number of grid points of the redundancy, one number or one per parameter.
         pointing: Tool axis about which the tool may turn.
+        only: What of the poses the tool follows; the rest is chosen for the manipulability.
         tolerance: Maximum deviation of the tool from the path [m] [rad].
         out: Folder for the files that are written.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
@@ -74,7 +78,7 @@ def follow(
             positions=positions,
             interruptions=interruptions,
             retreat=retreat[0] if len(retreat) == 1 else retreat,
-            objective=PathObjective(task=Task.pointing(pointing) if pointing is not None else None, measure=measure),
+            objective=PathObjective(task=_task(pointing, only), measure=measure),
             epsilon=epsilon,
             samples=samples[0] if len(samples) == 1 else samples or None,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
@@ -87,3 +91,11 @@ def follow(
         tell(1.0, "writing files")
         files = made.save(folder)
     return terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")
+
+
+def _task(pointing: tuple[float, float, float] | None, only: str | None) -> Task | None:
+    if pointing is not None and only is not None:
+        raise InvalidInputError("only", only, "nothing where a tool axis is given by --pointing")
+    if pointing is not None:
+        return Task.pointing(pointing)
+    return {"position": Task.position(), "orientation": Task.orientation(), None: None}[only]

@@ -35,7 +35,7 @@ class SolutionSet(Pictured):
         q: (k, n) [rad or m], inside the position limits.
         pose_index: (k,) index of the pose that each row reaches.
         parameters: (k, r) values of the redundancy parameters of each row.
-        parameter_names: (r,) held joints, then "swivel", then "tool rotation".
+        parameter_names: (r,) held joints, then "swivel", then those of the free motion.
         residual: (k,) largest entry of the pose error [m or 1].
         complete: "exact", "to-resolution" or "statistical"; see `Completeness`.
         method: "spherical", "parallel", "swivel" or "newton".
@@ -88,9 +88,10 @@ def inverse_kinematics(
         robot: the arm.
         pose: (4, 4) or pin.SE3 of the tool, or several, (p, 4, 4).
         parameters: (r,), or (s, r) to be tried for each pose: held joints [rad or m] in the order of the arm, then the
-            swivel, then the rotation about a free tool axis [rad]. Default: a grid.
-        task: Task.pose(), the default, or Task.pointing(axis) whose rotation about the axis is free. For planar arms
-            Task.planar(), their default: the position alone.
+            swivel, then the motions that the task leaves free: shifts [m], rotation about an axis [rad], or azimuth, tilt and
+            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid.
+        task: Task.pose(), the default; Task.pointing(axis), whose rotation about the axis is free; or any other whose rows fix
+            a set of poses, such as Task.position(). For planar arms Task.planar(), their default: the position alone.
         samples: number of grid points, one number or one per parameter.
         held: names of the joints to hold instead of those that the arm's closed form prefers.
         method: "closed-form", "newton", or "auto": the closed form where there is one.
@@ -98,8 +99,8 @@ def inverse_kinematics(
         seed: seed of the random starts.
 
     Raises:
-        InvalidInputError: a pose with NaN or without a rotation matrix, parameters of a wrong shape, a task that is not a
-            pose, or "closed-form" for an arm without one.
+        InvalidInputError: a pose with NaN or without a rotation matrix, parameters of a wrong shape, a task whose rows fix no
+            set of poses, or "closed-form" for an arm without one.
         UnknownNameError: unknown method or joint.
 
     The set is empty for a pose out of reach.

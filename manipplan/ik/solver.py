@@ -22,6 +22,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
+from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
@@ -34,6 +35,8 @@ STEPS = 200
 SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Number of joints that a pose takes.
 POSE = 6
+#: Number of random configurations that tell where the tool can be.
+POSITIONS = 2000
 METHODS = ("auto", "closed-form", "newton")
 
 
@@ -58,7 +61,7 @@ class Solver:
         form: the closed form; None for Newton steps from random starts.
         screws: the arm.
         held: indices of the joints that are held.
-        axis: (3,) tool axis about which the tool is free to rotate, or None.
+        free: motions of the tool that the task leaves free.
         seed: seed of the random starts.
     """
 
@@ -68,7 +71,7 @@ class Solver:
     form: ClosedForm | None
     screws: Screws = field(repr=False)
     held: tuple[int, ...]
-    axis: Array | None
+    free: FreeMotion
     seed: int
 
     @classmethod
@@ -79,7 +82,9 @@ class Solver:
         task = instance("task", task if task is not None else usual, Task)
         if method not in METHODS:
             raise UnknownNameError("method", str(method), METHODS)
-        axis = _tool_axis(task, robot)
+        if task.relative_to is not None:
+            raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
+        free = FreeMotion.of(task, planar=robot.planar)
         _check_limits(robot)
         form = closed_form(robot, held) if method != "newton" else None
         if form is None and method == "closed-form":
@@ -96,7 +101,7 @@ class Solver:
             form=form,
             screws=screws,
             held=indices,
-            axis=axis,
+            free=free,
             seed=random_seed("seed", seed),
         )
 
@@ -117,12 +122,19 @@ class Solver:
         """Names of the parameters."""
         held = tuple(self.robot.joint_names[k] for k in self.held)
         swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
-        return held + swivel + (("tool rotation",) if self.axis is not None else ())
+        return held + swivel + self.free.names
 
     @cached_property
     def _enumeration(self) -> Enumeration:
         assert self.form is not None
-        return _enumeration(self.robot, self.form, None if self.axis is None else tuple(self.axis.tolist()))
+        axis = self.free.only_axis
+        return _enumeration(self.robot, self.form, None if axis is None else tuple(axis.tolist()))
+
+    @cached_property
+    def _positions(self) -> Array:
+        """Where the tool is in random configurations, (k, 3) [m]."""
+        q = self.robot.random_configuration(np.random.default_rng(0), size=POSITIONS)
+        return np.asarray(self.kinematics.pose(q)[:, :3, 3])
 
     @cached_property
     def _whole(self) -> MovingArm:
@@ -154,7 +166,10 @@ class Solver:
         return np.array(list(product(*(self._line(k, count) for k, count in enumerate(counts)))))
 
     def _line(self, parameter: int, count: int) -> Array:
-        """Values of one parameter: a joint's range with its ends, or a full turn."""
+        """Values of one parameter: a joint's range with its ends, a full turn, or those of a free motion."""
+        free = parameter - len(self.names) + len(self.free.names)
+        if free >= 0:
+            return self.free.line(free, count, self._positions)
         if parameter < len(self.held):
             lower, upper = (float(limit[self.held[parameter]]) for limit in (self.robot.limits.lower, self.robot.limits.upper))
             if np.isfinite(lower):
@@ -168,25 +183,16 @@ class Solver:
             free, screws = list(self.form.free), self.screws
             wrist, shoulder = self.form.meeting
             columns.append(swivels_of(screws.axes[free], screws.points[free], shoulder, wrist, q[:, free])[:, None])
-        if self.axis is not None:
-            columns.append(self._tool_turns(q, poses)[:, None])
+        if self.free.names:
+            columns.append(self.free.values(self.kinematics.pose(q), poses))
         return np.hstack(columns)
-
-    def _tool_turns(self, q: Array, poses: Array) -> Array:
-        """Rotation of the tool about its free axis relative to the poses, (k,) [rad]."""
-        from scipy.spatial.transform import Rotation
-
-        turned = np.swapaxes(poses[:, :3, :3], 1, 2) @ self.kinematics.pose(q)[:, :3, :3]
-        return np.asarray(Rotation.from_matrix(turned).as_rotvec() @ self.axis)
 
     def onto(self, q: Array, poses: Array, *, inside: float = 0.0) -> Array:
         """Configurations (k, n) moved onto poses (k, 4, 4) by minimum-norm Newton steps; inside the limits.
 
         Joints of a redundant arm that would come nearer to a limit than `inside` [rad or m] stop there, and the others move on.
         """
-        targets = poses
-        if self.axis is not None:
-            targets = poses @ turns_about(self.axis, self._tool_turns(q, poses))
+        targets = self.free.nearest(self.kinematics.pose(q), poses)
         moved = self._whole.refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
         limits = self.robot.limits
         inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
@@ -202,9 +208,12 @@ class Solver:
         """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""
         if self.form is None:
             return self._by_search(poses, owners, samples)
+        asked = poses, owners, samples
+        if self.free.names and self.free.only_axis is None:
+            every = np.arange(len(samples))
+            asked = self._targets(poses, owners, samples, every)[0], every, samples[:, : -len(self.free.names)]
         blocks = [
-            self._judged(q, source, *self._targets(poses, owners, samples, source))
-            for q, source in self._enumeration(poses, owners, samples)
+            self._judged(q, source, *self._targets(poses, owners, samples, source)) for q, source in self._enumeration(*asked)
         ]
         return _joined(blocks, self.robot.n)
 
@@ -212,9 +221,10 @@ class Solver:
         self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]
     ) -> tuple[Array, NDArray[np.int64]]:
         """Poses (p, 4, 4), and the index (k,) of the one that each row must reach."""
-        if self.axis is None:
+        if not self.free.names:
             return poses, owners[source]
-        return poses[owners[source]] @ turns_about(self.axis, samples[source, -1]), np.arange(len(source))
+        values = samples[source, -len(self.free.names) :]
+        return self.free.poses(poses[owners[source]], values), np.arange(len(source))
 
     def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""
@@ -268,15 +278,6 @@ def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None)
     return Enumeration(form, robot.limits.lower, robot.limits.upper, None if axis is None else np.array(axis))
 
 
-def turns_about(axis: Array, angles: Array) -> Array:
-    """Rotations (k, 4, 4) about a tool's axis (3,) by angles (k,)."""
-    from scipy.spatial.transform import Rotation
-
-    turns = np.tile(np.eye(4), (len(angles), 1, 1))
-    turns[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * axis).as_matrix()
-    return turns
-
-
 def spare(robot: Robot) -> int:
     """Degree of redundancy: number of joints beyond those that the arm's poses need."""
     q = robot.random_configuration(np.random.default_rng(0), size=5)
@@ -292,24 +293,6 @@ def _check_limits(robot: Robot) -> None:
         k = int(half.argmax())
         wanted = "limits on both sides; revolute joints may have none at all"
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
-
-
-def _tool_axis(task: Task, robot: Robot) -> Array | None:
-    """The tool axis about which the task leaves it free; raises InvalidInputError for a task that is not a pose."""
-    if robot.planar and task == Task.planar():
-        return np.array([0.0, 0.0, 1.0])
-    if task.relative_to is not None:
-        raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
-    rows = [*task.world_rows, *task.tool_rows]
-    moves = np.array([row[:3] for row in rows])
-    position = int(np.linalg.matrix_rank(moves))
-    if position == 3 and task.rows == 6:
-        return None
-    axis = task.free_axis if position == 3 and task.rows == 5 else None
-    if axis is None:
-        wanted = "Task.pose(), or Task.pointing(axis)" + (", or Task.planar()" if robot.planar else "")
-        raise InvalidInputError("task", task.name, f"{wanted}: solutions are enumerated for poses")
-    return axis
 
 
 def _joined(blocks: list[Found], n: int) -> Found:

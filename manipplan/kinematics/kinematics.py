@@ -25,6 +25,7 @@ from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNa
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import SymbolicChain
+from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
 from manipplan.symbolic.relative import Seen, task_rows
 from manipplan.symbolic.task import Task
@@ -156,6 +157,11 @@ class Kinematics:
     def is_square(self) -> bool:
         """Whether the arm has as many joints as the task has rows."""
         return self.task.rows == self.robot.n and not self.measure.over_tools
+
+    @property
+    def free_motion(self) -> FreeMotion:
+        """What the task leaves free of a pose; raises InvalidInputError for a task whose rows do not fix a set of poses."""
+        return FreeMotion.of(self.task, planar=self.robot.planar)
 
     def __reduce__(self) -> tuple[object, ...]:
         return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)

@@ -9,6 +9,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 
 #: Number of poses on the path, and weight of an angle in the search for the nearest of them [m/rad].
 POSES = 2001
@@ -46,42 +47,49 @@ class Deviation:
         return f"at most {1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° from the path"
 
 
-def deviation_from(path: CartesianPath, poses: Array, axis: Array | None = None) -> Deviation:
-    """Deviation of tool poses (k, 4, 4) from a path, regardless of time; only the direction of `axis` (3,) counts if given."""
-    return _largest(*deviations(path, poses, axis))
+def deviation_from(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) -> Deviation:
+    """Deviation of tool poses (k, 4, 4) from a path, regardless of time, but for what is free."""
+    return _largest(*deviations(path, poses, free))
 
 
-def deviations(path: CartesianPath, poses: Array, axis: Array | None = None) -> tuple[Array, Array]:
+def deviations(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
     Each pose is compared with the nearest of 2000 pieces of the path.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
-    return distances_from(path.sample(POSES), poses, axis)
+    return distances_from(path.sample(POSES), poses, free)
 
 
-def distances_from(line: Array, poses: Array, axis: Array | None = None) -> tuple[Array, Array]:
+def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
-        pieces = [np.clip(k + side, 0, len(line) - 2) for k in _nearest(some, line, axis) for side in (-1, 0)]
-        found = np.array([_from_piece(some, line[k], line[k + 1], axis) for k in pieces])  # (4, 2, …)
+        pieces = [np.clip(k + side, 0, len(line) - 2) for k in _nearest(some, line, free) for side in (-1, 0)]
+        found = np.array([_from_piece(some, line[k], line[k + 1], free) for k in pieces])  # (4, 2, …)
         best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
         position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = found[best, :, np.arange(len(some))].T
     return position, rotation
 
 
-def _nearest(poses: Array, line: Array, axis: Array | None) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The nearest of the poses (m, 4, 4) on a path to each of poses (k, 4, 4), and the next one not beside it; (k,) each.
 
     Where a path closes or meets itself, rounding decides which of the two is nearer.
     """
     middle = line[:, :3, 3].mean(axis=0)  # the squares of small vectors lose fewer digits
-    squares = _squares(poses[:, :3, 3] - middle, line[:, :3, 3] - middle)
-    turns = [each[:, :3, :3].reshape(-1, 9) if axis is None else each[:, :3, :3] @ axis for each in (poses, line)]
-    chords = _squares(*turns) / (8.0 if axis is None else 4.0 * float(axis @ axis))  # sin² of half the angle
+    there, here = poses[:, :3, 3] - middle, line[:, :3, 3] - middle
+    if free.in_tool:
+        fixed = free.fixed_directions @ np.swapaxes(line[:, :3, :3], 1, 2)  # (m, c, 3)
+        apart = np.einsum("mci,ki->kmc", fixed, there) - np.einsum("mci,mi->mc", fixed, here)
+        squares = (apart**2).sum(axis=2)
+    else:
+        fixed = free.fixed_directions
+        squares = _squares(there @ fixed.T, here @ fixed.T)
+    chords = _squares(*(free.directions(each[:, :3, :3]) for each in (poses, line)))
+    chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
     apart = np.sqrt(squares) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
     first, rows = apart.argmin(axis=1), np.arange(len(apart))
     for side in (-1, 0, 1):
@@ -95,11 +103,16 @@ def _squares(first: Array, second: Array) -> Array:
     return np.asarray(np.maximum(squares, 0.0))
 
 
-def deviation_at(path: CartesianPath, s: Array, poses: Array, axis: Array | None = None) -> Deviation:
+def deviation_at(path: CartesianPath, s: Array, poses: Array, free: FreeMotion = NOTHING) -> Deviation:
     """Deviation of tool poses (k, 4, 4) from those of a path at s (k,): small only if all of the path is followed, in order."""
-    targets = path(s)
-    position = np.linalg.norm(poses[:, :3, 3] - targets[:, :3, 3], axis=1)
-    return _largest(position, angles_between(poses[:, :3, :3], targets[:, :3, :3], axis))
+    return _largest(*distances_between(poses, path(s), free))
+
+
+def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from others (k, 4, 4)."""
+    rotations = others[:, :3, :3]
+    position = np.linalg.norm(free.offsets(poses[:, :3, 3] - others[:, :3, 3], rotations), axis=1)
+    return position, _angles(poses[:, :3, :3], rotations, free)
 
 
 def _largest(position: Array, rotation: Array) -> Deviation:
@@ -113,20 +126,36 @@ def _largest(position: Array, rotation: Array) -> Deviation:
     )
 
 
-def _from_piece(poses: Array, begins: Array, ends: Array, axis: Array | None) -> tuple[Array, Array]:
+def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion) -> tuple[Array, Array]:
     """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses."""
     from scipy.spatial.transform import Rotation
 
-    along = ends[:, :3, 3] - begins[:, :3, 3]
-    turn = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ ends[:, :3, :3]).as_rotvec()
-    offset = poses[:, :3, 3] - begins[:, :3, 3]
-    leaning = Rotation.from_matrix(np.swapaxes(begins[:, :3, :3], 1, 2) @ poses[:, :3, :3]).as_rotvec()
-    turns, leans = (turn, leaning) if axis is None else ((each[:, :3, :3] - begins[:, :3, :3]) @ axis for each in (ends, poses))
+    start = begins[:, :3, :3]
+    along, offset = ends[:, :3, 3] - begins[:, :3, 3], poses[:, :3, 3] - begins[:, :3, 3]
+    turn = Rotation.from_matrix(np.swapaxes(start, 1, 2) @ ends[:, :3, :3]).as_rotvec()
+    if free.in_tool:  # the directions of free shifts turn along the piece
+        along = along + np.cross((start @ turn[:, :, None])[:, :, 0], offset)
+    along, offset = free.offsets(along, start), free.offsets(offset, start)
+    if free.turns is Turns.NONE:
+        turns, leans = turn, Rotation.from_matrix(np.swapaxes(start, 1, 2) @ poses[:, :3, :3]).as_rotvec()
+    else:
+        turns, leans = (free.directions(each[:, :3, :3]) - free.directions(start) for each in (ends, poses))
     length = (along**2).sum(axis=1) + RADIAN**2 * (turns**2).sum(axis=1)
     share = (offset * along).sum(axis=1) + RADIAN**2 * (leans * turns).sum(axis=1)
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
-    rotations = begins[:, :3, :3] @ Rotation.from_rotvec(share * turn).as_matrix()
-    return np.linalg.norm(offset - share * along, axis=1), angles_between(poses[:, :3, :3], rotations, axis)
+    rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
+    return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, free)
+
+
+def _angles(first: Array, second: Array, free: FreeMotion) -> Array:
+    """Angles (k,) between rotations (k, 3, 3), as far as they count."""
+    if free.turns is Turns.ANY:
+        return np.zeros(len(first))
+    if free.turns is Turns.NONE:
+        return angles_between(first, second)
+    if free.turns is Turns.WORLD_AXIS:
+        first, second = (np.swapaxes(each, 1, 2) for each in (first, second))
+    return angles_between(first, second, free.axis)
 
 
 def angles_between(first: Array, second: Array, axis: Array | None = None) -> Array:

@@ -16,6 +16,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
 from manipplan.symbolic.chain import Placement
+from manipplan.symbolic.free_motion import Turns, complement
 
 #: Number of linear distance rows per position.
 ROWS = 4
@@ -128,23 +129,24 @@ class LevelProgram:
 def pose_error(kinematics: Kinematics) -> ca.Function:
     """Error of the tool at q (n,) to a pose (16,), column by column: position [m], then sines of angles; smooth.
 
-    Three angles about the pose's axes, or two perpendicular to the tool axis about which it may turn; one for a planar arm.
+    Of the position what the task fixes. Three angles about the pose's axes, one for a planar arm; where the tool may turn about
+    one axis, two perpendicular to it; none where it may turn at all.
     """
-    chain, task = kinematics.symbolic.chain, kinematics.task
+    chain, free, planar = kinematics.symbolic.chain, kinematics.free_motion, kinematics.robot.planar
     pose = ca.SX.sym("pose", 16)
     matrix = ca.reshape(pose, 4, 4)
     target, tool = Placement(rotation=matrix[:3, :3], origin=matrix[:3, 3]), chain.tool
     turned = target.rotation.T @ tool.rotation
     position = tool.origin - target.origin
+    if free.in_tool:
+        position = target.rotation.T @ position
     skew = ca.vertcat(turned[2, 1] - turned[1, 2], turned[0, 2] - turned[2, 0], turned[1, 0] - turned[0, 1]) / 2
-    axis = task.free_axis
-    if kinematics.robot.planar:
-        rows = [position[:2]] if task.rows == 2 else [position[:2], skew[2]]
-    elif axis is not None:
-        across = np.linalg.svd(axis[None, :])[2][1:]
-        rows = [position, ca.DM(across) @ (turned @ ca.DM(axis))]
-    else:
-        rows = [position, skew]
+    rows = [ca.DM(complement(np.vstack([free.shifts, np.eye(3)[2:]])) if planar else free.fixed_directions) @ position]
+    if free.turns is Turns.NONE:
+        rows.append(skew[2] if planar else skew)
+    elif free.turns is not Turns.ANY and not planar:
+        turn = turned if free.turns is Turns.TOOL_AXIS else tool.rotation @ target.rotation.T
+        rows.append(ca.DM(np.linalg.svd(free.axis[None, :])[2][1:]) @ (turn @ ca.DM(free.axis)))
     return ca.Function("pose_error", [chain.q, pose], [ca.densify(ca.vertcat(*rows))])
 
 
@@ -154,14 +156,14 @@ class PoseRows:
     def __init__(self, kinematics: Kinematics) -> None:
         self.error = pose_error(kinematics)
         self.count = int(self.error.size1_out(0))
-        self._planar = kinematics.robot.planar
+        self._moves = len(kinematics.free_motion.fixed_directions) - kinematics.robot.planar
 
     def box(self, tolerance: Tolerance | None) -> Array:
         """Half widths (rows,) of the box inside the ball of a tolerance [m, or sine of an angle]; zeros without a tolerance."""
         rows = np.zeros(self.count)
         if tolerance is not None:
-            moves = 2 if self._planar else 3
-            if tolerance.position is not None:
+            moves = self._moves
+            if tolerance.position is not None and moves:
                 rows[:moves] = tolerance.position / np.sqrt(moves)
             if tolerance.rotation is not None and self.count > moves:
                 rows[moves:] = np.sin(min(tolerance.rotation, np.pi / 2)) / np.sqrt(self.count - moves)
@@ -206,7 +208,7 @@ def joint_path(
         middle = (s[wide] + s[wide + 1]) / 2
         s = np.insert(s, wide + 1, middle)
         between, targets = joints(middle), path(middle)
-        if tube is not None and solver.axis is None:
+        if tube is not None and not solver.free.names:
             targets = _into(tube, targets, solver.kinematics.pose(between))
         q = np.insert(q, wide + 1, solver.onto(between, targets, inside=INSIDE / 2), axis=0)
     return JointPath.spline(s, q, closed=closed)

@@ -19,8 +19,9 @@ from manipplan.support.progress import Progress, teller
 if TYPE_CHECKING:
     from manipplan.search.candidates.sampler import CandidateSampler
 
-#: Number of values per parameter around the current path, and the factor on their spread from round to round.
-AROUND, CLOSER = 5, 0.4
+#: Number of values per parameter around the current path, for one, two, three and more parameters, and the factor on their
+#: spread from round to round.
+AROUND, CLOSER = (5, 5, 3), 0.4
 #: Largest and smallest trust region of the program [rad or m], and the factors by which it changes.
 TRUST, LEAST_TRUST = 0.3, 1e-4
 SHRINK, GROW = 0.35, 2.0
@@ -179,7 +180,8 @@ class _Refiner:
         if parameters.shape[1] == 0:
             return q
         spread = float(width.max())
-        offsets = np.array(list(product(np.linspace(-spread, spread, AROUND), repeat=parameters.shape[1])))
+        around = np.linspace(-spread, spread, AROUND[min(parameters.shape[1], len(AROUND)) - 1])
+        offsets = np.array(list(product(around, repeat=parameters.shape[1])))
         sets, values = [], []
         for k, pose in enumerate(self.poses):
             near, m, _ = self.sampler.sample(pose, parameters[k] + offsets)

@@ -11,6 +11,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path
@@ -117,7 +118,7 @@ def _over_time(motion: Any) -> tuple[Array, Array, Array]:
         raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
     t = np.linspace(motion.path_begin, trajectory.duration, TIMES)
     poses = motion.robot.kinematics().pose(trajectory(t))
-    distances = deviations(workspace_path, poses, motion.result.task.free_axis)
+    distances = deviations(workspace_path, poses, FreeMotion.of(motion.result.task, planar=motion.robot.planar))
     for begin, end in motion.off_path:
         for values in distances:
             values[(t > begin) & (t < end)] = np.nan

@@ -151,6 +151,12 @@ def follow_arguments(six_file, seam, folder, **changes):
 
 
 @pytest.mark.slow
+def test_follow_the_position_only(six_file, seam, tmp_path, capsys):
+    assert main(follow_arguments(six_file, seam, tmp_path / "out", only=["position"])) == 0
+    assert "task position: all checks passed" in capsys.readouterr().out
+
+
+@pytest.mark.slow
 def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
     assert main(follow_arguments(six_file, seam, tmp_path / "out")) == 0
     shown = capsys.readouterr()
@@ -180,6 +186,7 @@ def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
         ({"samples": ["0"]}, 2, "samples: got 0"),
         ({"samples": ["3", "3", "3"]}, 2, "samples: got"),
         ({"pointing": ["0", "0", "0"]}, 2, "axis"),
+        ({"pointing": ["0", "0", "1"], "only": ["position"]}, 2, "only: got 'position'"),
         ({"closed": []}, 2, "the path's last pose is not its first"),
         ({"out": ["/proc/nowhere"]}, 2, "out: got '/proc/nowhere'"),
     ],

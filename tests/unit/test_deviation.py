@@ -7,6 +7,7 @@ import pytest
 import manipplan as mp
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_at, deviation_from
+from manipplan.symbolic.free_motion import FreeMotion
 
 RNG = np.random.default_rng(7)
 START = pin.SE3(pin.rpy.rpyToMatrix(0.4, -0.3, 1.1), np.array([0.4, -0.1, 0.3])).homogeneous
@@ -67,22 +68,26 @@ def test_the_angle_is_right_up_to_half_a_turn():
         assert deviation_from(still, turned(still([0.5]), [0, angle, 0])).rotation == pytest.approx(angle, abs=1e-7)
 
 
+def pointing(axis):
+    return FreeMotion.of(mp.Task.pointing(axis))
+
+
 def test_a_pointing_tool_may_turn_about_its_axis_and_no_other():
     axis = np.array([0.6, 0.0, 0.8])
     s = np.linspace(0, 1, 50)
     spun = np.array([turned(pose, angle * axis) for pose, angle in zip(LINE(s), 5 * s, strict=True)])
     assert deviation_from(LINE, spun).rotation > 2
-    found = deviation_from(LINE, spun, axis)
+    found = deviation_from(LINE, spun, pointing(axis))
     assert found.rotation < 1e-6 and found.position < 1e-9
     leaning = np.array([turned(pose, 0.02 * np.array([0.0, 1.0, 0.0])) for pose in spun])
-    assert 0.01 < deviation_from(LINE, leaning, axis).rotation < 0.021
+    assert 0.01 < deviation_from(LINE, leaning, pointing(axis)).rotation < 0.021
 
 
 def test_a_path_that_turns_about_the_pointing_axis_leaves_no_bias():
     """Pieces whose turn does not count have to be divided by their length alone: a share of it once made 0.1 mm of nothing."""
     circle = CartesianPath.circle(START, START[:3, 3] + [0.0, 0.1, 0.0], [0, 0, 1], turning=True)
     axis = START[:3, :3].T @ [0, 0, 1.0]
-    found = deviation_from(circle, circle(RNG.uniform(size=400)), axis)
+    found = deviation_from(circle, circle(RNG.uniform(size=400)), pointing(axis))
     assert found.position < 2e-7
     assert found.rotation < 1e-6
 
@@ -91,7 +96,7 @@ def test_a_path_of_rotation_alone():
     spin = CartesianPath.line(START, turned(START, [0, 0, 1.5]))
     s = RNG.uniform(size=100)
     assert deviation_from(spin, spin(s)).rotation < 1e-7
-    assert deviation_from(spin, spin(s), np.array([1.0, 0, 0])).rotation < 1e-6
+    assert deviation_from(spin, spin(s), pointing([1.0, 0, 0])).rotation < 1e-6
     off = deviation_from(spin, turned(spin(s), [0.1, 0, 0]))
     assert 0.05 < off.rotation < 0.1 + 1e-9
     assert off.position < 1e-12

@@ -130,6 +130,53 @@ def test_a_seam_whose_torch_may_turn(panda, start, line):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("task", "fixed"),
+    [
+        (mp.Task.position(), np.eye(3)),
+        (mp.Task.custom(np.eye(6)[[0, 1, 3, 4, 5]], name="height free"), np.eye(3)[:2]),
+        (mp.Task.planar(), np.eye(3)[:2]),
+    ],
+    ids=["position", "height free", "planar"],
+)
+def test_rows_that_a_task_leaves_free_are_used(panda, start, line, task, fixed):
+    """Pinocchio judges what is fixed; the manipulability is above that of the same path with whole poses."""
+    plan = mp.follow(panda, line, positions=6, objective=mp.PathObjective(task=task))
+    assert plan.report.passed and plan.report.task == task.name
+    t = np.linspace(0.0, plan.trajectory.duration, 400)
+    data, frame = panda.model.createData(), panda.model.getFrameId(panda.tool)
+    poses = []
+    for q in plan.trajectory(t):
+        pin.framesForwardKinematics(panda.model, data, q)
+        poses.append(data.oMf[frame].homogeneous.copy())
+    poses = np.array(poses)
+    way = fixed @ (line.end - line.start)[:3, 3]
+    off = (poses[:, :3, 3] - line.start[:3, 3]) @ fixed.T
+    share = off @ way / (way @ way)
+    assert np.linalg.norm(off - share[:, None] * way, axis=1).max() < BETWEEN[0]
+    assert abs(share[0]) < 1e-6 and abs(share[-1] - 1) < 1e-6 and np.diff(share).min() > -1e-6
+    if task.name == "height free":
+        assert angles(poses[:, :3, :3], start[:3, :3]).max() < BETWEEN[1]
+    free = np.abs(poses - line(np.linspace(0, 1, 400)))
+    assert free.max() > 0.02
+    whole = mp.follow(panda, line, positions=6)
+    minimum = panda.kinematics(task).manipulability(whole.trajectory(t)).min()
+    assert plan.report.min_manipulability > 1.02 * minimum
+
+
+def test_a_task_that_fixes_no_poses_is_refused_at_once(panda, line):
+    with pytest.raises(mp.InvalidInputError, match="task: got 'rotation'"):
+        mp.follow(panda, line, objective=mp.PathObjective(task=mp.Task.rotation([0, 0, 1])))
+
+
+def test_an_arm_of_five_joints_follows_whole_poses_only():
+    arm = mp.load_robot("so100")
+    path = CartesianPath.through(arm.kinematics().pose(np.linspace(arm.neutral, arm.neutral + 0.3, 4)))
+    with pytest.raises(mp.InvalidInputError, match="task: got 'position'; allowed: a task that fixes whole poses: 5 joints"):
+        mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.position()))
+
+
+@pytest.mark.slow
 def test_a_seam_on_a_cylinder_with_a_turning_torch(panda, start):
     """The path itself turns about the free axis: that part of its rotation neither counts nor misleads."""
     centre = moved(start, [0, 0.1, 0])[:3, 3]
@@ -343,7 +390,7 @@ def test_limits_that_gravity_exceeds(panda, line):
         ({"objective": 1.0}, "objective: got 1.0; allowed: a PathObjective"),
         ({"objective": None}, "objective: got None; allowed: a PathObjective"),
         ({"objective": {"task": "pose"}}, "task: got 'pose'"),
-        ({"objective": {"task": mp.Task.orientation()}}, "task: got 'orientation'"),
+        ({"objective": {"task": mp.Task.rotation([0, 0, 1])}}, "task: got 'rotation'"),
         ({"samples": 0}, "samples: got 0"),
         ({"samples": "all"}, "samples: got 'all'"),
         ({"samples": (10, 10)}, "samples: .*one for each of"),

@@ -269,6 +269,24 @@ def test_a_planar_arm_reaches_the_position_at_each_rotation(planar, rng):
         assert np.abs(pose_of(planar, each)[:3, 3] - pose[:3, 3]).max() <= 1e-10
 
 
+@pytest.mark.parametrize(
+    ("task", "names", "fixed"),
+    [
+        (mp.Task.position(), ("azimuth", "tilt", "tool rotation"), (slice(0, 3), slice(3, 4))),
+        (mp.Task.planar(), ("shift along (0, 0, 1)", "azimuth", "tilt", "tool rotation"), (slice(0, 2), slice(3, 4))),
+        (mp.Task.custom(np.eye(6)[[0, 1, 3, 4, 5]]), ("shift along (0, 0, 1)",), (slice(0, 2), slice(0, 4))),
+    ],
+    ids=["position", "position in the plane", "height free"],
+)
+def test_a_free_motion_of_the_tool_is_sampled(ur5, rng, task, names, fixed):
+    pose = pose_of(ur5, rng.uniform(-1, 1, 6))
+    found = mp.inverse_kinematics(ur5, pose, task=task, samples=4, turns=False)
+    assert found.parameter_names == names and len(found) > 4
+    reached = np.array([pose_of(ur5, q) for q in found.q])
+    assert np.abs((reached - pose)[:, fixed[0], fixed[1]]).max() <= 1e-10
+    assert np.linalg.norm(reached - pose, axis=(1, 2)).max() > 0.1
+
+
 def test_held_joints_of_a_long_planar_arm():
     arm = mp.planar_arm([0.5] * 8)
     q = np.linspace(0.1, 0.8, 8)
@@ -468,7 +486,7 @@ def test_matrices_that_are_no_pose(panda, kind):
         ({"held": []}, r"^held: .*allowed: 1 different joints"),
         ({"held": "panda_joint7"}, r"^held: .*allowed: a list of joint names"),
         ({"held": [7]}, r"^held: .*allowed: a list of joint names"),
-        ({"task": mp.Task.position()}, r"^task: .*allowed: Task.pose\(\), or Task.pointing"),
+        ({"task": mp.Task.rotation([0, 0, 1])}, r"^task: got 'rotation'; allowed: rotations that are fixed, free, or"),
         ({"task": "pose"}, r"^task: .*allowed: a Task"),
         ({"method": "closed_form"}, r"^method: .*did you mean closed-form"),
         ({"turns": "no"}, "^turns: got 'no'"),

@@ -359,7 +359,7 @@ def test_a_pose_with_nan_is_refused(planar):
         ({"scene": "scene.yaml"}, "scene: got 'scene.yaml'"),
         ({"seed": -1}, "seed: got -1"),
         ({"task": "pose"}, "task: got 'pose'"),
-        ({"task": mp.Task.position()}, "task: got 'position'"),
+        ({"task": mp.Task.rotation([0, 0, 1])}, "task: got 'rotation'"),
         ({"measure": "yoshikava"}, "did you mean yoshikawa"),
         ({"method": "magic"}, "method: got 'magic'"),
         ({"held": ["elbow"]}, "held"),

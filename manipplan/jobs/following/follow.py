@@ -153,8 +153,9 @@ def follow(
             and the way back to where it began counts as one.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
             z-axis, or a vector (3,) in the tool frame; 0 for none.
-        objective: its task, Task.pose() by default or Task.pointing(axis), and its measure define the manipulability whose
-            minimum is maximised; power and metric only count in the g that is reported.
+        objective: its task and its measure define the manipulability whose minimum is maximised; power and metric only count in
+            the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
+            leave a motion of the tool free.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
         samples: number of grid points of the redundancy; see `sample_layers`. None: its default, and ten times as many on
             an arm with one degree of redundancy if nothing connects and they give at most 20 million candidates.

@@ -12,7 +12,7 @@ from manipplan.jobs.following.parts import FoundPart
 from manipplan.jobs.following.transit import Transit, TransitPlanner
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.reports.tool import tool_axis, tool_distances
+from manipplan.jobs.reports.tool import tool_distances
 from manipplan.jobs.result import PartialPlan, Plan, finish
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult, make_result
@@ -44,7 +44,7 @@ class Leg:
         """By how much the course misses poses of the path, the given ones among them, in their order; "" for none."""
         path = self.part.finder.path
         s = np.union1d(PLACES, path.knots)
-        return deviation_at(path, s, kinematics.pose(self.course.path(s)), tool_axis(kinematics)).excess(tolerance, "path")
+        return deviation_at(path, s, kinematics.pose(self.course.path(s)), kinematics.free_motion).excess(tolerance, "path")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

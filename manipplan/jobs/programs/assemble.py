@@ -210,10 +210,11 @@ def _off_paths(
         if motion.workspace_path is None:
             continue
         assert motion.task is not None and motion.tolerance is not None
-        pose, axis = motion.state.robot.kinematics(motion.task).pose, motion.task.free_axis
+        kinematics = motion.state.robot.kinematics(motion.task)
+        pose, free = kinematics.pose, kinematics.free_motion
         s, timed = np.linspace(low, high, PLACES), trajectory(np.linspace(begin, end, PLACES))
-        fault = deviation_from(motion.workspace_path, pose(timed), axis).excess(motion.tolerance, "time") or deviation_at(
-            motion.workspace_path, s, pose(motion.path(s)), axis
+        fault = deviation_from(motion.workspace_path, pose(timed), free).excess(motion.tolerance, "time") or deviation_at(
+            motion.workspace_path, s, pose(motion.path(s)), free
         ).excess(motion.tolerance, "path")
         if fault:
             faults.append(f"steps[{motion.step}]: {fault}")

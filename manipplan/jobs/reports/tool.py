@@ -7,21 +7,13 @@ import numpy as np
 from manipplan.jobs.reports.along import PathPart
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation, angles_between, deviations, distances_from
+from manipplan.paths.deviation import Deviation, deviations, distances_between, distances_from
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
-from manipplan.symbolic.task import Task
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
 #: evenly spaced poses of the path that the tool has to come past, beside those through which it was laid.
 STEP, LEAST, POSES = 2e-3, 1500, 2001
-
-
-def tool_axis(kinematics: Kinematics) -> Array | None:
-    """The tool axis (3,) about which the task leaves the tool free; None for none."""
-    if kinematics.robot.planar and kinematics.task == Task.planar():
-        return np.array([0.0, 0.0, 1.0])
-    return kinematics.task.free_axis
 
 
 def tool_distances(
@@ -30,27 +22,26 @@ def tool_distances(
     """The largest distances of the tool from a workspace path, and of the path's poses from where the tool comes past.
 
     `..._at` is s of the joint path, and s of the workspace path. The first and the last pose of each part are compared with
-    those of the motion: a tool that stops early, or goes backwards, misses one. Of a free tool axis only the direction counts.
+    those of the motion: a tool that stops early, or goes backwards, misses one. What the task leaves free does not count.
 
     Args:
         path: the motion over its time, in shares of the duration [s].
         kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
     """
-    axis, fine = tool_axis(kinematics), path.fine_samples(STEP)
+    free, fine = kinematics.free_motion, path.fine_samples(STEP)
     parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed = [], []
     for part in parts:
         begin, end = part.begin / duration, min(part.end / duration, 1.0)
         s = np.union1d(np.linspace(begin, end, LEAST // len(parts)), fine[(fine > begin) & (fine < end)])
         way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
-        left.append((s, *deviations(stretch, way, axis)))
+        left.append((s, *deviations(stretch, way, free)))
         places = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
         poses = stretch(places)
-        position, rotation = distances_from(way, poses, axis)
+        position, rotation = distances_from(way, poses, free)
         ends = [0, -1]
-        position[ends] = np.linalg.norm(way[ends, :3, 3] - poses[ends, :3, 3], axis=1)
-        rotation[ends] = angles_between(way[ends, :3, :3], poses[ends, :3, :3], axis)
+        position[ends], rotation[ends] = distances_between(way[ends], poses[ends], free)
         missed.append((part.s_begin + places * (part.s_end - part.s_begin), position, rotation))
     return _largest(left), _largest(missed)
 

@@ -7,14 +7,13 @@ from functools import lru_cache
 import numpy as np
 
 from manipplan.ik.enumeration import CHUNK
-from manipplan.ik.newton import MovingArm
-from manipplan.ik.solver import Solver, turns_about
-from manipplan.paths.deviation import angles_between
+from manipplan.ik.solver import Solver
+from manipplan.paths.deviation import distances_between
 from manipplan.search.candidates.sampling import SamplingSpec
 from manipplan.support.checks import Array
 
-#: Number of random starts, and of steps per start, for the nearest miss of a pose.
-STARTS, STEPS = 60, 200
+#: Number of random starts for the nearest miss of a pose.
+STARTS = 40
 #: Maximum number of configurations whose distances are measured for a message.
 MEASURED = 2000
 #: Distance within which a joint counts as being at its limit [rad or m].
@@ -68,19 +67,24 @@ class CandidateSampler:
 
     def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
         """Smallest error to a pose over random starts [m, rad], and the joints that are at a limit there."""
+        from scipy.optimize import least_squares
+
+        from manipplan.search.program import PoseRows
+
         solver, robot = self.solver, self.spec.robot
-        rng = np.random.default_rng(0)
-        q = robot.random_configuration(rng, size=STARTS)
-        limits = robot.limits
-        targets = np.broadcast_to(pose, (STARTS, 4, 4))
-        if solver.axis is not None:
-            targets = pose @ turns_about(solver.axis, rng.uniform(-np.pi, np.pi, STARTS))
-        arm = MovingArm(solver.screws, np.ones(robot.n, dtype=np.bool_))
-        for k in range(STARTS):
-            q[k], _ = arm.search(q[k : k + 1], targets[k], limits.lower, limits.upper, steps=STEPS, tolerance=1e-9)
-        reached = solver.kinematics.pose(q)
-        far = np.linalg.norm(reached[:, :3, 3] - targets[:, :3, 3], axis=1)
-        angle = angles_between(reached[:, :3, :3], targets[:, :3, :3])
+        limits, rows, target = robot.limits, PoseRows(self.kinematics), pose[None]
+        slopes = rows.error.jacobian()
+
+        def errors(q: Array) -> Array:
+            return np.asarray(rows.errors(q[None], target)[0])
+
+        def jacobian(q: Array) -> Array:
+            return np.asarray(slopes(q, pose.T.ravel(), 0)[0])
+
+        options = {"bounds": (limits.lower, limits.upper), "xtol": 1e-12, "ftol": 1e-14, "gtol": 1e-14}
+        starts = robot.random_configuration(np.random.default_rng(0), size=STARTS)
+        q = np.array([least_squares(errors, start, jacobian, **options).x for start in starts])
+        far, angle = distances_between(solver.kinematics.pose(q), np.tile(pose, (STARTS, 1, 1)), solver.free)
         best = int(np.argmin(far**2 + angle**2))
         stopped = np.minimum(q[best] - limits.lower, limits.upper - q[best]) < AT_LIMIT
         names = [name for name, at in zip(robot.joint_names, stopped, strict=True) if at]

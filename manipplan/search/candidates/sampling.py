@@ -49,8 +49,10 @@ class SamplingSpec:
         return self.scene.collision_model(self.robot) if self.collisions else None
 
 
-#: Default number of samples per parameter, for one, two, three, ... parameters.
+#: Default number of samples per parameter, for one, two, three, ... parameters. For three and more it is smaller, but at least
+#: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
+FEWEST, ENOUGH = 5, 1e6
 #: Share of the machine's memory that candidates may take.
 MEMORY = 0.5
 #: Number of positions, and of samples at each, from which the number of candidates is estimated.
@@ -88,11 +90,12 @@ def sample_layers(
         path: of the tool.
         positions: number of positions, equally spaced in s, or their s (L,), from 0 to 1; with `closed`, the last one does not
             repeat the first.
-        task: Task.pose(), the default, or Task.pointing(axis), whose rotation about the axis is sampled as well. The
-            manipulability of candidates is that of this task.
+        task: Task.pose(), the default, or one that leaves a motion of the tool free, such as Task.pointing(axis) or
+            Task.position(); this is sampled as well. The manipulability of candidates is that of this task.
         measure: of manipulability; see `Robot.kinematics`.
-        samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel,
-            tool rotation). The grid steps have to be below the ε of the search.
+        samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel, free
+            motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
+            of the search. None: 720 for one parameter, 96 for two, for more as many as give about a million candidates.
         held, method, seed: as in `inverse_kinematics`.
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
@@ -136,15 +139,22 @@ def sample_layers(
     tell = teller(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     sampler = CandidateSampler(spec)
+    if robot.n < (3 if robot.planar else 6) and sampler.solver.free.names:
+        wanted = f"a task that fixes whole poses: {robot.n} joints reach none of the poses that are sampled of a free motion"
+        raise InvalidInputError("task", sampler.solver.task.name, wanted)
     n = count_positions(positions)
     _check_grid(sampler, n, samples, allowed)
     s = check_positions(positions, closed=closed)
-    values = sampler.solver.grid(samples, SAMPLES)
     poses = path(s)
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
         raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
-    _check_memory(sampler, poses, values, allowed)
+    values = sampler.solver.grid(samples, SAMPLES)
+    share = _share_found(sampler, poses, values)
+    if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
+        most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
+        values = sampler.solver.grid(max(most, FEWEST), SAMPLES)
+    _check_memory(sampler, n, values, share * len(values) * n, allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
         jobs = {run.submit(sampler.sample, pose, values): k for k, pose in enumerate(poses)}
@@ -200,17 +210,20 @@ def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int
             raise InvalidInputError(argument, value, wanted)
 
 
-def _check_memory(sampler: "CandidateSampler", poses: Array, values: Array, allowed: float) -> None:
-    """Raises InvalidInputError where the samples would give more candidates than fit into memory."""
+def _share_found(sampler: "CandidateSampler", poses: Array, values: Array) -> float:
+    """Number of candidates that one sample (s, r) gives in the mean, estimated from few."""
     rng = np.random.default_rng(0)
     some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
     few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
-    share = np.mean([len(sampler.sample(poses[k], some)[0]) / len(some) for k in few])
-    candidates = share * len(values) * len(poses)
+    return float(np.mean([len(sampler.sample(poses[k], some)[0]) / len(some) for k in few]))
+
+
+def _check_memory(sampler: "CandidateSampler", positions: int, values: Array, candidates: float, allowed: float) -> None:
+    """Raises InvalidInputError where the samples would give more candidates than fit into memory."""
     needed = candidates * 8 * (sampler.spec.robot.n + 1)
     if needed > allowed:
         wanted = f"fewer: about {candidates:.2g} candidates need {needed / 1e9:.2g} GB; memory allows {allowed / 1e9:.2g} GB"
-        raise InvalidInputError("samples", f"{len(values):,} at each of {len(poses)} positions", wanted)
+        raise InvalidInputError("samples", f"{len(values):,} at each of {positions} positions", wanted)
 
 
 def _machine_memory() -> float:

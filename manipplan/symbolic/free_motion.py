@@ -1,0 +1,211 @@
+"""FreeMotion: the motions of the tool that a task leaves free at a pose, so that a whole set of poses counts as that pose."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from manipplan.support.checks import Array
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
+
+#: Cosines and lengths below this are 0.
+SMALL = 1e-9
+
+
+class Turns(Enum):
+    """The free rotations of the tool."""
+
+    NONE = ()
+    TOOL_AXIS = ("tool rotation",)
+    WORLD_AXIS = ("rotation",)
+    ANY = ("azimuth", "tilt", "tool rotation")
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FreeMotion:
+    """The shifts and rotations that a task leaves free: `poses` and `values` are the set of poses that they give, and back.
+
+    A free rotation is about the tool's origin. Values of it are angles [rad]: from the pose to the tool about one axis, or from
+    the world to the tool as the Euler angles ZYZ. Values of shifts are [m]: coordinates of the origin in the world along their
+    directions, or shifts from the pose along the tool's.
+
+    Attributes:
+        shifts: (k, 3) orthonormal directions of free shifts.
+        in_tool: whether these are directions of the tool at the pose; otherwise of the world.
+        turns: the free rotations.
+        axis: (3,) unit vector, the axis of the free rotation, in the tool or in the world; zeros where there is not one.
+    """
+
+    shifts: Array
+    in_tool: bool
+    turns: Turns
+    axis: Array
+
+    @classmethod
+    def of(cls, task: Task, *, planar: bool = False) -> "FreeMotion":
+        """What a task leaves free. Raises InvalidInputError for a task whose rows do not fix a set of poses.
+
+        Args:
+            task: what of the tool's motion counts.
+            planar: whether the arm moves its tool in the x-y plane, turning it about z, only.
+        """
+        world, tool = task.matrices
+        for rows in (world, tool):
+            if (rows[:, :3].any(axis=1) & rows[:, 3:].any(axis=1)).any():
+                raise InvalidInputError("task", task.name, "rows that are each a direction or an axis, for poses of a path")
+        if planar:  # the arm itself fixes z and the tilt
+            turns_fixed = bool(world[:, 5].any() or tool[:, 5].any())
+            shifts, in_tool = _free_directions(task, np.vstack([world[:, :3], np.eye(3)[2]]), tool[:, :3])
+            turns, axis = (Turns.NONE, np.zeros(3)) if turns_fixed else (Turns.TOOL_AXIS, np.eye(3)[2])
+        else:
+            shifts, in_tool = _free_directions(task, world[:, :3], tool[:, :3])
+            turns, axis = _free_rotations(task, world[:, 3:], tool[:, 3:])
+        if in_tool and turns is not Turns.NONE:
+            along = shifts @ axis if turns is Turns.TOOL_AXIS else np.full(len(shifts), 0.5)
+            if not (np.abs(along) < SMALL).all() and not (len(shifts) == 1 and abs(along[0]) > 1 - SMALL):
+                wanted = "shifts that are free along or across the tool axis about which it turns freely, or in the world"
+                raise InvalidInputError("task", task.name, wanted)
+        return cls(shifts=shifts, in_tool=in_tool, turns=turns, axis=axis)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the values."""
+        return (*(f"shift along ({', '.join(f'{x:.3g}' for x in each)})" for each in self.shifts), *self.turns.value)
+
+    @property
+    def only_axis(self) -> Array | None:
+        """The tool axis (3,) where a rotation about it is all that is free."""
+        return self.axis if self.turns is Turns.TOOL_AXIS and not len(self.shifts) else None
+
+    @property
+    def fixed_directions(self) -> Array:
+        """Orthonormal directions (3 - k, 3) along which the tool's position is fixed."""
+        return complement(self.shifts)
+
+    def line(self, value: int, count: int, positions: Array) -> Array:
+        """A grid of one value, (count,): around the circle, evenly over the sphere, or over where a tool is at (k, 3) [m]."""
+        if value >= len(self.shifts):
+            if self.turns is Turns.ANY and value == len(self.shifts) + 1:
+                return np.arccos(1.0 - (2.0 * np.arange(count) + 1.0) / count)
+            return -np.pi + 2 * np.pi * np.arange(count) / count
+        if self.in_tool:
+            largest = float(np.linalg.norm(np.ptp(positions, axis=0)))
+            lower, upper = -largest, largest
+        else:
+            along = positions @ self.shifts[value]
+            lower, upper = float(along.min()), float(along.max())
+        return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
+
+    def values(self, reached: Array, poses: Array) -> Array:
+        """The values (k, f) of tool poses reached (k, 4, 4) that count as poses (k, 4, 4)."""
+        from scipy.spatial.transform import Rotation
+
+        have, want = reached[:, :3, :3], poses[:, :3, :3]
+        there = reached[:, :3, 3]
+        if self.in_tool:
+            there = _turned(np.swapaxes(want, 1, 2), there - poses[:, :3, 3])
+        columns = [there @ self.shifts.T]
+        if self.turns is Turns.TOOL_AXIS:
+            columns.append((Rotation.from_matrix(np.swapaxes(want, 1, 2) @ have).as_rotvec() @ self.axis)[:, None])
+        elif self.turns is Turns.WORLD_AXIS:
+            columns.append((Rotation.from_matrix(have @ np.swapaxes(want, 1, 2)).as_rotvec() @ self.axis)[:, None])
+        elif self.turns is Turns.ANY:
+            columns.append(_euler(have))
+        return np.hstack(columns)
+
+    def poses(self, poses: Array, values: Array) -> Array:
+        """The poses (k, 4, 4) with values (k, f) that count as poses (k, 4, 4)."""
+        from scipy.spatial.transform import Rotation
+
+        moved, count = poses.copy(), len(self.shifts)
+        shift, angles = values[:, :count], values[:, count:]
+        if self.in_tool:
+            moved[:, :3, 3] += _turned(poses[:, :3, :3], shift @ self.shifts)
+        else:
+            moved[:, :3, 3] += (shift - poses[:, :3, 3] @ self.shifts.T) @ self.shifts
+        if self.turns is Turns.TOOL_AXIS:
+            moved[:, :3, :3] = poses[:, :3, :3] @ Rotation.from_rotvec(angles * self.axis).as_matrix()
+        elif self.turns is Turns.WORLD_AXIS:
+            moved[:, :3, :3] = Rotation.from_rotvec(angles * self.axis).as_matrix() @ poses[:, :3, :3]
+        elif self.turns is Turns.ANY:
+            moved[:, :3, :3] = Rotation.from_euler("ZYZ", angles).as_matrix()
+        return moved
+
+    def nearest(self, reached: Array, poses: Array) -> Array:
+        """The poses (k, 4, 4) that count as `poses` and are near tool poses reached (k, 4, 4)."""
+        return self.poses(poses, self.values(reached, poses)) if self.names else poses
+
+    def offsets(self, displacements: Array, rotations: Array) -> Array:
+        """What counts of displacements (k, 3) [m] from poses with rotations (k, 3, 3)."""
+        if not len(self.shifts):
+            return displacements
+        own = _turned(np.swapaxes(rotations, 1, 2), displacements) if self.in_tool else displacements
+        fixed = self.fixed_directions
+        counts = own @ fixed.T @ fixed
+        return _turned(rotations, counts) if self.in_tool else counts
+
+    def directions(self, rotations: Array) -> Array:
+        """What counts of rotations (..., 3, 3), as vectors (..., d) that are equal where the rotations count as equal."""
+        if self.turns is Turns.NONE:
+            return rotations.reshape(*rotations.shape[:-2], 9)
+        if self.turns is Turns.TOOL_AXIS:
+            return np.asarray(rotations @ self.axis)
+        if self.turns is Turns.WORLD_AXIS:
+            return np.asarray(np.swapaxes(rotations, -2, -1) @ self.axis)
+        return np.zeros((*rotations.shape[:-2], 1))
+
+
+def complement(rows: Array) -> Array:
+    """Orthonormal directions (3 - k, 3) across independent rows (k, 3)."""
+    return np.asarray(np.linalg.svd(rows)[2][len(rows) :]) if len(rows) else np.eye(3)
+
+
+#: Nothing is free: a pose is met as it is.
+NOTHING = FreeMotion(shifts=np.zeros((0, 3)), in_tool=False, turns=Turns.NONE, axis=np.zeros(3))
+
+
+def _free_directions(task: Task, world: Array, tool: Array) -> tuple[Array, bool]:
+    """Directions (k, 3) of free shifts for rows of the world (i, 3) and of the tool (j, 3), and whether they are the tool's."""
+    ranks = [int(np.linalg.matrix_rank(rows)) if len(rows) else 0 for rows in (world, tool)]
+    if max(ranks) == 3:
+        return np.zeros((0, 3)), False
+    if min(ranks):
+        raise InvalidInputError("task", task.name, "directions of the world or of the tool, not of both, for poses of a path")
+    if not max(ranks):
+        return np.eye(3), False
+    rows = world if ranks[0] else tool
+    return np.linalg.svd(rows)[2][max(ranks) :], bool(ranks[1])
+
+
+def _free_rotations(task: Task, world: Array, tool: Array) -> tuple[Turns, Array]:
+    """Free rotations for rows of the world (i, 3) and of the tool (j, 3), and their axis (3,), zeros for none."""
+    ranks = [int(np.linalg.matrix_rank(rows)) if len(rows) else 0 for rows in (world, tool)]
+    if max(ranks) == 3:
+        return Turns.NONE, np.zeros(3)
+    if not max(ranks):
+        return Turns.ANY, np.zeros(3)
+    if min(ranks) or max(ranks) == 1:
+        wanted = "rotations that are fixed, free, or free about one axis of the tool or of the world, for poses of a path"
+        raise InvalidInputError("task", task.name, wanted)
+    kind, rows = (Turns.WORLD_AXIS, world) if ranks[0] else (Turns.TOOL_AXIS, tool)
+    first, second = rows[rows.any(axis=1)][:2]
+    axis = np.linalg.svd(rows)[2][2]
+    return kind, axis if axis @ np.cross(first, second) >= 0 else -axis
+
+
+def _turned(rotations: Array, vectors: Array) -> Array:
+    """Rotations (k, 3, 3) applied to vectors (k, 3)."""
+    return np.asarray((rotations @ vectors[:, :, None])[:, :, 0])
+
+
+def _euler(rotations: Array) -> Array:
+    """Euler angles ZYZ (k, 3) of rotations (k, 3, 3); where only their sum counts, the first is it."""
+    r = rotations
+    tilt = np.arctan2(np.hypot(r[:, 0, 2], r[:, 1, 2]), r[:, 2, 2])
+    straight = np.sin(tilt) < SMALL
+    azimuth = np.where(straight, np.arctan2(-r[:, 0, 1], r[:, 1, 1]), np.arctan2(r[:, 1, 2], r[:, 0, 2]))
+    spin = np.where(straight, 0.0, np.arctan2(r[:, 2, 1], -r[:, 2, 0]))
+    return np.stack([azimuth, tilt, spin], axis=1)
