@@ -110,7 +110,7 @@ def inverse_kinematics(
 
     poses = pose_stack("pose", pose)
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
-    values, complete = solver.values(parameters, samples)
+    values, complete = solver.values(parameters, samples, poses)
     owners = np.repeat(np.arange(len(poses)), len(values))
     found = solver.solve(poses, owners, np.tile(values, (len(poses), 1)))
     keep = distinct(found.q, found.source)

@@ -16,6 +16,7 @@ from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.verify import residuals
+from manipplan.ik.window import window
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
@@ -148,8 +149,10 @@ class Solver:
         moves[list(self.held)] = False
         return MovingArm(self.screws, moves)
 
-    def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None) -> tuple[Array, Completeness]:
-        """Parameters (s, r): the given ones, or a grid."""
+    def values(
+        self, parameters: ArrayLike | None, samples: int | Sequence[int] | None, poses: Array
+    ) -> tuple[Array, Completeness]:
+        """Parameters (s, r): the given ones, or a grid for poses (p, 4, 4)."""
         r = len(self.names)
         if parameters is not None:
             if samples is not None:
@@ -158,20 +161,23 @@ class Solver:
                 "parameters", np.atleast_1d(np.asarray(parameters)), (r,) if np.ndim(parameters) < 2 else (None, r)
             )
             return np.atleast_2d(values), Completeness.EXACT
-        return self.grid(samples, SAMPLES), Completeness.TO_RESOLUTION if r else Completeness.EXACT
+        return self.grid(samples, SAMPLES, poses), Completeness.TO_RESOLUTION if r else Completeness.EXACT
 
-    def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int]) -> Array:
-        """A grid of parameters (s, r); `usual` has the default number of values per parameter, by number of parameters."""
-        counts = sample_counts(samples, self.names, usual)
-        return np.array(list(product(*(self._line(k, count) for k, count in enumerate(counts)))))
+    def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Array:
+        """A grid of parameters (s, r) for poses (p, 4, 4).
 
-    def _line(self, parameter: int, count: int) -> Array:
+        `usual` has the default number of values per parameter, by number of parameters.
+        """
+        counts, limits = sample_counts(samples, self.names, usual), window(self.robot, poses)
+        return np.array(list(product(*(self._line(k, count, limits) for k, count in enumerate(counts)))))
+
+    def _line(self, parameter: int, count: int, limits: tuple[Array, Array]) -> Array:
         """Values of one parameter: a joint's range with its ends, a full turn, or those of a free motion."""
         free = parameter - len(self.names) + len(self.free.names)
         if free >= 0:
             return self.free.line(free, count, self._positions)
         if parameter < len(self.held):
-            lower, upper = (float(limit[self.held[parameter]]) for limit in (self.robot.limits.lower, self.robot.limits.upper))
+            lower, upper = (float(limit[self.held[parameter]]) for limit in limits)
             if np.isfinite(lower):
                 return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
         return -np.pi + 2 * np.pi * np.arange(count) / count

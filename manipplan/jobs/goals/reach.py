@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.robot import Robot
@@ -62,9 +63,8 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
         return []
     kinematics = robot.kinematics(Task.pose(length=1.0), threads=1)
     count = int(np.clip(ALL_STARTS // len(goals), *STARTS))
-    starts = np.vstack([near, robot.neutral, robot.random_configuration(np.random.default_rng(0), size=count - 2)])
-    starts = np.where(held, near, starts)
-    q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
+    starts = [[near, robot.neutral, *random_near(robot, goal.matrix, np.random.default_rng(0), count - 2)] for goal in goals]
+    q, owners = np.where(held, near, np.concatenate(starts)), np.repeat(np.arange(len(goals)), count)
     missing = Missing.of(kinematics, goals)
     miss, counting = missing(owners, q)
     damping, rows = np.full(len(q), DAMPING), np.arange(len(q))

@@ -83,7 +83,7 @@ def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
         if solver.form is not None:
             most, fewest = SAMPLES, FEWEST[min(max(names, 1), len(FEWEST)) - 1]
         count = int(np.clip((most / total) ** (1 / max(names, 1)), fewest, MOST))
-        values = solver.grid(count, (count,))
+        values = solver.grid(count, (count,), poses)
         widths = np.ptp(values, axis=0) / max(count - 1, 1) if names else np.zeros(0)
         samples, sources = np.tile(values, (len(poses), 1)), np.repeat(np.arange(len(poses)), len(values))
         solved = solver.solve(poses, sources, samples)

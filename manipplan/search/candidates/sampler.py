@@ -8,6 +8,7 @@ import numpy as np
 
 from manipplan.ik.enumeration import CHUNK
 from manipplan.ik.solver import Solver
+from manipplan.ik.window import random_near
 from manipplan.paths.deviation import distances_between
 from manipplan.search.candidates.sampling import SamplingSpec
 from manipplan.support.checks import Array
@@ -82,7 +83,7 @@ class CandidateSampler:
             return np.asarray(slopes(q, pose.T.ravel(), 0)[0])
 
         options = {"bounds": (limits.lower, limits.upper), "xtol": 1e-12, "ftol": 1e-14, "gtol": 1e-14}
-        starts = robot.random_configuration(np.random.default_rng(0), size=STARTS)
+        starts = random_near(robot, pose, np.random.default_rng(0), STARTS)
         q = np.array([least_squares(errors, start, jacobian, **options).x for start in starts])
         far, angle = distances_between(solver.kinematics.pose(q), np.tile(pose, (STARTS, 1, 1)), solver.free)
         best = int(np.argmin(far**2 + angle**2))

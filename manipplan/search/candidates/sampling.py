@@ -149,11 +149,11 @@ def sample_layers(
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
         raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
-    values = sampler.solver.grid(samples, SAMPLES)
+    values = sampler.solver.grid(samples, SAMPLES, poses)
     share = _share_found(sampler, poses, values)
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
-        values = sampler.solver.grid(max(most, FEWEST), SAMPLES)
+        values = sampler.solver.grid(max(most, FEWEST), SAMPLES, poses)
     _check_memory(sampler, n, values, share * len(values) * n, allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))

@@ -1,0 +1,50 @@
+"""The values of leading slides at which an arm can reach poses: a base on rails can be far from most of what it reaches."""
+
+import numpy as np
+
+from manipplan.ik.geometry import Screws
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
+
+#: Number of random configurations that show how far the tool gets from the slides, and the factor on their largest distance.
+CONFIGURATIONS, FARTHER = 2000, 1.1
+
+
+def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
+    """Limits lower and upper (n,), in which leading prismatic joints are held near enough for one of poses (k, 4, 4)."""
+    lower, upper = robot.limits.lower.copy(), robot.limits.upper.copy()
+    directions, centre, radius = _reach(robot)
+    count = len(directions)
+    if count:
+        back = np.linalg.pinv(directions.T)
+        values = (poses[:, :3, 3] - centre) @ back.T
+        spread = radius * np.linalg.norm(back, axis=1)
+        lower[:count] = np.clip(values.min(axis=0) - spread, robot.limits.lower[:count], robot.limits.upper[:count])
+        upper[:count] = np.clip(values.max(axis=0) + spread, robot.limits.lower[:count], robot.limits.upper[:count])
+    return lower, upper
+
+
+def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int) -> Array:
+    """Random configurations (count, n) in the window of a pose (4, 4)."""
+    q = robot.random_configuration(rng, size=count)
+    lower, upper = window(robot, pose[None])
+    slides = len(_reach(robot)[0])
+    low, high = robot.limits.lower[:slides], robot.limits.upper[:slides]
+    q[:, :slides] = lower[:slides] + (q[:, :slides] - low) / (high - low) * (upper - lower)[:slides]
+    return q
+
+
+@once_per_owner
+def _reach(robot: Robot) -> tuple[Array, Array, float]:
+    """Directions (k, 3) of the leading slides, and the ball in which the tool is with them at 0: centre (3,) and radius [m]."""
+    screws = Screws.of(robot)
+    count = int(np.argmin(np.append(screws.slides, False)))
+    directions = screws.axes[:count]
+    if np.linalg.matrix_rank(directions) < count:
+        directions = directions[:0]  # slides in parallel can make up for each other
+    q = robot.random_configuration(np.random.default_rng(0), size=CONFIGURATIONS)
+    q[:, : len(directions)] = 0.0
+    places = robot.kinematics().pose(q)[:, :3, 3]
+    centre = places.mean(axis=0)
+    return directions, centre, FARTHER * float(np.linalg.norm(places - centre, axis=1).max())
