@@ -22,7 +22,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array
-from manipplan.support.display import Pictured, one_line
+from manipplan.support.display import Pictured, short
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.status import Status
@@ -33,8 +33,7 @@ if TYPE_CHECKING:
 Given = TypeVar("Given", bound="PartialPlan")
 
 
-@one_line
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class PartialPlan(Pictured):
     """What a job returns with throw=False when it ends before there is a trajectory: missing parts are None.
 
@@ -82,6 +81,10 @@ class PartialPlan(Pictured):
         )
         other = "none" if self.trajectory is None else f"a motion of {self.trajectory.duration:.4g} s"
         raise InvalidInputError("trajectory", other, wanted)
+
+    def __repr__(self) -> str:
+        told = short(self.message) if self.report is None else self.report.summary
+        return f"{type(self).__name__}({self.robot.name!r}, {self.status.name}, {told})"
 
     @property
     def path_begin(self) -> float:
@@ -168,8 +171,7 @@ class PartialPlan(Pictured):
         return self
 
 
-@one_line
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Plan(PartialPlan):
     """A motion with its path, its trajectory and its report; `status` tells whether the request was met.
 

@@ -28,7 +28,7 @@ RESOLUTION, MOST_SOLUTIONS = 80, 200
 
 def html_of(value: object) -> str:
     """A value's text and its picture; only the text where there is nothing to draw."""
-    text = f"<pre>{escape(str(value) if isinstance(value, Robot | SolutionSet) else repr(value))}</pre>"
+    text = f"<pre>{escape(_text(value))}</pre>"
     figure = _figure(value)
     if figure is None:
         return text
@@ -36,6 +36,12 @@ def html_of(value: object) -> str:
     figure.savefig(stream, format="png", dpi=RESOLUTION)
     data = base64.b64encode(stream.getvalue()).decode("ascii")
     return f'{text}<img alt="{escape(repr(value))}" src="data:image/png;base64,{data}">'
+
+
+def _text(value: object) -> str:
+    if isinstance(value, PartialPlan):
+        return f"{value.status.name}: {value.message}" if value.report is None else str(value.report)
+    return str(value) if isinstance(value, Robot | SolutionSet | Program) else repr(value)
 
 
 def _figure(value: object) -> Any:

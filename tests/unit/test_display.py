@@ -94,6 +94,14 @@ def test_notebooks_show_pictures(planar, panda):
         assert 3_000 < len(page.picture) < 300_000
 
 
+def test_a_plan_tells_its_figures_in_a_line_and_its_report_in_notebooks(plan, panda):
+    assert repr(plan) == f"Plan('panda', {plan.status.name}, {plan.report.summary})" and "all checks passed" in repr(plan)
+    assert "proven on the whole motion" in plan._repr_html_()
+    partial = mp.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH, message="the wall is <thick>")
+    assert repr(partial) == "PartialPlan('panda', NO_PATH, 'the wall is <thick>')"
+    assert "NO_PATH: the wall is &lt;thick&gt;" in partial._repr_html_()
+
+
 def test_without_a_picture_notebooks_show_the_text(panda):
     far = np.eye(4)
     far[:3, 3] = 9.0

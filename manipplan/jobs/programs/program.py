@@ -44,8 +44,7 @@ class Mark:
         return [f"  {self.begin:8.3f} s  steps[{self.step}] {self.name}", *speed]
 
 
-@one_line
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Program(Pictured):
     """A program of moves, timed and checked.
 
@@ -73,6 +72,11 @@ class Program(Pictured):
     goals: dict[int, int]
     stops: tuple[float, ...]
     warnings: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        verdict = "all checks passed" if self.passed else "CHECK FAILED"
+        minimum = shown(self.min_manipulability)
+        return f"Program({self.robot.name!r}, {len(self.marks)} steps, {self.duration:.3f} s, minimum m {minimum}, {verdict})"
 
     @property
     def duration(self) -> float:

@@ -112,6 +112,11 @@ class Report:
             lines.append(f"  path         its poses are {str(self.missed).replace('the path', 'the way of the tool')}")
         return "\n".join(lines)
 
+    @property
+    def summary(self) -> str:
+        """Duration, minimum manipulability and verdict in a few words."""
+        return f"{self.duration:.3f} s, minimum m {shown(self.min_manipulability)}{self._unit()}, {self._verdict()}"
+
     def _verdict(self) -> str:
         """The verdict at the end of the first line."""
         return "all checks passed" if self.passed else "CHECK FAILED"
