@@ -25,6 +25,8 @@ from manipplan.support.progress import Progress, teller
 
 #: Number of values of m in the first sweep of the search for the largest minimum, and how it grows.
 FIRST, GROWTH = 4096, 4
+#: Where edges are tried between the first and the last position where they can be.
+SHARES = (0.5, 0.25, 0.75, 0.0, 1.0)
 #: Number of candidates visited in the worst case, as a multiple of all.
 WORK = 16.0
 
@@ -38,10 +40,12 @@ class Interruptions:
         edges: where the parts begin and end, counted from 0: part i passes edges[i] to edges[i + 1], including both. The arm
             lifts off at the end of a part and comes back at the same position. Positions of a cycle count on beyond its last.
         minimum: the largest minimum manipulability of so few parts.
+        others: other edges with as few parts and that minimum, for where the arm cannot lift off at these.
     """
 
     edges: tuple[int, ...]
     minimum: float
+    others: tuple[tuple[int, ...], ...] = ()
 
     @property
     def parts(self) -> int:
@@ -54,7 +58,7 @@ def fewest_interruptions(
 ) -> Interruptions:
     """The fewest parts of a path through the layers; of these, ones with the largest minimum manipulability. Exact, in float64.
 
-    Where several positions do for an interruption, the middle one is taken.
+    Where several positions do for an interruption, the middle one is taken; `others` are some of the rest.
 
     Args:
         layers: candidates with their manipulability. Closed ones are passed once around, from the position that needs the
@@ -71,23 +75,25 @@ def fewest_interruptions(
     values = values[values <= layers.bound]
     with _search(layers, progress) as search:
 
-        def edges_above(k: int) -> tuple[int, ...]:
-            first = search.first_positions(Part(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
-            return _edges(first, closed=layers.closed)
+        def first_above(k: int) -> NDArray[np.int64]:
+            return search.first_positions(Part(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
 
-        fewest = edges_above(0)
-        if not fewest:
+        first = first_above(0)
+        edges = _edges(first, closed=layers.closed)
+        if not edges:
             raise PlanningError(_gap(search.first_positions(Part(), reach, "gaps"), len(layers.q)), None)
         # values[low] allows so few parts, values[high] does not
-        edges, low, high, stride = fewest, 0, len(values), FIRST
+        low, high, stride = 0, len(values), FIRST
         while high - low > 1:
             k = (low + high) // 2 if low else max(high - stride, high // 2)
-            found = edges_above(k)
-            if len(found) == len(fewest):
-                edges, low = found, k
+            higher = first_above(k)
+            found = _edges(higher, closed=layers.closed)
+            if len(found) == len(edges):
+                first, edges, low = higher, found, k
             else:
                 high, stride = k, GROWTH * stride
-    return Interruptions(edges=edges, minimum=float(values[low]))
+    middle, *others = dict.fromkeys(_between(first, edges, share) for share in SHARES)
+    return Interruptions(edges=middle, minimum=float(values[low]), others=tuple(others))
 
 
 def fewest_parts(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> int | None:
@@ -114,12 +120,12 @@ def _edges(first: NDArray[np.int64], *, closed: bool) -> tuple[int, ...]:
     if (first[1:] == np.arange(1, len(first))).any():
         return ()
     if not closed:
-        return _middle(first, _greedy(first, 0, count - 1))
+        return tuple(_greedy(first, 0, count - 1))
     rounds = [_greedy(first, begin, begin + count) for begin in range(count)]
     fewest = min(map(len, rounds))
     # of several positions to begin at the one from which the last part could go on the farthest
     spare = [_farthest(first, each[-2]) - each[-1] if len(each) == fewest else -1 for each in rounds]
-    return _middle(first, rounds[int(np.argmax(spare))])
+    return tuple(rounds[int(np.argmax(spare))])
 
 
 def _farthest(first: NDArray[np.int64], begin: int) -> int:
@@ -135,15 +141,15 @@ def _greedy(first: NDArray[np.int64], begin: int, end: int) -> list[int]:
     return edges
 
 
-def _middle(first: NDArray[np.int64], edges: list[int]) -> tuple[int, ...]:
-    """As many parts between the same ends, each edge half-way between the first and the last position where it can be."""
+def _between(first: NDArray[np.int64], edges: tuple[int, ...], share: float) -> tuple[int, ...]:
+    """As many parts between the same ends, each edge at a share between the first and the last position where it can be."""
     earliest = list(edges)
     for i in range(len(edges) - 2, 0, -1):
         earliest[i] = int(first[earliest[i + 1]])
-    middle = [edges[0]]
+    chosen = [edges[0]]
     for begin in earliest[1:-1]:
-        middle.append((begin + _farthest(first, middle[-1])) // 2)
-    return (*middle, edges[-1])
+        chosen.append(begin + int(share * (_farthest(first, chosen[-1]) - begin)))
+    return (*chosen, edges[-1])
 
 
 def _gap(first: NDArray[np.int64], count: int) -> str:

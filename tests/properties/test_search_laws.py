@@ -243,13 +243,26 @@ def test_fewest_interruptions_are_those_of_brute_force(closed):
         found = fewest_interruptions(layers, epsilon, strict=strict)
         assert (found.parts, found.minimum) == (wanted[0], -wanted[1])
         interrupted += found.parts > 1
-        count, values = len(layers.q), []
-        assert found.edges[-1] - found.edges[0] == (count if closed else count - 1)
-        for first, last in pairwise(found.edges):
-            turned = [k % count for k in range(first, last + 1)]
-            some = Layers.from_arrays(
-                [layers.q[k] for k in turned], [layers.m[k] for k in turned], continuous=layers.continuous
-            )
-            values.append(layered.widest(some, epsilon, strict))
-        assert min(values) == found.minimum
+        count = len(layers.q)
+        assert len({found.edges, *found.others}) == 1 + len(found.others)
+        for edges in (found.edges, *found.others):
+            assert len(edges) == len(found.edges) and edges[-1] - edges[0] == (count if closed else count - 1)
+            values = []
+            for first, last in pairwise(edges):
+                turned = [k % count for k in range(first, last + 1)]
+                some = Layers.from_arrays(
+                    [layers.q[k] for k in turned], [layers.m[k] for k in turned], continuous=layers.continuous
+                )
+                values.append(layered.widest(some, epsilon, strict))
+            assert min(values) == found.minimum
     assert interrupted > 5 and none > 20
+
+
+def test_all_places_for_an_interruption_are_offered_from_the_middle_out():
+    """One branch leads from position 0 to 5, the other from 3 to 8."""
+    branches = [[k <= 5, k >= 3] for k in range(9)]
+    q = [np.array([[0.0], [1.0]])[each] for each in branches]
+    layers = Layers.from_arrays(q, [np.ones(len(each)) for each in q])
+    found = fewest_interruptions(layers, 0.5)
+    assert found.edges == (0, 4, 8) and found.minimum == 1.0
+    assert set(found.others) == {(0, 3, 8), (0, 5, 8)}

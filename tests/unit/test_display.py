@@ -94,7 +94,8 @@ def test_notebooks_show_pictures(planar, panda):
         assert 3_000 < len(page.picture) < 300_000
 
 
-def test_a_plan_tells_its_figures_in_a_line_and_its_report_in_notebooks(plan, panda):
+def test_a_plan_tells_its_figures_in_a_line_and_its_report_in_notebooks(panda):
+    plan = mp.plan(panda, panda.neutral, panda.neutral + 0.1)
     assert repr(plan) == f"Plan('panda', {plan.status.name}, {plan.report.summary})" and "all checks passed" in repr(plan)
     assert "proven on the whole motion" in plan._repr_html_()
     partial = mp.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH, message="the wall is <thick>")

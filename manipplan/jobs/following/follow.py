@@ -14,7 +14,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.motion import join_parts
+from manipplan.jobs.following.motion import Failure, join_parts
 from manipplan.jobs.following.parts import find_parts
 from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
@@ -246,8 +246,6 @@ def follow(
         whole = finder if begin is None else finder.beginning(begin)
         told = "from the start, which is at the first pose of the path, " if stands else ""
         return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
-    returns = closed and not parts[0].finder.layers.closed
-    stands &= not returns  # an interrupted motion begins where that takes the fewest interruptions
     transits = TransitPlanner(
         robot=robot,
         scene=scene,
@@ -257,12 +255,12 @@ def follow(
         torque=torque,
         seed=seed,
     )
-    motion, candidates = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), hold_start=stands, returns=returns)
-    draft = replace(draft, candidates=candidates)
-    if isinstance(motion, str):
-        return failed(replace(draft, search=parts[0].found, status=Status.NO_PATH), throw, motion)
+    motion = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), closed=closed, hold_start=stands)
+    draft = replace(draft, candidates=motion.candidates)
+    if isinstance(motion, Failure):
+        return failed(replace(draft, status=Status.NO_PATH), throw, motion.reason)
     result = motion.measured(integral, scene, clearance)
-    least = min((leg.course for leg in motion.legs), key=lambda course: course.refinement.refined)
+    least = min((each.course for each in motion.parts), key=lambda course: course.refinement.refined)
     draft = replace(
         draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result
     )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.following.course import Course, CourseFinder
-from manipplan.jobs.following.transit import Planner, Transit
+from manipplan.jobs.following.transit import PlanTransit, Transit
 from manipplan.jobs.goals.candidates import APART, TIE, GoalCandidate, measured
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import steps_between
@@ -43,7 +43,7 @@ class EntryChoice:
 
 
 def choose_entry(
-    finder: CourseFinder, first: SearchResult, start: Array, integral: PathIntegral, planner: Planner, tell: Progress
+    finder: CourseFinder, first: SearchResult, start: Array, integral: PathIntegral, plan_transit: PlanTransit, tell: Progress
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and course together.
 
@@ -56,7 +56,7 @@ def choose_entry(
         first: the best path of all through them.
         start: (n,).
         integral: of the g and the manipulability that count.
-        planner: plans lead-ins.
+        plan_transit: plans lead-ins.
         tell: called with the share done.
     """
     searches = best_courses(finder, first)
@@ -85,7 +85,7 @@ def choose_entry(
         left = 0.5 ** len(done)  # of the share of the work
         course = finder.along(found, part(tell, 1 - left, 1 - 0.7 * left))
         began = time.monotonic()
-        lead_in = planner(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
+        lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= time.monotonic() - began
         row = replace(row, q=course.path.start)
         if isinstance(lead_in, str):

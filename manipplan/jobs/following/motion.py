@@ -1,5 +1,6 @@
 """FollowingMotion: courses along the parts of a workspace path with the transits between them, as one timed motion, checked."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -33,7 +34,7 @@ PLACES = np.linspace(0.0, 1.0, 1500)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Leg:
+class FollowedPart:
     """A part of the path, the course along it, and the transit to its beginning; None where the motion begins there."""
 
     part: FoundPart
@@ -49,29 +50,36 @@ class Leg:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FollowingMotion:
-    """The legs of a motion and, for a closed path, the transit back to the configuration in which the path began."""
+    """The parts of a motion and, for a closed path, the transit back to the configuration in which the path began.
 
-    legs: tuple[Leg, ...]
+    Attributes:
+        parts: along the path, in their order.
+        candidates: the configurations in which the motion can begin after a lead-in.
+        back: see above.
+    """
+
+    parts: tuple[FollowedPart, ...]
+    candidates: tuple[GoalCandidate, ...]
     back: Transit | None = None
 
     @property
     def status(self) -> Status:
         """Whether the tool leaves the path between."""
-        return Status.FOLLOWED if len(self.legs) == 1 and self.back is None else Status.FOLLOWED_IN_PARTS
+        return Status.FOLLOWED if len(self.parts) == 1 and self.back is None else Status.FOLLOWED_IN_PARTS
 
     def measured(self, integral: PathIntegral, scene: Scene, clearance: float) -> PathResult:
         """The figures of its path, compared with those of the path that the search found."""
-        transits = [leg.transit for leg in self.legs] + [self.back]
+        transits = [each.transit for each in self.parts] + [self.back]
         pairs: list[tuple[JointPath, JointPath]] = []
-        for k, leg in enumerate(self.legs):
-            if leg.transit is not None:
-                pairs.append((leg.transit.path, leg.transit.path))
-            control, path = leg.course.seed.control.copy(), leg.course.path
+        for k, each in enumerate(self.parts):
+            if each.transit is not None:
+                pairs.append((each.transit.path, each.transit.path))
+            control, path = each.course.seed.control.copy(), each.course.path
             if transits[k] is not None:  # the seed begins and ends where transits do
                 control[0, 0] = path.start
             if transits[k + 1] is not None:
                 control[-1, -1] = path.goal
-            pairs.append((path, JointPath(breaks=leg.course.seed.breaks, control=control)))
+            pairs.append((path, JointPath(breaks=each.course.seed.breaks, control=control)))
         if self.back is not None:
             pairs.append((self.back.path, self.back.path))
         path, seed = (each[0] if len(each) == 1 else JointPath.joined(each) for each in zip(*pairs, strict=True))
@@ -93,11 +101,11 @@ class FollowingMotion:
         pieces: list[Trajectory] = []
         along: list[PathPart] = []
         clock = 0.0
-        for leg in self.legs:
-            if leg.transit is not None:
-                pieces.append(leg.transit.trajectory)
-                clock += leg.transit.trajectory.duration
-            path, speed = leg.course.path, None
+        for each in self.parts:
+            if each.transit is not None:
+                pieces.append(each.transit.trajectory)
+                clock += each.transit.trajectory.duration
+            path, speed = each.course.path, None
             if tool_speed is None:
                 motion = retime(path, robot, torque=torque)
             else:
@@ -109,8 +117,8 @@ class FollowingMotion:
                 PathPart(
                     begin=clock,
                     end=clock + motion.duration,
-                    s_begin=leg.part.s_begin,
-                    s_end=leg.part.s_end,
+                    s_begin=each.part.s_begin,
+                    s_end=each.part.s_end,
                     min_manipulability=integral.cost(motion.path()).min_manipulability,
                     tool_speed=speed,
                 )
@@ -152,57 +160,90 @@ class FollowingMotion:
         if made.status not in ALONG:
             near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(PLACES))}; take more positions"
             return made, f"{made.report}{near}"
-        faults = [deviation.excess(tolerance, "time"), *(leg.missed(integral.kinematics, tolerance) for leg in self.legs)]
+        faults = [deviation.excess(tolerance, "time"), *(each.missed(integral.kinematics, tolerance) for each in self.parts)]
         if any(faults):
             return made, f"{next(filter(None, faults))}. Take more positions"
         speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
         return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Failure:
+    """Why parts cannot be joined, the configurations in which the motion can begin, and whether other edges can help."""
+
+    reason: str
+    candidates: tuple[GoalCandidate, ...]
+    at_cut: bool
+
+
 def join_parts(
+    options: Iterable[list[FoundPart]],
+    start: Array | None,
+    way: Array,
+    transits: TransitPlanner,
+    tell: Progress,
+    *,
+    closed: bool,
+    hold_start: bool,
+) -> FollowingMotion | Failure:
+    """The motion along the first of several sets of parts whose parts can be joined.
+
+    Args:
+        options: sets of parts of the path, each part beginning where the one before ends.
+        start: (n,) where the motion begins; None: where the best motion along the path does.
+        way: (3,) by which the tool leaves the path between parts, in its frame [m].
+        transits: plans motions between parts.
+        tell: called with the share done.
+        closed: whether the motion ends in the configuration in which the path begins.
+        hold_start: whether the start is at the first pose of the path.
+    """
+    failures: list[Failure] = []
+    for parts in options:
+        made = _join(parts, start, way, transits, tell, closed=closed, hold_start=hold_start)
+        if isinstance(made, FollowingMotion) or not made.at_cut:
+            return made
+        failures.append(made)
+    first, others = failures[0], len(failures) - 1
+    return replace(first, reason=f"{first.reason}; {others} other places for it do not help either") if others else first
+
+
+def _join(
     parts: list[FoundPart],
     start: Array | None,
     way: Array,
     transits: TransitPlanner,
     tell: Progress,
     *,
+    closed: bool,
     hold_start: bool,
-    returns: bool,
-) -> tuple[FollowingMotion | str, tuple[GoalCandidate, ...]]:
-    """The motion along all parts, or why there is none, and the configurations in which it can begin after a lead-in.
-
-    Args:
-        parts: of the path, each beginning where the one before ends.
-        start: (n,) where the motion begins; None: where the best motion along the path does.
-        way: (3,) by which the tool leaves the path between parts, in its frame [m].
-        transits: plans motions between parts.
-        tell: called with the share done.
-        hold_start: whether the start is at the first pose of the path.
-        returns: whether the motion goes back to the configuration in which the path began.
-    """
-    legs: list[Leg] = []
+) -> FollowingMotion | Failure:
+    """The motion along parts of the path, or why there is none."""
+    pieces: list[FollowedPart] = []
     candidates: tuple[GoalCandidate, ...] = ()
+    returns = closed and not parts[0].finder.layers.closed
     for k, each in enumerate(parts):
         share = part(tell, k / len(parts), (k + 1) / len(parts))
-        begin = legs[-1].course.path.goal if legs else start
-        if begin is None or (not legs and hold_start):
-            course = each.finder.along(each.found, share, hold_start=hold_start)
-            legs.append(Leg(part=each, course=course, transit=None))
+        begin = pieces[-1].course.path.goal if pieces else start
+        # an interrupted motion around a closed path begins where that takes the fewest interruptions
+        if begin is None or (not pieces and hold_start and not returns):
+            course = each.finder.along(each.found, share, hold_start=begin is not None)
+            pieces.append(FollowedPart(part=each, course=course, transit=None))
             continue
-        planner = transits.between(begin, way) if legs else transits.lead_in(begin)
-        where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if legs else ""
-        if isinstance(planner, str):
-            return where + planner, candidates
-        choice = choose_entry(each.finder, each.found, begin, transits.integral, planner, share)
-        if not legs:
+        plan_transit = transits.between(begin, way) if pieces else transits.lead_in(begin)
+        where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
+        if isinstance(plan_transit, str):
+            return Failure(reason=where + plan_transit, candidates=candidates, at_cut=bool(pieces))
+        choice = choose_entry(each.finder, each.found, begin, transits.integral, plan_transit, share)
+        if not pieces:
             candidates = choice.candidates
         if choice.entry is None:
-            return where + choice.failure, candidates
-        legs.append(Leg(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
+            return Failure(reason=where + choice.failure, candidates=candidates, at_cut=bool(pieces))
+        pieces.append(FollowedPart(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
     if not returns:
-        return FollowingMotion(legs=tuple(legs)), candidates
-    planner = transits.between(legs[-1].course.path.goal, way)
-    back = planner if isinstance(planner, str) else planner(legs[0].course.path.start, SECONDS, silent)
+        return FollowingMotion(parts=tuple(pieces), candidates=candidates)
+    plan_transit = transits.between(pieces[-1].course.path.goal, way)
+    back = plan_transit if isinstance(plan_transit, str) else plan_transit(pieces[0].course.path.start, SECONDS, silent)
     if isinstance(back, str):
-        return f"no way back to the configuration in which the path began: {back}", candidates
-    return FollowingMotion(legs=tuple(legs), back=back), candidates
+        reason = f"no way back to the configuration in which the path began: {back}"
+        return Failure(reason=reason, candidates=candidates, at_cut=True)
+    return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)

@@ -1,6 +1,6 @@
 """The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -35,8 +35,10 @@ Finer = Callable[[Progress], CourseFinder | None]
 
 def find_parts(
     finder: CourseFinder, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress, *, start: Array | None = None
-) -> list[FoundPart] | SearchResult:
+) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
+
+    As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first.
 
     Where no motion through the samples is continuous, finer ones are tried before the path is cut.
 
@@ -57,7 +59,7 @@ def find_parts(
         search = part(tell, 0.5 * k, 0.5 * k + 0.2)
         found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
         if found.connected:
-            return [FoundPart(s_begin=0.0, s_end=1.0, finder=begun, found=found)]
+            return iter([[FoundPart(s_begin=0.0, s_end=1.0, finder=begun, found=found)]])
         tried.append(each if each.layers.closed else begun)
     counts = [(fewest_parts(each.layers, epsilon, progress=part(tell, 0.7, 0.8)), each) for each in tried]
     possible = [(parts, each) for parts, each in counts if parts is not None]
@@ -70,8 +72,8 @@ def find_parts(
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         found = _unconnected(finder, epsilon, start)
         return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
-    edges = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9)).edges
-    return [_part(best, first, last, epsilon) for first, last in pairwise(edges)]
+    fewest = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9))
+    return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 
 
 def _unconnected(finder: CourseFinder, epsilon: ArrayLike, start: Array | None) -> SearchResult:

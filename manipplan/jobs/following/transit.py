@@ -39,7 +39,7 @@ class Transit:
 
 
 #: Plans a transit to a configuration (n,) within a time [s]; a text tells why there is none.
-Planner = Callable[[Array, float, Progress], Transit | str]
+PlanTransit = Callable[[Array, float, Progress], Transit | str]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -63,7 +63,7 @@ class TransitPlanner:
     torque: bool
     seed: int
 
-    def lead_in(self, start: Array) -> Planner:
+    def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""
 
         def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
@@ -72,7 +72,7 @@ class TransitPlanner:
 
         return planned
 
-    def between(self, begin: Array, way: Array) -> Planner | str:
+    def between(self, begin: Array, way: Array) -> PlanTransit | str:
         """The planner of motions off the path and onto it again, from a configuration (n,) on the path; or why there is none.
 
         The tool leaves the path and comes back along the straight `way` (3,) in its frame [m]; zeros: freely.
