@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.ik.enumeration import Enumeration
+from manipplan.ik.enumeration import AT_LIMIT, Enumeration
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
@@ -212,6 +212,30 @@ class Solver:
 
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""
+        found = self.solve_once(poses, owners, samples)
+        rows, q = self.with_turns(found.q)
+        return Found(q=q, source=found.source[rows], residual=found.residual[rows], missing=found.missing)
+
+    def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
+        """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
+        rows = np.arange(len(q))
+        for joint in self._turning:
+            upper = self.robot.limits.upper[joint]
+            counts = ((upper - q[:, joint] + REACHED / 10) // (2 * np.pi)).astype(np.int64) + 1
+            again = np.repeat(np.arange(len(q)), counts)
+            turns = np.arange(len(again)) - np.repeat(np.cumsum(counts) - counts, counts)
+            q, rows = q[again], rows[again]
+            q[:, joint] = np.minimum(q[:, joint] + 2 * np.pi * turns, upper)
+        return rows, q
+
+    @cached_property
+    def _turning(self) -> list[int]:
+        """The joints that can make more than a full turn, but are not endless; none of an arm without closed form."""
+        ranges = self.robot.limits.upper - self.robot.limits.lower
+        return [] if self.form is None else [k for k in self.form.free if 2 * np.pi - 2 * AT_LIMIT <= ranges[k] < np.inf]
+
+    def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
+        """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
         if self.form is None:
             return self._by_search(poses, owners, samples)
         asked = poses, owners, samples
@@ -281,7 +305,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
 
 @once_per_owner
 def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None) -> Enumeration:
-    return Enumeration(form, robot.limits.lower, robot.limits.upper, None if axis is None else np.array(axis))
+    """The enumeration of solutions in the first full turn of each joint that is free."""
+    lower, upper = robot.limits.lower, robot.limits.upper.copy()
+    free = list(form.free)
+    upper[free] = np.minimum(upper[free], lower[free] + 2 * np.pi)
+    return Enumeration(form, lower, upper, None if axis is None else np.array(axis))
 
 
 def spare(robot: Robot) -> int:

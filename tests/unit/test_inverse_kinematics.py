@@ -597,3 +597,24 @@ def test_singular_poses_of_arms_without_a_closed_form(kinds, size, tmp_path, rng
         assert found.method == "newton"
         assert len(found)
         assert found.residual.max() <= 1e-10
+
+
+@pytest.mark.parametrize("name", ["ur5", "xarm7"])
+def test_full_turns_of_few_solutions_are_all_solutions(name, rng, request):
+    """Each solution that is listed at several full turns comes from the one with the smallest values."""
+    arm = mp.load_robot(name)
+    solver = Solver.of(arm, task=None, held=None, method="auto", seed=0)
+    pose = pose_of(arm, arm.random_configuration(rng))[None]
+    samples = solver.grid(None, (30,), pose)
+    owners = np.zeros(len(samples), dtype=np.int64)
+    once, every = solver.solve_once(pose, owners, samples), solver.solve(pose, owners, samples)
+    lower, upper = arm.limits.lower, arm.limits.upper
+    assert len(every.q) > 3 * len(once.q) > 0
+    for q, source in zip(once.q, once.source, strict=True):
+        free = solver.form.free
+        turns = [np.arange(q[k], upper[k] + 1e-9, 2 * np.pi) if k in free else q[k] for k in range(arm.n)]
+        wanted = np.array(np.meshgrid(*turns)).reshape(arm.n, -1).T
+        found = every.q[every.source == source]
+        assert (q[list(solver.form.free)] < lower[list(solver.form.free)] + 2 * np.pi + 1e-9).all()
+        assert np.abs(wanted[:, None] - found).max(axis=2).min(axis=1).max() < 1e-9
+    assert (arm.limits.outside(every.q) <= 0).all()

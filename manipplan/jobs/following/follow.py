@@ -258,7 +258,7 @@ def follow(
     motion = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), closed=closed, hold_start=stands)
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
-        return failed(replace(draft, status=Status.NO_PATH), throw, motion.reason)
+        return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
     result = motion.measured(integral, scene, clearance)
     least = min((each.course for each in motion.parts), key=lambda course: course.refinement.refined)
     draft = replace(

@@ -22,6 +22,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
+from manipplan.search.max_min import SearchResult
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import ALONG, Status
@@ -169,9 +170,17 @@ class FollowingMotion:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Failure:
-    """Why parts cannot be joined, the configurations in which the motion can begin, and whether other edges can help."""
+    """Why parts cannot be joined.
+
+    Attributes:
+        reason: what is wrong.
+        search: the search of the first part.
+        candidates: the configurations in which the motion can begin.
+        at_cut: whether other edges can help.
+    """
 
     reason: str
+    search: SearchResult
     candidates: tuple[GoalCandidate, ...]
     at_cut: bool
 
@@ -219,6 +228,7 @@ def _join(
 ) -> FollowingMotion | Failure:
     """The motion along parts of the path, or why there is none."""
     pieces: list[FollowedPart] = []
+    search = parts[0].found
     candidates: tuple[GoalCandidate, ...] = ()
     returns = closed and not parts[0].finder.layers.closed
     for k, each in enumerate(parts):
@@ -232,12 +242,12 @@ def _join(
         plan_transit = transits.between(begin, way) if pieces else transits.lead_in(begin)
         where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
         if isinstance(plan_transit, str):
-            return Failure(reason=where + plan_transit, candidates=candidates, at_cut=bool(pieces))
+            return Failure(reason=where + plan_transit, search=search, candidates=candidates, at_cut=bool(pieces))
         choice = choose_entry(each.finder, each.found, begin, transits.integral, plan_transit, share)
         if not pieces:
             candidates = choice.candidates
         if choice.entry is None:
-            return Failure(reason=where + choice.failure, candidates=candidates, at_cut=bool(pieces))
+            return Failure(reason=where + choice.failure, search=search, candidates=candidates, at_cut=bool(pieces))
         pieces.append(FollowedPart(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
     if not returns:
         return FollowingMotion(parts=tuple(pieces), candidates=candidates)
@@ -245,5 +255,5 @@ def _join(
     back = plan_transit if isinstance(plan_transit, str) else plan_transit(pieces[0].course.path.start, SECONDS, silent)
     if isinstance(back, str):
         reason = f"no way back to the configuration in which the path began: {back}"
-        return Failure(reason=reason, candidates=candidates, at_cut=True)
+        return Failure(reason=reason, search=search, candidates=candidates, at_cut=True)
     return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)

@@ -86,7 +86,7 @@ def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
         values = solver.grid(count, (count,), poses)
         widths = np.ptp(values, axis=0) / max(count - 1, 1) if names else np.zeros(0)
         samples, sources = np.tile(values, (len(poses), 1)), np.repeat(np.arange(len(poses)), len(values))
-        solved = solver.solve(poses, sources, samples)
+        solved = solver.solve_once(poses, sources, samples)
         q = nearest_turns(robot, solved.q, near)
         kept = distinct(q, sources[solved.source])
         pose = sources[solved.source[kept]]
@@ -147,7 +147,7 @@ def refined(
             offsets = np.concatenate([np.outer(shares[shares != 0], each) for each in np.diag(step)])
             samples = np.concatenate([values[k] + offsets for k in active.tolist()])
             owners = np.repeat(active, len(offsets))
-            solved = solver.solve(best.poses, owners, samples)
+            solved = solver.solve_once(best.poses, owners, samples)
             others, of = nearest_turns(robot, solved.q, near), owners[solved.source]
             follows = np.abs(others - q[of]).max(axis=1) <= max(FOLLOWS * float(step.max()), LEAST_FOLLOWS)
             others, of, source = others[follows], of[follows], solved.source[follows]

@@ -42,10 +42,10 @@ class CandidateSampler:
         """Candidates q (k, n) that reach `pose` for parameters (s, r), manipulability (k,), and the number before checks."""
         blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
         for some in _blocks(values):
-            q = self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q
+            q = self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q
             reached += len(q)
             blocks.append(q[self._free(q)])
-        q = np.concatenate(blocks)
+        _, q = self.solver.with_turns(np.concatenate(blocks))  # full turns change no collisions
         return q, self.kinematics.manipulability(q), reached
 
     def _free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
@@ -59,7 +59,7 @@ class CandidateSampler:
         """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
         assert self.collision is not None
         q = np.concatenate(
-            [self.solver.solve(pose[None], np.zeros(len(some), dtype=np.int64), some).q for some in _blocks(values)]
+            [self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q for some in _blocks(values)]
         )
         q = q[:: -(-len(q) // MEASURED)]
         least = [self.collision.least_distance(each[None]) for each in q]
