@@ -13,6 +13,7 @@ from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
+from manipplan.ik.onto_rows import onto_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.verify import residuals
@@ -138,11 +139,6 @@ class Solver:
         return np.asarray(self.kinematics.pose(q)[:, :3, 3])
 
     @cached_property
-    def _whole(self) -> MovingArm:
-        """All joints move."""
-        return MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_))
-
-    @cached_property
     def _holding(self) -> MovingArm:
         """All joints move but those that are held."""
         moves = np.ones(self.robot.n, dtype=np.bool_)
@@ -198,17 +194,22 @@ class Solver:
 
         Joints of a redundant arm that would come nearer to a limit than `inside` [rad or m] stop there, and the others move on.
         """
-        targets = self.free.nearest(self.kinematics.pose(q), poses)
-        moved = self._whole.refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
         limits = self.robot.limits
+        moved = self._moved(q, poses, np.ones(self.robot.n, dtype=np.bool_))
         inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
         beyond = inner != moved
         for stopped in np.unique(beyond[beyond.any(axis=1)], axis=0):
-            if self.robot.n - stopped.sum() >= POSE:
+            if self.robot.n - stopped.sum() >= POSE - len(self.free.names):
                 rows = np.flatnonzero((beyond == stopped).all(axis=1))
-                arm = MovingArm(self.screws, ~stopped)
-                moved[rows] = arm.refine(inner[rows], targets, rows, steps=STEPS, tolerance=REACHED / 100)
+                moved[rows] = self._moved(inner[rows], poses[rows], ~stopped)
         return np.clip(moved, limits.lower, limits.upper)
+
+    def _moved(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
+        """Configurations (k, n) after minimum-norm Newton steps of the joints `moves` (n,) onto poses (k, 4, 4)."""
+        if self.free.names and not self.robot.planar:
+            return onto_rows(self.kinematics, self.free, q, poses, moves, REACHED / 100)
+        targets = self.free.nearest(self.kinematics.pose(q), poses)
+        return MovingArm(self.screws, moves).refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
 
     def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""

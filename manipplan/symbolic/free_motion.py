@@ -138,6 +138,18 @@ class FreeMotion:
         """The poses (k, 4, 4) that count as `poses` and are near tool poses reached (k, 4, 4)."""
         return self.poses(poses, self.values(reached, poses)) if self.names else poses
 
+    def fixed_rows(self, poses: Array) -> Array:
+        """Rows (k, r, 6) that count of a small displacement in the world, position and then rotation, at poses (k, 4, 4)."""
+        own, turned = np.broadcast_to(np.eye(3), (len(poses), 3, 3)), np.swapaxes(poses[:, :3, :3], 1, 2)
+        position = self.fixed_directions @ (turned if self.in_tool else own)
+        if self.turns is Turns.ANY:
+            return np.concatenate([position, np.zeros_like(position)], axis=2)
+        across = np.eye(3) if self.turns is Turns.NONE else complement(self.axis[None])
+        rotation = across @ (turned if self.turns is Turns.TOOL_AXIS else own)
+        return np.concatenate(
+            [np.concatenate([position, np.zeros_like(position)], 2), np.concatenate([np.zeros_like(rotation), rotation], 2)], 1
+        )
+
     def offsets(self, displacements: Array, rotations: Array) -> Array:
         """What counts of displacements (k, 3) [m] from poses with rotations (k, 3, 3)."""
         if not len(self.shifts):

@@ -5,6 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.ik.solver import Solver
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from, distances_between
 from manipplan.search.program import PoseRows
@@ -159,3 +160,31 @@ def test_nothing_is_free_of_a_pose():
 def test_a_task_that_fixes_no_set_of_poses_is_refused(task):
     with pytest.raises(mp.InvalidInputError, match="task: "):
         FreeMotion.of(task)
+
+
+@pytest.mark.parametrize(
+    "name", ["position", "orientation", "planar", "pointing", "drill", "depth of the tool", "height and turn"]
+)
+def test_newton_steps_reach_what_counts_and_move_the_joints_little(panda, name):
+    task, _ = TASKS[name]
+    rng = np.random.default_rng(8)
+    solver = Solver.of(panda, task=task, held=None, method="auto", seed=0)
+    q = panda.random_configuration(rng, size=40)
+    q += np.clip(panda.neutral - q, -0.2, 0.2)
+    poses = panda.kinematics().pose(q + rng.uniform(-0.02, 0.02, q.shape))
+    moved = solver.onto(q, poses)
+    for distance in distances_between(panda.kinematics().pose(moved), poses, solver.free):
+        assert (distance < 1e-7).mean() > 0.9  # some stop at a limit
+    assert np.median(np.abs(moved - q).max(axis=1)) < 0.02
+
+
+def test_newton_steps_pass_a_singularity_that_does_not_count(ur5):
+    """With a straight elbow the arm cannot go up, and with a free height it need not."""
+    task = mp.Task.custom(ROWS[[0, 1, 3, 4, 5]])
+    solver = Solver.of(ur5, task=task, held=None, method="auto", seed=0)
+    q = np.array([[0.3, -0.9, 1e-9, -0.6, -1.57, 0.2]])
+    pose = ur5.kinematics().pose(q)
+    pose[:, 0, 3] += 0.01
+    moved = solver.onto(q, pose)
+    position, rotation = distances_between(ur5.kinematics().pose(moved), pose, solver.free)
+    assert position[0] < 1e-9 and rotation[0] < 1e-7 and np.abs(moved - q).max() < 0.1

@@ -1,0 +1,53 @@
+"""Newton steps of an arm onto the rows of poses that count, the rest of the poses is free."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.support.checks import Array
+from manipplan.symbolic.free_motion import FreeMotion
+
+#: Maximum number of steps, and largest change of a joint in one of them [rad or m].
+STEPS, LONGEST = 50, 0.3
+#: Part of the largest squared singular value that is added to all, for configurations where the task itself is singular.
+DAMPING = 1e-14
+
+
+def onto_rows(
+    kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_], tolerance: float
+) -> Array:
+    """Configurations (k, n) after minimum-norm steps from q (k, n) until what counts of poses (k, 4, 4) is reached.
+
+    A row ends where its error [m, rad] is below the tolerance, or grows no smaller.
+
+    Args:
+        kinematics: of the whole pose.
+        free: what does not count.
+        q: where the steps begin.
+        poses: targets.
+        moves: (n,) the joints that may move.
+        tolerance: see above.
+    """
+    from scipy.spatial.transform import Rotation
+
+    scale = np.array([1.0] * 3 + [1.0 / kinematics.task.length] * 3)
+    best, least, rows = q.copy(), np.full(len(q), np.inf), np.arange(len(q))
+    for _ in range(STEPS):
+        reached = kinematics.pose(q[rows])
+        nearest = free.nearest(reached, poses[rows])
+        turns = Rotation.from_matrix(nearest[:, :3, :3] @ np.swapaxes(reached[:, :3, :3], 1, 2)).as_rotvec()
+        counting = free.fixed_rows(nearest)
+        error = counting @ np.hstack([nearest[:, :3, 3] - reached[:, :3, 3], turns])[:, :, None]
+        size = np.abs(error).max(axis=(1, 2), initial=0.0)
+        better = size < least[rows]
+        best[rows[better]], least[rows[better]] = q[rows[better]], size[better]
+        rows, counting, error = (each[better & (size > tolerance)] for each in (rows, counting, error))
+        if not len(rows):
+            break
+        jacobian = counting @ (kinematics.jacobian(q[rows]) * scale[:, None]) * moves
+        square = jacobian @ np.swapaxes(jacobian, 1, 2)
+        square += DAMPING * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1])
+        step = (np.swapaxes(jacobian, 1, 2) @ np.linalg.solve(square, error))[:, :, 0]
+        q = q.copy()
+        q[rows] += step * np.minimum(LONGEST / np.maximum(np.abs(step).max(axis=1), 1e-300), 1.0)[:, None]
+    return best
