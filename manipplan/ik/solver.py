@@ -13,7 +13,7 @@ from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
-from manipplan.ik.onto_rows import onto_rows
+from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.verify import residuals
@@ -37,6 +37,8 @@ STEPS = 200
 SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Number of joints that a pose takes.
 POSE = 6
+#: Number of random starts per sample of an arm with few joints.
+STARTS = 16
 #: Number of random configurations that tell where the tool can be.
 POSITIONS = 2000
 METHODS = ("auto", "closed-form", "newton")
@@ -88,14 +90,19 @@ class Solver:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
         free = FreeMotion.of(task, planar=robot.planar)
         _check_limits(robot)
-        form = closed_form(robot, held) if method != "newton" else None
+        few = robot.n < POSE and not robot.planar and bool(free.names)
+        if few and robot.n < task.rows:
+            raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
+        form = closed_form(robot, held) if method != "newton" and not few else None
         if form is None and method == "closed-form":
             raise InvalidInputError("method", method, f"'newton': {robot.name} has no closed form")
         screws = form.screws if form is not None else Screws.of(robot)
         if form is not None:
             indices = form.held
         else:
-            indices = held_indices(robot, held, spare(robot)) if held is not None else best_held(robot, spare(robot))
+            count = robot.n - task.rows if few else spare(robot)
+            best_for = task if few else Task.pose()
+            indices = held_indices(robot, held, count) if held is not None else best_held(robot, count, best_for)
         return cls(
             robot=robot,
             task=task,
@@ -106,6 +113,11 @@ class Solver:
             free=free,
             seed=random_seed("seed", seed),
         )
+
+    @property
+    def by_rows(self) -> bool:
+        """Whether the arm has too few joints to reach a pose at each value of a free motion: then only rows are solved for."""
+        return bool(self.free.names) and self.robot.n < POSE and not self.robot.planar
 
     @property
     def method(self) -> str:
@@ -124,7 +136,7 @@ class Solver:
         """Names of the parameters."""
         held = tuple(self.robot.joint_names[k] for k in self.held)
         swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
-        return held + swivel + self.free.names
+        return held + swivel + (() if self.by_rows else self.free.names)
 
     @cached_property
     def _enumeration(self) -> Enumeration:
@@ -170,7 +182,7 @@ class Solver:
     def _line(self, parameter: int, count: int, limits: tuple[Array, Array]) -> Array:
         """Values of one parameter: a joint's range with its ends, a full turn, or those of a free motion."""
         free = parameter - len(self.names) + len(self.free.names)
-        if free >= 0:
+        if free >= 0 and not self.by_rows:
             return self.free.line(free, count, self._positions)
         if parameter < len(self.held):
             lower, upper = (float(limit[self.held[parameter]]) for limit in limits)
@@ -185,7 +197,7 @@ class Solver:
             free, screws = list(self.form.free), self.screws
             wrist, shoulder = self.form.meeting
             columns.append(swivels_of(screws.axes[free], screws.points[free], shoulder, wrist, q[:, free])[:, None])
-        if self.free.names:
+        if self.free.names and not self.by_rows:
             columns.append(self.free.values(self.kinematics.pose(q), poses))
         return np.hstack(columns)
 
@@ -237,6 +249,8 @@ class Solver:
 
     def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
+        if self.by_rows:
+            return self._by_rows(poses[owners], samples)
         if self.form is None:
             return self._by_search(poses, owners, samples)
         asked = poses, owners, samples
@@ -275,6 +289,18 @@ class Solver:
         if not len(q):
             return np.zeros(0)
         return residuals(self.kinematics.pose(q), targets, rows)
+
+    def _by_rows(self, poses: Array, samples: Array) -> Found:
+        """Solutions of what counts of poses (s, 4, 4), one for each sample (s, r), from STARTS random starts each."""
+        rng, limits = np.random.default_rng(self.seed), self.robot.limits
+        source = np.repeat(np.arange(len(samples)), STARTS)
+        q = self.robot.random_configuration(rng, size=len(source))
+        q[:, list(self.held)] = samples[source]
+        moves = np.ones(self.robot.n, dtype=np.bool_)
+        moves[list(self.held)] = False
+        q, residual = search_rows(self.kinematics, self.free, q, poses[source], moves, REACHED / 100)
+        found = (residual <= REACHED) & (limits.outside(q) <= 0).all(axis=1)
+        return Found(q=q[found], source=source[found], residual=residual[found])
 
     def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         blocks, missing = [], []

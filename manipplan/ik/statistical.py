@@ -89,12 +89,12 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
     return found, missing
 
 
-def best_held(robot: Robot, count: int) -> tuple[int, ...]:
+def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
     """The joints to hold: those without which the others move the tool best, on average over random postures."""
     if count == 0:
         return ()
     q = robot.random_configuration(np.random.default_rng(0), size=200)
-    jacobians = robot.kinematics(Task.pose()).jacobian(q)
+    jacobians = robot.kinematics(task).jacobian(q)
     rank = robot.n - count
 
     def mean_volume(held: tuple[int, ...]) -> float:

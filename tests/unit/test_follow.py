@@ -169,11 +169,27 @@ def test_a_task_that_fixes_no_poses_is_refused_at_once(panda, line):
         mp.follow(panda, line, objective=mp.PathObjective(task=mp.Task.rotation([0, 0, 1])))
 
 
-def test_an_arm_of_five_joints_follows_whole_poses_only():
+@pytest.mark.slow
+@pytest.mark.parametrize("task", [mp.Task.position(), mp.Task.pointing()], ids=["position", "pointing"])
+def test_an_arm_of_five_joints_follows_what_counts(task):
+    arm = mp.load_robot("so100")
+    q = np.linspace([0.0, 0.6, -0.8, 0.5, 0.3], [0.3, 0.9, -0.5, 0.8, 0.6], 8)
+    poses = arm.kinematics().pose(q)
+    plan = mp.follow(arm, CartesianPath.through(poses), positions=12, objective=mp.PathObjective(task=task))
+    assert plan.report.passed
+    reached = arm.kinematics().pose(plan.path(plan.workspace_path.knots))
+    assert np.abs(reached[:, :3, 3] - poses[:, :3, 3]).max() < 1e-4
+    if task.name == "pointing":
+        assert np.abs(reached[:, :3, 2] - poses[:, :3, 2]).max() < 1e-3
+    best = mp.max_min_search(mp.sample_layers(arm, plan.workspace_path, 12, task=task), 0.2).minimum
+    assert plan.report.min_manipulability > 0.95 * best > 0
+
+
+def test_an_arm_with_fewer_joints_than_rows_is_refused():
     arm = mp.load_robot("so100")
     path = CartesianPath.through(arm.kinematics().pose(np.linspace(arm.neutral, arm.neutral + 0.3, 4)))
-    with pytest.raises(mp.InvalidInputError, match="task: got 'position'; allowed: a task that fixes whole poses: 5 joints"):
-        mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.position()))
+    with pytest.raises(mp.InvalidInputError, match="measure: got 'yoshikawa'; allowed: at most as many task rows as joints"):
+        mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.pose()))
 
 
 @pytest.mark.slow

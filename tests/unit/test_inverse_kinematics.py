@@ -618,3 +618,22 @@ def test_full_turns_of_few_solutions_are_all_solutions(name, rng, request):
         assert (q[list(solver.form.free)] < lower[list(solver.form.free)] + 2 * np.pi + 1e-9).all()
         assert np.abs(wanted[:, None] - found).max(axis=2).min(axis=1).max() < 1e-9
     assert (arm.limits.outside(every.q) <= 0).all()
+
+
+@pytest.mark.parametrize(
+    ("task", "names"), [(mp.Task.position(), 2), (mp.Task.pointing([0, 0, 1]), 0)], ids=["position", "pointing"]
+)
+def test_five_joints_reach_what_counts_of_a_pose(rng, task, names):
+    arm = mp.load_robot("so100")
+    q = np.array([0.2, 1.2, -1.1, 0.4, 0.3])
+    pose = pose_of(arm, q)
+    parameters = None
+    if names:
+        held = list(Solver.of(arm, task=task, held=None, method="auto", seed=0).held)
+        parameters = q[held]
+    found = mp.inverse_kinematics(arm, pose, parameters, task=task)
+    assert len(found.parameter_names) == names and found.complete == "statistical"
+    assert apart(arm, found.q, q).min() < 1e-6  # the configuration that the pose is of is among them
+    for each in found.q:
+        assert np.abs(pose_of(arm, each)[:3, 3] - pose[:3, 3]).max() <= 1e-9
+    assert (arm.limits.outside(found.q) <= 0).all()

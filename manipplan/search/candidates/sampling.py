@@ -53,6 +53,8 @@ class SamplingSpec:
 #: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
 FEWEST, ENOUGH = 5, 1e6
+#: The same for arms with fewer than six joints, whose rows are solved for from random starts.
+FEW_SAMPLES = (48, 16, 8, 5)
 #: Share of the machine's memory that candidates may take.
 MEMORY = 0.5
 #: Number of positions, and of samples at each, from which the number of candidates is estimated.
@@ -139,17 +141,15 @@ def sample_layers(
     tell = teller(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     sampler = CandidateSampler(spec)
-    if robot.n < (3 if robot.planar else 6) and sampler.solver.free.names:
-        wanted = f"a task that fixes whole poses: {robot.n} joints reach none of the poses that are sampled of a free motion"
-        raise InvalidInputError("task", sampler.solver.task.name, wanted)
     n = count_positions(positions)
     _check_grid(sampler, n, samples, allowed)
     s = check_positions(positions, closed=closed)
+    usual = FEW_SAMPLES if sampler.solver.by_rows else SAMPLES
     poses = path(s)
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
         raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
-    values = sampler.solver.grid(samples, SAMPLES, poses)
+    values = sampler.solver.grid(samples, usual, poses)
     share = _share_found(sampler, poses, values)
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
