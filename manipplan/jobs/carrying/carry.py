@@ -14,7 +14,6 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.carrying.held import held_errors, tool_poses, tool_tolerance
 from manipplan.jobs.carrying.lone_arm import LoneArm, lone_robot
 from manipplan.jobs.goals.read import named_configuration
-from manipplan.jobs.goals.torsos import shared_joints
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.measures.over_tools import OverTools
 from manipplan.optimize.result import make_result
@@ -22,7 +21,7 @@ from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import deviation_from
 from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.paths.tolerance import Tolerance, with_defaults
-from manipplan.robots.arms import known_tool
+from manipplan.robots.arms import known_tool, shared_joints
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.sampling import sample_layers
 from manipplan.seeds.acceptance import CHECK_STEP

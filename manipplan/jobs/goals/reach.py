@@ -1,6 +1,6 @@
 """How far a pose is out of reach: the nearest configurations to it inside the limits."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
@@ -45,12 +46,15 @@ class Nearest:
     reaching: Array
     stopped: tuple[str, ...]
 
-    def __str__(self) -> str:
+    @property
+    def missed(self) -> str:
+        """How far it is away, and what stops it."""
         joints = f"with {' and '.join(self.stopped)} at a limit" if self.stopped else "with no joint at a limit"
-        return (
-            f"out of reach: the nearest configuration found leaves the tool {1e3 * self.position:.3g} mm and "
-            f"{np.rad2deg(self.rotation):.2g}° away, {joints}"
-        )
+        away = f"{1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° away"
+        return f"the nearest configuration found leaves the tool {away}, {joints}"
+
+    def __str__(self) -> str:
+        return f"out of reach: {self.missed}"
 
 
 def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[Nearest]:
@@ -66,22 +70,7 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
     starts = np.where(held, near, starts)
     q, owners = np.tile(starts, (len(goals), 1)), np.repeat(np.arange(len(goals)), count)
     missing = Missing.of(kinematics, goals)
-    miss, counting = missing(owners, q)
-    damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
-    for _ in range(STEPS):
-        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * LENGTHS[:, None]) * ~held
-        step = damped_step(jacobian, miss[rows], damping[rows])
-        # a joint at a limit that the step would take further does not move
-        stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))
-        step = damped_step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
-        moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
-        left, counts = missing(owners[rows], moved)
-        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
-        q[rows[good]], miss[rows[good]], counting[rows[good]] = moved[good], left[good], counts[good]
-        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
-        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
-        if not len(rows):
-            break
+    q, miss = descend(robot, lambda rows, q: missing.slopes(owners[rows], q), q, held)
     found = []
     for k, goal in enumerate(goals):
         rows = np.flatnonzero(owners == k)
@@ -98,6 +87,48 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
             )
         )
     return found
+
+
+def descend(
+    robot: Robot, missing: Callable[[NDArray[np.intp], Array], tuple[Array, Array]], q: Array, held: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    """Configurations (k, n) inside the limits after damped steps from q (k, n), and what they miss (k, r) [m].
+
+    `missing` gives what rows (j,) with configurations (j, n) miss (j, r), and its slopes (j, r, n). The held joints stay.
+    """
+    q, lower, upper = q.copy(), robot.limits.lower, robot.limits.upper
+    rows = np.arange(len(q))
+    miss, slopes = missing(rows, q)
+    damping = np.full(len(q), DAMPING)
+    for _ in range(STEPS):
+        slope = slopes[rows] * ~held
+        step = damped_step(slope, miss[rows], damping[rows])
+        # a joint at a limit that the step would take further does not move
+        stuck = ((q[rows] <= lower) & (step < 0)) | ((q[rows] >= upper) & (step > 0))
+        step = damped_step(slope * ~stuck[:, None, :], miss[rows], damping[rows])
+        moved = np.clip(q[rows] + step, lower, upper)
+        left, bent = missing(rows, moved)
+        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
+        q[rows[good]], miss[rows[good]], slopes[rows[good]] = moved[good], left[good], bent[good]
+        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
+        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
+        if not len(rows):
+            break
+    return q, miss
+
+
+def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
+    """Why no configuration brings a tool to its goal: its place is beyond the length of all links; "" where it is not."""
+    model, frame = robot.model, robot.model.frames[frame_index(robot.model, tool)]
+    first, *others = robot.joints_of(tool)
+    length = float(np.linalg.norm(frame.placement.translation)) + goal.allowed[0]
+    length += sum(float(np.linalg.norm(model.jointPlacements[i + 1].translation)) for i in others)
+    sliding = [i for i in (first, *others) if robot.joint_types[i] == "prismatic"]
+    length += sum(float(max(abs(robot.limits.lower[i]), abs(robot.limits.upper[i]))) for i in sliding)
+    away = float(np.linalg.norm(goal.matrix[:3, 3] - model.jointPlacements[first + 1].translation))
+    if away <= length:
+        return ""
+    return f"out of reach: {away:.3g} m from {robot.joint_names[first]}, and the links up to the tool are {length:.3g} m long"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -145,6 +176,11 @@ class Missing:
         rotation, counting[:, 3:, 3:] = _beyond(np.where(free, leans, turns), self.allowed[owners, 1])
         counting[:, 3:, 3:] -= counting[:, 3:, 3:] @ (have[:, :, None] * have[:, None])  # have is zero where no axis is free
         return np.hstack([position, RADIAN * rotation]), counting
+
+    def slopes(self, owners: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        """What q (k, n) miss of their goals (k,), (k, 6), and its change with the joints (k, 6, n)."""
+        miss, counting = self(owners, q)
+        return miss, counting @ (self.kinematics.jacobian(q) * LENGTHS[:, None])
 
 
 def _different(q: Array) -> Array:
