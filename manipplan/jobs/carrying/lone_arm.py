@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
@@ -29,12 +28,27 @@ class LoneArm:
         joints: indices of the joints among those of the robot.
         path: of the tool.
         layers: configurations of these joints; those in collision with what stands still or moves with this tool are left out.
+        epsilon: (k,) maximum step of these joints between positions [rad or m].
+        tolerance: of the tool on its path.
+        hold_start: whether the motion begins in the one configuration of the first position.
     """
 
     tool: str
     joints: list[int]
     path: CartesianPath
     layers: Layers
+    epsilon: Array
+    tolerance: Tolerance
+    hold_start: bool = False
+
+    def beginning(self, q: Array) -> "LoneArm":
+        """The same with q (k,) as only configuration at the first position, at the pose that it reaches."""
+        assert self.layers.sampler is not None and self.layers.poses is not None
+        kinematics, poses = self.layers.sampler.kinematics, self.layers.poses.copy()
+        poses[0] = kinematics.pose(q)
+        configurations = (np.array(q[None]), *self.layers.q[1:])
+        m = (np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:])
+        return replace(self, layers=replace(self.layers, q=configurations, m=m, poses=poses), hold_start=True)
 
     def beside(self, model: CollisionModel, q: Array, clearance: float) -> "LoneArm":
         """The arm with only the configurations that are free where the robot's other joints are as in q (L, n).
@@ -54,23 +68,23 @@ class LoneArm:
             m.append(values[free])
         return replace(self, layers=replace(self.layers, q=tuple(kept), m=tuple(m)))
 
-    def courses(self, epsilon: ArrayLike, tolerance: Tolerance) -> tuple[JointPath, JointPath]:
+    def courses(self) -> tuple[JointPath, JointPath]:
         """The joint path of the largest minimum manipulability, refined, and the one that was searched.
 
         Raises PlanningError where no continuous path leads through the configurations.
         """
         layers = self.layers
-        found = max_min_search(layers, epsilon, throw=False)
+        found = max_min_search(layers, self.epsilon, throw=False)
         if not found.connected:
             raise PlanningError(f"{self.tool}: {found.message}")
-        refined = refine(layers, found)
-        return self._joined(refined.q, tolerance), self._joined(found.q, tolerance)
+        refined = refine(layers, found, hold_start=self.hold_start)
+        return self._joined(refined.q), self._joined(found.q)
 
-    def _joined(self, q: Array, tolerance: Tolerance) -> JointPath:
+    def _joined(self, q: Array) -> JointPath:
         sampler, s = self.layers.sampler, self.layers.s
         assert sampler is not None and s is not None
         rows = PoseRows(sampler.kinematics)
-        return joint_path(sampler.solver, rows, self.path, s, q, closed=False, allowed=rows.box(tolerance))
+        return joint_path(sampler.solver, rows, self.path, s, q, closed=False, allowed=rows.box(self.tolerance))
 
 
 def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Robot:
