@@ -56,6 +56,12 @@ def known_tool(robot: "Robot", argument: str, tool: Any) -> str:
     return tool
 
 
+def led_by(robot: "Robot", tool: str) -> "Robot":
+    """The same robot with one of its tools as the first."""
+    others = tuple(each for each in robot.tools if each != tool)
+    return robot if tool == robot.tool else replace(robot, tool=tool, other_tools=others)
+
+
 def one_tool(robot: "Robot", work: str) -> "Robot":
     """The robot itself if it has one tool; otherwise raises InvalidInputError: `work` is done with one arm."""
     if len(robot.tools) > 1:
