@@ -368,6 +368,7 @@ def test_goals_of_random_configurations_are_reached(name):
         found = reaching_tools(goals, robot.neutral, model, integral, 0.0, np.zeros(robot.n, dtype=bool))
         assert len(found.q) and not found.useless
         assert not model.in_collision_rows(found.q).any()
+        assert (found.q >= robot.limits.lower).all() and (found.q <= robot.limits.upper).all()
         for tool in robot.tools:
             np.testing.assert_allclose(place(robot, tool, found.q[0]), goals[tool].matrix, atol=1e-6)
 

@@ -33,7 +33,7 @@ def torso_grid(robot: Robot, start: Array, held: NDArray[np.bool_]) -> Array:
     lower, width = _ranges(robot, free)
     values = np.array(list(product(np.linspace(0.0, 1.0, count), repeat=len(free))))
     places = np.tile(start, (1 + len(values), 1))
-    places[1:, free] = lower + values * width
+    places[1:, free] = np.clip(lower + values * width, robot.limits.lower[free], robot.limits.upper[free])
     return places
 
 
