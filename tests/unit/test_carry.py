@@ -75,10 +75,11 @@ def test_both_arms_carry_a_tray(waiter, scene, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_tray_is_carried_on_from_where_the_hands_took_it(baxter, waiter, scene):
+@pytest.mark.parametrize("options", [{}, {"positions": 15, "samples": 3}], ids=["defaults", "samples far from the start"])
+def test_a_tray_is_carried_on_from_where_the_hands_took_it(baxter, waiter, scene, options):
     goal = {tool: WAY(0.0) @ pose for tool, pose in GRASPS.items()}
     taken = mp.plan(baxter, baxter.neutral, goal, scene)
-    plan = mp.carry(waiter, WAY, GRASPS, scene, start=taken.path.goal)  # default positions and samples
+    plan = mp.carry(waiter, WAY, GRASPS, scene, start=taken.path.goal, **options)
     judge(plan)
     np.testing.assert_array_equal(plan.path.start, taken.path.goal)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
+from manipplan.ik.newton import MovingArm
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
@@ -17,6 +18,9 @@ from manipplan.search.program import PoseRows, joint_path
 from manipplan.search.refine import refine
 from manipplan.support.checks import Array
 from manipplan.support.errors import PlanningError
+
+#: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
+STEPS, EXACT = 100, 1e-10
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,13 +46,34 @@ class LoneArm:
     hold_start: bool = False
 
     def beginning(self, q: Array) -> "LoneArm":
-        """The same with q (k,) as only configuration at the first position, at the pose that it reaches."""
-        assert self.layers.sampler is not None and self.layers.poses is not None
-        kinematics, poses = self.layers.sampler.kinematics, self.layers.poses.copy()
-        poses[0] = kinematics.pose(q)
-        configurations = (np.array(q[None]), *self.layers.q[1:])
-        m = (np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:])
-        return replace(self, layers=replace(self.layers, q=configurations, m=m, poses=poses), hold_start=True)
+        """The same with q (k,) as only configuration at the first position, at the pose that it reaches.
+
+        Where steps from one position to the next lead from it is added to the configurations of the others.
+        """
+        sampler, poses = self.layers.sampler, self.layers.poses
+        assert sampler is not None and sampler.collision is not None and poses is not None
+        steps = self._onwards(q, poses[1:])
+        free = ~sampler.collision.in_collision_rows(steps, clearance=sampler.spec.clearance)
+        layers, m = [np.array(q[None]), *self.layers.q[1:]], [sampler.kinematics.manipulability(q[None]), *self.layers.m[1:]]
+        for k in np.flatnonzero(free):
+            layers[k + 1] = np.vstack([layers[k + 1], steps[k]])
+            m[k + 1] = np.append(m[k + 1], sampler.kinematics.manipulability(steps[k]))
+        poses = np.concatenate([sampler.solver.kinematics.pose(q[None]), poses[1:]])
+        return replace(self, layers=replace(self.layers, q=tuple(layers), m=tuple(m), poses=poses), hold_start=True)
+
+    def _onwards(self, q: Array, poses: Array) -> Array:
+        """Configurations (j, k) at poses (p, 4, 4), the first by steps from q, each other from the one before."""
+        sampler, found = self.layers.sampler, [np.zeros((0, len(q)))]
+        assert sampler is not None
+        limits = sampler.spec.robot.limits
+        arm = MovingArm(sampler.solver.screws, np.ones(len(q), dtype=np.bool_))
+        for pose in poses:
+            moved, miss = arm.search(q[None], pose, limits.lower, limits.upper, steps=STEPS, tolerance=EXACT)
+            if miss[0] > EXACT:
+                break
+            q = moved[0]
+            found.append(moved)
+        return np.concatenate(found)
 
     def beside(self, model: CollisionModel, q: Array, clearance: float) -> "LoneArm":
         """The arm with only the configurations that are free where the robot's other joints are as in q (L, n).
