@@ -74,11 +74,20 @@ def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
     return found
 
 
-def solutions(robot: Robot, tool: str, goal: PoseGoal, places: Array, start: Array, held: NDArray[np.bool_]) -> OfTool:
+def solutions(
+    robot: Robot,
+    tool: str,
+    goal: PoseGoal,
+    places: Array,
+    start: Array,
+    held: NDArray[np.bool_],
+    *,
+    by_steps: bool = False,
+) -> OfTool:
     """The solutions of a tool's own arm with the shared joints as in each of the places (p, n); others as there.
 
-    They are those of inverse kinematics, nearest to start (n,). With held joints, or where there is one place and none of its
-    samples reaches the goal, they are found by steps.
+    They are those of inverse kinematics, nearest to start (n,). With `by_steps` those that damped steps find are added; where
+    joints of the arm are held, they are all.
     """
     own = own_arms(robot)[tool]
     joints, near = list(own.joints), start[list(own.joints)]
@@ -87,9 +96,10 @@ def solutions(robot: Robot, tool: str, goal: PoseGoal, places: Array, start: Arr
     if not held[joints].any():
         found = reaching(own.arm, dict(enumerate(goals)), near)
         q, place = found.q, found.goals
-    if not len(q) and (held[joints].any() or len(places) == 1):
+    if by_steps or held[joints].any():
         stepped = [each.reaching for each in nearest(own.arm, goals, near, held[joints])]
-        q, place = np.concatenate(stepped), np.repeat(np.arange(len(places)), [len(each) for each in stepped])
+        q = np.concatenate([q, *stepped])
+        place = np.concatenate([place, np.repeat(np.arange(len(places)), [len(each) for each in stepped])])
     whole = places[place]
     whole[:, joints] = nearest_turns(own.arm, q, near)
     return OfTool(q=whole, place=place)

@@ -57,9 +57,9 @@ def reaching_tools(
     """Configurations that reach the goal of each tool named; the arms of the others stay where they are at `start` (n,).
 
     Each arm's solutions are those of its own joints. The joints that it shares are at their values of the start and on a grid,
-    or, where no value of the grid has solutions of every arm, where damped steps of all joints lead. Solutions of the arms with
-    the same shared values are joined, the best first: those whose manipulability is largest, up to that of the start, then the
-    nearest to the start.
+    or, where nothing on the grid is free, where damped steps of all joints lead. Solutions of the arms with the same shared
+    values are joined, the best first: those whose manipulability is largest, up to that of the start, then the nearest to the
+    start.
     """
     robot = model.robot
     far = [(tool, beyond_links(robot, tool, goal)) for tool, goal in goals.items()]
@@ -71,10 +71,12 @@ def reaching_tools(
     places = start[None] if by_steps else torso_grid(robot, start, held)
     found = {tool: solutions(robot, tool, goal, places, start, held) for tool, goal in goals.items()}
     joined = _free_together(model, ranking, places, found, clearance)
-    if (by_steps or not joined.is_free) and not held[shared_joints(robot)].all():
+    if by_steps or not joined.is_free:
         common = places[ranking.places(places, found)[:TOGETHER]]
-        met = meeting(robot, goals, places, found, start, held)
-        closer = _free_together(model, ranking, *_closer(robot, goals, common, met, start, held), clearance)
+        moves = not held[shared_joints(robot)].all()
+        met = meeting(robot, goals, places, found, start, held) if moves else np.zeros((0, robot.n))
+        more = _closer(robot, goals, common if moves else start[None], met, start, held)
+        closer = _free_together(model, ranking, *more, clearance)
         joined = closer if closer.is_free or not len(joined.q) else joined
     useless = () if len(joined.q) else tuple(_missed(robot, goals, found, start, held))
     return Joined(q=joined.q, useless=useless)
@@ -102,7 +104,7 @@ def _free_together(
 def _closer(
     robot: Robot, goals: Mapping[str, PoseGoal], common: Array, met: Array, start: Array, held: NDArray[np.bool_]
 ) -> tuple[Array, dict[str, OfTool]]:
-    """Places (p, n) and solutions at them, with more samples as they are few: `common` (c, n), and those of `met` (k, n).
+    """Places (p, n), which are `common` (c, n) and those of `met` (k, n), and more solutions at them, also by damped steps.
 
     The configurations `met` reach all goals, and are solutions themselves.
     """
@@ -113,7 +115,8 @@ def _closer(
         stepped = places[len(common) :].copy()
         stepped[:, own.joints] = nearest_turns(own.arm, met[:, own.joints], start[list(own.joints)])
         itself = OfTool(q=stepped, place=np.arange(len(common), len(places)))
-        found[tool] = itself.with_more(solutions(robot, tool, goal, places, start, held)) if len(places) else itself
+        more = solutions(robot, tool, goal, places, start, held, by_steps=True) if len(places) else itself
+        found[tool] = itself.with_more(more)
     return places, found
 
 
