@@ -122,7 +122,11 @@ def test_the_default_takes_few_samples_where_each_is_a_search(baxter):
         ({"left_gripper": np.eye(4)}, "two of the tools"),
         ({"left_gripper": np.eye(4), "right_griper": np.eye(4)}, "right_gripper"),
         ({"left_gripper": np.eye(4), "right_gripper": np.eye(3)}, r"grasps\['right_gripper'\]"),
-        ({"left_gripper": grasp(1), "right_gripper": tray_at(0.0, -2.0, 0.0)}, r"right_gripper: path, position \d"),
+        (
+            {"left_gripper": grasp(1), "right_gripper": tray_at(0.0, -2.0, 0.0)},
+            r"at s = 0 right_gripper is out of reach: 1.8. m",
+        ),
+        ({"left_gripper": grasp(1), "right_gripper": tray_at(0.3, -0.7, 0.9)}, r"right_gripper: path, position \d"),
     ],
 )
 def test_wrong_grasps(baxter, grasps, message):

@@ -11,6 +11,8 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.carrying.held import tool_poses, tool_tolerance
+from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.jobs.goals.reach import beyond_links
 from manipplan.jobs.goals.read import named_configuration
 from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import angles_between
@@ -26,6 +28,8 @@ from manipplan.timing.retime import check_timing_limits
 
 #: Smallest number of joints with which an arm reaches all poses near one.
 LEAST = 6
+#: Number of poses of the path whose distance from the arms is looked at.
+PLACES = 51
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -96,6 +100,7 @@ class Request:
         if not isinstance(path, CartesianPath):
             raise InvalidInputError("path", path, "a CartesianPath of the object, such as CartesianPath.line(begin, end)")
         held = _grasps(robot, grasps)
+        _check_reach(robot, path, held)
         scene = instance("scene", scene if scene is not None else Scene(), Scene)
         _check_task(instance("objective", objective, PathObjective).task)
         clearance = number("clearance", clearance, least=0.0)
@@ -146,6 +151,16 @@ def _grasps(robot: Robot, grasps: Mapping[str, Any]) -> dict[str, Array]:
         wanted = f"a mapping from two of the tools {', '.join(robot.tools)} to poses in the object's frame"
         raise InvalidInputError("grasps", grasps, wanted)
     return {known_tool(robot, "grasps", tool): pose_matrix(f"grasps[{tool!r}]", pose) for tool, pose in grasps.items()}
+
+
+def _check_reach(robot: Robot, path: CartesianPath, grasps: Mapping[str, Array]) -> None:
+    """Raise InvalidInputError where a pose of the path is farther away from an arm than its links are long."""
+    for s in np.linspace(0.0, 1.0, PLACES):
+        for tool, grasp in grasps.items():
+            proof = beyond_links(robot, tool, PoseGoal(path(s) @ grasp))
+            if proof:
+                wanted = f"a path on which both tools reach their grasps; at s = {s:.2g} {tool} is {proof}"
+                raise InvalidInputError("path", path, wanted)
 
 
 def _check_task(task: Task | None) -> None:

@@ -43,7 +43,7 @@ def motion_of_both(request: Request, tell: Progress) -> tuple[JointPath, JointPa
             arms = _arms(request, part(tell, begin, end - 0.1), finer=finer)
             tell(end - 0.1, "searching for motions of the arms")
             return _motion(request, arms)
-        except (PlanningError, InvalidInputError):
+        except PlanningError:
             if last:
                 raise
     raise AssertionError("the last try returns or raises")
