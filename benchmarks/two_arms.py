@@ -263,7 +263,7 @@ def solve(name: str, cases: Sequence[Case]) -> str:
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--problems", type=int, default=50, help="number of problems of Baxter, of which half change sides")
-    parser.add_argument("--others", type=int, default=5, help="number of problems of each other robot")
+    parser.add_argument("--others", type=int, default=10, help="number of problems of each other robot")
     parser.add_argument("--seed", type=int, default=0, help="seed of the problems")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)

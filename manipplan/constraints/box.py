@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.constraints.constraint import Constraint, SymbolicPose
+from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -24,6 +24,7 @@ class PositionBox(Constraint):
     Attributes:
         lower, upper: (3,) corners in the frame of `pose` [m], at least 1e-3 m apart; -inf and inf leave a side open.
         pose: (4, 4) or pin.SE3 of the box's frame in the world; None: the world's own.
+        tool: the tool frame of a robot with several; None: the first one.
 
     Raises InvalidInputError: a box without an inside, or without any wall.
     """
@@ -31,6 +32,7 @@ class PositionBox(Constraint):
     lower: ArrayLike
     upper: ArrayLike
     pose: ArrayLike | pin.SE3 | None = None
+    tool: str | None = None
 
     def __post_init__(self) -> None:
         for name in ("lower", "upper"):
@@ -49,13 +51,18 @@ class PositionBox(Constraint):
         if self.pose is not None:
             matrix = pose_matrix("pose", self.pose)
             object.__setattr__(self, "pose", tuple(tuple(float(each) for each in row) for row in matrix))
+        tool_name(self.tool)
 
     @property
     def name(self) -> str:
         sides = zip("xyz", np.asarray(self.lower), np.asarray(self.upper), strict=True)
         walls = [f"{axis} {low:g} to {high:g}" for axis, low, high in sides if np.isfinite([low, high]).any()]
         frame = "" if self.pose is None else ", in its frame"
-        return f"tool position {', '.join(walls)} m{frame}"
+        return f"{self.tool or 'tool'} position {', '.join(walls)} m{frame}"
+
+    @property
+    def of_tool(self) -> str | None:
+        return self.tool
 
     def rows(self, at: SymbolicPose) -> ca.SX:
         walls = self.tool_rows()

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from manipplan.robots.arms import known_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -20,7 +21,7 @@ class SymbolicPose:
 
     Attributes:
         q: (n, 1) joint values [rad or m].
-        position: (3, 1) of the tool in the world [m].
+        position: (3, 1) of the tool in the world [m]; of several tools the first, or the one that the constraint names.
         rotation: (3, 3) of the tool in the world.
     """
 
@@ -37,7 +38,8 @@ class Constraint(ABC):
     width, since searches go through its inside: write an equation as two rows some 1e-3 apart.
 
     Rows of a class of your own hold at samples between which no joint moves by more than 1e-3 rad or m. Those of TiltLimit and
-    PositionBox are proven on the whole motion.
+    PositionBox are proven on the whole motion; where they are about different tools, those of one tool, and the others are
+    sampled.
     """
 
     @property
@@ -53,6 +55,11 @@ class Constraint(ABC):
         """What the smallest value of its rows means, for messages and reports."""
         return f"smallest row {value:.4g}" if value >= 0 else f"smallest row {value:.4g}, below 0"
 
+    @property
+    def of_tool(self) -> str | None:
+        """The tool whose pose its rows take; None: the first one of the robot."""
+        return None
+
     def tool_rows(self) -> Array | None:
         """Rows that are linear in the tool's pose, as weights (r, 13); None for other rows.
 
@@ -60,8 +67,17 @@ class Constraint(ABC):
         """
         return None
 
-    def check(self, robot: Robot) -> None:  # noqa: B027  # most constraints fit every robot
+    def check(self, robot: Robot) -> None:
         """Raise InvalidInputError where the constraint does not fit the robot."""
+        if self.of_tool is not None:
+            known_tool(robot, "constraints.tool", self.of_tool)
+
+
+def tool_name(tool: object) -> str | None:
+    """A tool that a constraint names; raises InvalidInputError for anything but text or None."""
+    if tool is not None and (not isinstance(tool, str) or not tool):
+        raise InvalidInputError("tool", tool, "the name of one of the robot's tools, or None for the first one")
+    return tool
 
 
 def constraint_tuple(constraints: Sequence[Constraint]) -> tuple[Constraint, ...]:

@@ -14,8 +14,8 @@ from manipplan.support.yaml_files import read_yaml
 
 #: For each key of an entry: the class, and its keys, those first that are needed.
 KEYS: dict[str, tuple[Callable[..., Constraint], tuple[str, ...], tuple[str, ...]]] = {
-    "tilt_limit": (TiltLimit, ("axis", "direction", "angle"), ()),
-    "position_box": (PositionBox, ("lower", "upper"), ("pose",)),
+    "tilt_limit": (TiltLimit, ("axis", "direction", "angle"), ("tool",)),
+    "position_box": (PositionBox, ("lower", "upper"), ("pose", "tool")),
     "held_joints": (HeldJoints, ("joints",), ()),
 }
 
@@ -24,7 +24,8 @@ def constraints_from_yaml(file: str | Path) -> tuple[Constraint, ...]:
     """Read constraints: ``constraints: [{tilt_limit: {axis: [0, 0, 1], direction: [0, 0, -1], angle: 0.1}}, ...]``.
 
     The other entries are ``{position_box: {lower: [x, y, z], upper: [x, y, z]}}`` [m], where .inf leaves a side open and
-    `pose`, a matrix (4, 4), moves the box; and ``{held_joints: {joints: [name, ...]}}``. Angles are in radians.
+    `pose`, a matrix (4, 4), moves the box; and ``{held_joints: {joints: [name, ...]}}``. Angles are in radians. Of several
+    tools, `tool` names the one that a tilt limit or a box is about.
 
     Raises FileFormatError, which names the file, the entry, the key and what is allowed.
     """

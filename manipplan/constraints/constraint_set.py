@@ -12,6 +12,7 @@ from manipplan.constraints.constraint import KEPT, Constraint, SymbolicPose, con
 from manipplan.constraints.held import HeldJoints
 from manipplan.constraints.tilt import TiltLimit, contradiction
 from manipplan.constraints.tool_frame import POSE, ToolFrame, tool_frame
+from manipplan.robots.arms import led_by
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -35,10 +36,9 @@ class OwnRows:
     def of(cls, robot: Robot, constraints: Sequence[Constraint]) -> tuple["OwnRows", list[int]]:
         """The rows of all of them, and the number of rows of each; raises InvalidInputError for anything but a column."""
         chain = chain_of(robot, "auto")
-        at = SymbolicPose(q=chain.q, position=chain.tool.origin, rotation=chain.tool.rotation)
         columns = []
         for each in constraints:
-            made = each.rows(at)
+            made = each.rows(_symbolic_pose(robot, each.of_tool or robot.tool))
             if not isinstance(made, ca.SX) or made.shape[1] != 1 or not made.shape[0]:
                 raise InvalidInputError("constraints", each.name, "constraints whose rows are a ca.SX (r, 1), r at least 1")
             if set(_names(ca.symvar(made))) - set(_names(ca.symvar(chain.q))):
@@ -64,8 +64,8 @@ class ConstraintSet:
         robot: the arm.
         constraints: all of them.
         owners: (r,) index of the constraint of each row.
-        weights: (t, 13) the rows of the tool's pose, as `Constraint.tool_rows`.
-        tool: the tool's pose and Jacobian.
+        weights: (t, 13) the rows of the tool's pose, as `Constraint.tool_rows`; those of other tools are among `own`.
+        tool: the pose and Jacobian of the first tool that a constraint is about.
         own: the other rows; None for none.
         held: (n,) whether a joint is held.
     """
@@ -83,12 +83,15 @@ class ConstraintSet:
         """The set; raises InvalidInputError for what is no constraint, does not fit the robot, or contradicts another one."""
         given, held = constraint_tuple(constraints), np.zeros(robot.n, dtype=bool)
         weights, tool_owners, others, other_owners = [np.empty((0, 13))], [], [], []
+        tool = None
         for k, each in enumerate(given):
             each.check(robot)
             of_tool = each.tool_rows()
+            if of_tool is not None:
+                tool = tool or each.of_tool or robot.tool
             if isinstance(each, HeldJoints):
                 held |= each.mask(robot)
-            elif of_tool is not None:
+            elif of_tool is not None and (each.of_tool or robot.tool) == tool:
                 weights.append(of_tool)
                 tool_owners += [k] * len(of_tool)
             else:
@@ -96,14 +99,14 @@ class ConstraintSet:
                 other_owners.append(k)
         if held.all():
             raise InvalidInputError("constraints", "all joints held", "constraints that leave a joint to move")
-        _check_contradictions(given)
+        _check_contradictions(robot, given)
         own, counts = OwnRows.of(robot, others) if others else (None, [])
         return cls(
             robot=robot,
             constraints=given,
             owners=np.array(tool_owners + list(np.repeat(other_owners, counts)), dtype=np.intp),
             weights=np.vstack(weights),
-            tool=tool_frame(robot) if tool_owners else None,
+            tool=tool_frame(robot, tool) if tool is not None else None,
             own=own,
             held=held,
         )
@@ -185,12 +188,20 @@ class ConstraintSet:
         return f"{self.robot.joint_names[joint]} is held, and differs by {off[joint]:.4g} from the start"
 
 
-def _check_contradictions(constraints: Sequence[Constraint]) -> None:
+def _symbolic_pose(robot: Robot, tool: str) -> SymbolicPose:
+    """The pose of one tool at the symbols of the robot's chain."""
+    chain, own = chain_of(robot, "auto"), chain_of(led_by(robot, tool), "auto")
+    made = ca.Function("pose", [own.q], [own.tool.origin, own.tool.rotation])
+    position, rotation = made.call([chain.q], True, False)
+    return SymbolicPose(q=chain.q, position=position, rotation=rotation)
+
+
+def _check_contradictions(robot: Robot, constraints: Sequence[Constraint]) -> None:
     """Raise InvalidInputError for two tilt limits that no rotation keeps."""
     tilts = [(k, each) for k, each in enumerate(constraints) if isinstance(each, TiltLimit)]
     for i, (k, one) in enumerate(tilts):
         for j, other in tilts[i + 1 :]:
-            if contradiction(one, other):
+            if (one.tool or robot.tool) == (other.tool or robot.tool) and contradiction(one, other):
                 wanted = f"one that can be kept together with constraints[{k}]: {one.name}"
                 raise InvalidInputError(f"constraints[{j}]", other.name, wanted)
 

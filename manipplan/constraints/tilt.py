@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.constraints.constraint import Constraint, SymbolicPose
+from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
 from manipplan.support.checks import Array, finite_array, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -24,6 +24,7 @@ class TiltLimit(Constraint):
         axis: (3,) in the tool's frame, of any length; kept with length 1.
         direction: (3,) in the world's frame, which is that of the base unless `robot.at` moved it; likewise.
         angle: largest angle between the two [rad], from 1e-3 to below π.
+        tool: the tool frame of a robot with several; None: the first one.
 
     Raises InvalidInputError: an axis or direction of zero length, or another angle.
     """
@@ -31,6 +32,7 @@ class TiltLimit(Constraint):
     axis: ArrayLike
     direction: ArrayLike
     angle: float
+    tool: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "axis", _unit("axis", self.axis))
@@ -39,10 +41,15 @@ class TiltLimit(Constraint):
         if angle >= np.pi:
             raise InvalidInputError("angle", angle, "an angle below π [rad]: any tool keeps a larger one")
         object.__setattr__(self, "angle", angle)
+        tool_name(self.tool)
 
     @property
     def name(self) -> str:
-        return f"tilt of tool axis {_shown(self.axis)} from {_shown(self.direction)}"
+        return f"tilt of {self.tool or 'tool'} axis {_shown(self.axis)} from {_shown(self.direction)}"
+
+    @property
+    def of_tool(self) -> str | None:
+        return self.tool
 
     def rows(self, at: SymbolicPose) -> ca.SX:
         axis, direction = ca.DM(self.axis), ca.DM(self.direction)

@@ -6,6 +6,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
+from manipplan.robots.arms import led_by
 from manipplan.robots.model_tree import frame_index, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -63,8 +64,9 @@ class ToolFrame:
 
 
 @once_per_owner
-def tool_frame(robot: Robot) -> ToolFrame:
-    """The tool of a robot."""
+def tool_frame(robot: Robot, tool: str) -> ToolFrame:
+    """One tool of a robot."""
+    robot = led_by(robot, tool)
     chain = chain_of(robot, "auto")
     pose = ca.vertcat(chain.tool.origin, ca.reshape(chain.tool.rotation, 9, 1))
     values = ca.vertcat(pose, ca.reshape(chain.jacobian, 6 * robot.n, 1))
@@ -79,7 +81,7 @@ def tool_frame(robot: Robot) -> ToolFrame:
             lengths[i - 1] = np.linalg.norm(model.jointPlacements[i].translation)
     return ToolFrame(
         function=function,
-        kernel=wanted_kernel(function, "auto", f"tool of {robot.name}, in batches"),
+        kernel=wanted_kernel(function, "auto", f"{tool} of {robot.name}, in batches"),
         batch=BatchFunction(function),
         turns=turns,
         slides=slides,

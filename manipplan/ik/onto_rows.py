@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.descend import descend
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.support.checks import Array
 from manipplan.symbolic.free_motion import FreeMotion
@@ -11,8 +12,6 @@ from manipplan.symbolic.free_motion import FreeMotion
 STEPS, LONGEST = 50, 0.3
 #: Smallest damping, as a part of the sum of the squared singular values, for configurations where the task itself is singular.
 DAMPING = 1e-14
-#: The same from far away: number of steps, largest change, first damping, and its factors after a good and a bad step.
-FAR_STEPS, FAR_LONGEST, FAR_DAMPING, BETTER, WORSE = 60, 0.5, 1e-3, 0.2, 4.0
 
 
 def onto_rows(
@@ -39,32 +38,20 @@ def onto_rows(
         rows, jacobian, error = (each[better & (size > tolerance)] for each in (rows, jacobian, error))
         if not len(rows):
             break
-        step = _step(jacobian * moves, error, np.full(len(rows), DAMPING))
+        jacobian = jacobian * moves
+        square = jacobian @ np.swapaxes(jacobian, 1, 2)
+        square += DAMPING * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1])
+        step = (np.swapaxes(jacobian, 1, 2) @ np.linalg.solve(square, error[:, :, None]))[:, :, 0]
         q = q.copy()
         q[rows] += step * np.minimum(LONGEST / np.maximum(np.abs(step).max(axis=1), 1e-300), 1.0)[:, None]
     return best
 
 
 def search_rows(
-    kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_], tolerance: float
+    kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
-    """Configurations (k, n) inside the limits after damped steps from far-away ones, and their largest errors (k,) [m, rad].
-
-    Levenberg-Marquardt steps [sugihara2011]; arguments as in `onto_rows`.
-    """
-    limits = kinematics.robot.limits
-    q, rows, damping = q.copy(), np.arange(len(q)), np.full(len(q), FAR_DAMPING)
-    error, jacobian = _errors(kinematics, free, q, poses)
-    for _ in range(FAR_STEPS):
-        step = _step(jacobian[rows] * moves, error[rows], damping[rows])
-        tried = np.clip(q[rows] + np.clip(step, -FAR_LONGEST, FAR_LONGEST), limits.lower, limits.upper)
-        after, slopes = _errors(kinematics, free, tried, poses[rows])
-        good = np.square(after).sum(axis=1) < np.square(error[rows]).sum(axis=1)
-        q[rows[good]], error[rows[good]], jacobian[rows[good]] = tried[good], after[good], slopes[good]
-        damping[rows] = np.clip(damping[rows] * np.where(good, BETTER, WORSE), DAMPING, 1.0)
-        rows = rows[(np.abs(error[rows]).max(axis=1) > tolerance) & (good | (damping[rows] < 1.0))]
-        if not len(rows):
-            break
+    """Configurations (k, n) inside the limits after damped steps from far-away ones, and their largest errors (k,) [m, rad]."""
+    q, error = descend(kinematics.robot.limits, lambda rows, q: _errors(kinematics, free, q, poses[rows]), q, ~moves)
     return q, np.abs(error).max(axis=1, initial=0.0)
 
 
@@ -79,10 +66,3 @@ def _errors(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) ->
     counting = free.fixed_rows(nearest)
     error = counting @ np.hstack([nearest[:, :3, 3] - reached[:, :3, 3], turns])[:, :, None]
     return error[:, :, 0], counting @ (kinematics.jacobian(q) * scale[:, None])
-
-
-def _step(jacobian: Array, error: Array, damping: Array) -> Array:
-    """Minimum-norm steps (k, n), damped by parts (k,) of the trace."""
-    square = jacobian @ np.swapaxes(jacobian, 1, 2)
-    square += (damping * np.trace(square, axis1=1, axis2=2))[:, None, None] * np.eye(square.shape[1])
-    return np.asarray((np.swapaxes(jacobian, 1, 2) @ np.linalg.solve(square, error[:, :, None]))[:, :, 0])

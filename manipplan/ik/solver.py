@@ -298,7 +298,7 @@ class Solver:
         q[:, list(self.held)] = samples[source]
         moves = np.ones(self.robot.n, dtype=np.bool_)
         moves[list(self.held)] = False
-        q, residual = search_rows(self.kinematics, self.free, q, poses[source], moves, REACHED / 100)
+        q, residual = search_rows(self.kinematics, self.free, q, poses[source], moves)
         found = (residual <= REACHED) & (limits.outside(q) <= 0).all(axis=1)
         return Found(q=q[found], source=source[found], residual=residual[found])
 

@@ -136,15 +136,20 @@ def _parts(
         return (PathPart(begin=begin, end=motion.duration),)
     if begin:
         raise InvalidInputError("path_begin", path_begin, "0 where path_parts tell when the path begins")
+    for k, part in enumerate(path_parts):
+        for name in ("begin", "end", "s_begin", "s_end"):
+            number(f"path_parts[{k}].{name}", getattr(part, name), least=0.0)
     times = [time for part in path_parts for time in (part.begin, part.end)]
     steps = np.diff(times)
-    if times[0] < 0 or times[-1] > motion.duration * (1 + 1e-12) or (steps < 0).any() or (steps[::2] == 0).any():
+    if times[-1] > motion.duration * (1 + 1e-12) or (steps < 0).any() or (steps[::2] == 0).any():
         raise InvalidInputError("path_parts", times, f"increasing times from 0 to {motion.duration:.6g} s")
-    edges = [(one.s_end, other.s_begin) for one, other in pairwise(path_parts)]
-    way = path_parts[-1].s_end - path_parts[0].s_begin
-    if any(one != other for one, other in edges) or abs(way - 1.0) > 1e-9 or not 0.0 <= path_parts[0].s_begin < 1.0:
-        shown = [(part.s_begin, part.s_end) for part in path_parts]
+    shown = [(part.s_begin, part.s_end) for part in path_parts]
+    first, last = shown[0][0], shown[-1][1]
+    joined = all(one[1] == other[0] for one, other in pairwise(shown)) and all(begin < end for begin, end in shown)
+    if not joined or abs(last - first - 1.0) > 1e-9 or first >= 1.0:
         raise InvalidInputError("path_parts", shown, "each beginning at the s where the one before ends, all together one path")
+    if last > 1.0 and path is not None and not path.closes:
+        raise InvalidInputError("path_parts", shown, "s from 0 to 1, as the path's last pose is not its first")
     return tuple(path_parts)
 
 

@@ -19,6 +19,7 @@ from manipplan.kinematics.view import View
 from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array, configurations, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
@@ -300,6 +301,11 @@ def measure_for(robot: "Robot", task: Task, measure: Measure) -> Measure:
         frames = [frame.name for frame in robot.model.frames]
         if task.relative_to not in frames:
             raise UnknownNameError("relative_to", task.relative_to, frames)
+        carriers = {robot.model.frames[frame_index(robot.model, name)].parentJoint for name in (task.relative_to, robot.tool)}
+        if len(carriers) == 1:
+            other = f", such as {' or '.join(robot.other_tools)}" if robot.other_tools else ""
+            wanted = f"a frame that the tool {robot.tool} can move against{other}"
+            raise InvalidInputError("relative_to", task.relative_to, wanted)
         if measure.over_tools:
             raise InvalidInputError("measure", measure.name, f"a measure of one motion: that relative to {task.relative_to}")
         return measure

@@ -1,6 +1,6 @@
 """A measure that also falls towards the position limits of the joints."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import casadi as ca
@@ -40,6 +40,9 @@ class JointLimitPenalised(Measure):
     @property
     def over_tools(self) -> bool:  # type: ignore[override]  # that of the measure inside
         return self.measure.over_tools
+
+    def of_one_tool(self) -> Measure:
+        return replace(self, measure=self.measure.of_one_tool())
 
     def check(self, m: int, n: int) -> None:
         self.measure.check(m, n)

@@ -99,6 +99,10 @@ class Measure(ABC):
         """The Hessian with respect to q, (n, n)."""
         return ca.hessian(self.value(posture), posture.q)[0]
 
+    def of_one_tool(self) -> "Measure":
+        """The measure of each tool where this one combines those of several; otherwise the measure itself."""
+        return self
+
     def check(self, m: int, n: int) -> None:
         """Raise InvalidInputError if the measure cannot be used for m task rows and n joints."""
         if self.vanishes and m > n:

@@ -1,6 +1,6 @@
 """A measure of a robot with several tools: the minimum over its tools, or their weighted mean."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -49,11 +49,17 @@ class OverTools(Measure):
             )
         if self.weights is None:
             return
-        if not isinstance(self.weights, Mapping | list | tuple) or not self.weights:
-            raise InvalidInputError("weights", self.weights, "a mapping from names of tools to numbers above zero")
-        pairs = tuple(sorted((str(name), weight) for name, weight in dict(self.weights).items()))
-        checked = tuple((name, number(f"weights[{name!r}]", weight, above=0.0)) for name, weight in pairs)
+        given = self.weights.items() if isinstance(self.weights, Mapping) else self.weights
+        pairs = [tuple(each) for each in given if _is_pair(each)] if isinstance(given, Iterable) else []
+        names = [name for name, _ in pairs]
+        if not pairs or not isinstance(given, Sized) or len(pairs) < len(given) or len(set(names)) < len(names):
+            wanted = "a mapping from names of tools to numbers above zero, such as {'left': 1.0, 'right': 2.0}"
+            raise InvalidInputError("weights", self.weights, wanted)
+        checked = tuple((name, number(f"weights[{name!r}]", weight, above=0.0)) for name, weight in sorted(pairs))
         object.__setattr__(self, "weights", checked)
+
+    def of_one_tool(self) -> Measure:
+        return self.measure
 
     def check_tools(self, tools: Sequence[str]) -> None:
         """Raise an error unless the weights are those of these tools."""
@@ -128,6 +134,11 @@ class OverTools(Measure):
         for k, each in enumerate(safe):
             mixed[k][k] = -power * first[k] / each * sum((p for j, p in enumerate(powers) if j != k), ca.SX(0.0))
         return value, first, mixed
+
+
+def _is_pair(given: object) -> bool:
+    """Whether something is a name and one more value."""
+    return isinstance(given, list | tuple) and len(given) == 2 and isinstance(given[0], str)
 
 
 def _doubled(base: ca.SX) -> ca.SX:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.limits import JointLimits
@@ -33,11 +34,32 @@ def carriers(model: pin.Model, frame: str) -> list[int]:
     return [i - 1 for i in model.supports[model.frames[frame_index(model, frame)].parentJoint] if i > 0]
 
 
+def shared_joints(robot: "Robot") -> list[int]:
+    """Indices of the joints that move several tools, such as those of a torso."""
+    moved = np.zeros(robot.n, dtype=int)
+    for tool in robot.tools:
+        moved[list(robot.joints_of(tool))] += 1
+    found: list[int] = np.flatnonzero(moved > 1).tolist()
+    return found
+
+
+def own_joints(robot: "Robot", tool: str) -> list[int]:
+    """Indices of the joints that move one tool and no other."""
+    shared = shared_joints(robot)
+    return [i for i in robot.joints_of(tool) if i not in shared]
+
+
 def known_tool(robot: "Robot", argument: str, tool: Any) -> str:
     """The name of one of the robot's tools; raises UnknownNameError, which names the argument and the nearest names."""
     if not isinstance(tool, str) or tool not in robot.tools:
         raise UnknownNameError(argument, str(tool), robot.tools)
     return tool
+
+
+def led_by(robot: "Robot", tool: str) -> "Robot":
+    """The same robot with one of its tools as the first."""
+    others = tuple(each for each in robot.tools if each != tool)
+    return robot if tool == robot.tool else replace(robot, tool=tool, other_tools=others)
 
 
 def one_tool(robot: "Robot", work: str) -> "Robot":

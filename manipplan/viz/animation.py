@@ -1,6 +1,7 @@
 """Animation of a plan: the arm beside its manipulability over time."""
 
 from collections.abc import Callable
+from itertools import chain
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
@@ -15,7 +16,7 @@ from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.ellipsoids import default_scale, plot_ellipsoid
 from manipplan.viz.film import Film
-from manipplan.viz.motions import beside, linear_kinematics, named_paths, skeleton, tool_way
+from manipplan.viz.motions import beside, drawn_tools, named_paths, skeleton, tool_ways
 from manipplan.viz.plan import finished
 from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
 from manipplan.viz.shapes import arm_surfaces, joined
@@ -108,9 +109,9 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
 
     colours = {name: style.OPTIMUM if path is ours else style.SEED for name, path in paths.items()}
     courses = {name: trajectory if path is ours else beside(trajectory, path) for name, path in paths.items()}
-    ways = {name: tool_way(robot, path)[:, :m] for name, path in paths.items()}
+    ways = {name: [way[:, :m] for way in tool_ways(robot, path)] for name, path in paths.items()}
     looks = trajectory(np.linspace(0.0, trajectory.duration, LOOKS))
-    seen = [*ways.values(), *(skeleton(robot, q)[:, :m] for q in looks)]
+    seen = [*chain(*ways.values()), *(skeleton(robot, q)[:, :m] for q in looks)]
     if robot.planar:
         draw_flat_scene(space, plan.scene, seen)
         style.name_axes(space)
@@ -119,8 +120,11 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
         space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # arm over obstacles, ellipsoid over both: moving parts are always visible
-    for name, way in ways.items():
-        space.plot(*way.T, color=colours[name], linewidth=1.3, alpha=0.7, label=f"tool, {name}", zorder=LINES)
+    for name, tools in ways.items():
+        label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"
+        for k, way in enumerate(tools):
+            look = {"color": colours[name], "linewidth": 1.3, "alpha": 0.7, "zorder": LINES}
+            space.plot(*way.T, label=None if k else label, **look)
     space.legend(loc="upper right")
 
     kinematics = robot.kinematics(plan.result.task, measure=plan.result.measure)
@@ -136,8 +140,8 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     figure.set_layout_engine("none")
     space.autoscale(False)
 
-    linear = linear_kinematics(robot)
-    scale = LARGER * default_scale(robot, linear.jacobian(looks))
+    drawn = drawn_tools(robot)
+    scale = LARGER * default_scale(robot, drawn, looks)
     moving: list[Any] = []
 
     def show(time: float) -> None:
@@ -150,7 +154,9 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         else:
             draw_surface(space, joined(arm_surfaces(robot, q)), style.BODY_LAST, alpha=0.95)
         draw_skeleton(space, skeleton(robot, q)[:, :m])
-        plot_ellipsoid(velocity_ellipsoid(linear.jacobian(q)), skeleton(robot, q)[-1, :m], ax=space, scale=scale, alpha=0.55)
+        for tool in drawn:
+            ellipsoid, centre = velocity_ellipsoid(tool.jacobian(q)), tool.pose(q)[:m, 3]
+            plot_ellipsoid(ellipsoid, centre, ax=space, scale=scale, alpha=0.55)
         for name, at in courses.items():
             over_time.plot(time, kinematics.manipulability(at(time)), "o", color=colours[name], clip_on=False)
             if at is not trajectory:

@@ -1,5 +1,6 @@
 """The arm in space along a path, with the obstacles around it."""
 
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -8,10 +9,9 @@ from manipplan.collision.scene import Scene
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, whole_number
-from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.ellipsoids import plot_ellipsoids
-from manipplan.viz.motions import Motion, joint_path, skeleton, tool_way
+from manipplan.viz.motions import Motion, joint_path, skeleton, tool_ways
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
 from manipplan.viz.space import box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write, write_ends
 
@@ -49,18 +49,21 @@ def plot_arm(
     """
     curve, other, world = check_motions(robot, path, scene, seed)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
-    ways = {name: tool_way(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
+    ways = {name: tool_ways(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
     first, last = (joined(arm_surfaces(robot, q)) for q in (curve.start, curve.goal))
     ax = style.axes_for(ax, solid=True, size=(7.0, 6.0))
     with style.shared():
-        seen = draw_scene(ax, world, [*ways.values(), *(skeleton(robot, q) for q in curve(shares)), *points_of((first, last))])
+        seen = draw_scene(
+            ax, world, [*chain(*ways.values()), *(skeleton(robot, q) for q in curve(shares)), *points_of((first, last))]
+        )
         draw_surface(ax, first, style.BODY_FIRST, alpha=0.45)
         draw_surface(ax, last, style.BODY_LAST, alpha=0.9)
         for share, q in zip(shares, curve(shares), strict=True):
             draw_skeleton(ax, skeleton(robot, q), alpha=0.25 + 0.6 * share)
-        plot_ellipsoids(robot.kinematics(Task.position()), curve, places, ax=ax)
+        plot_ellipsoids(robot.kinematics(), curve, places, ax=ax)
         draw_ways(ax, ways)
-        write_ends(ax, next(iter(ways.values())))
+        for way in next(iter(ways.values())):
+            write_ends(ax, way)
         look_at(ax, seen)
         ax.legend(loc="upper right")
     return ax

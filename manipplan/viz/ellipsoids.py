@@ -1,5 +1,6 @@
 """Ellipsoids of velocity, force and acceleration, in the plane and in space, alone and along a path."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,13 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
-from manipplan.viz.motions import Motion, joint_path, linear_kinematics, skeleton, tool_way
+from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton
 from manipplan.viz.space import LINES
 
 #: Default length of the largest radius, as a share of the length of the stretched arm.
 SHARE = 0.08
+#: Number of points of a tool path.
+WAY = 160
 
 
 def plot_ellipsoid(
@@ -71,11 +74,11 @@ def plot_ellipsoid(
 def plot_ellipsoids(
     kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **look: Any
 ) -> Any:
-    """Velocity ellipsoids at the tool, evenly spaced in the parameter of a motion, with the tool path.
+    """Velocity ellipsoids at each tool, evenly spaced in the parameter of a motion, with the tool path.
 
     Args:
-        kinematics: of the arm. A task of three rows gives ellipsoids, a task of two rows ellipses in the x-y plane; for any
-            other task the ellipsoids of the tool's linear velocity are drawn.
+        kinematics: of the robot; each tool has the ellipsoids of its own arm. A task of three rows gives ellipsoids, a task of
+            two rows ellipses in the x-y plane; for any other task the ellipsoids of the tool's linear velocity are drawn.
         path: a JointPath, Trajectory or Tracking.
         places: number of ellipsoids, at least 2.
         scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
@@ -86,29 +89,31 @@ def plot_ellipsoids(
     """
     robot = instance("kinematics", kinematics, Kinematics).robot
     curve = joint_path("path", path, robot)
-    if kinematics.task.rows not in (2, 3):
-        kinematics = linear_kinematics(robot)
-    m = kinematics.task.rows
-    q = curve(np.linspace(0.0, 1.0, whole_number("places", places, least=2)))
-    jacobians = kinematics.jacobian(q)
-    scale = default_scale(robot, jacobians) if scale is None else scale
+    task = kinematics.task
+    if task.rows in (2, 3) and task.relative_to is not None:
+        tools: Sequence[DrawnTool] = [DrawnTool(kinematics=kinematics, joints=tuple(range(robot.n)))]
+    else:
+        tools = drawn_tools(robot, task if task.rows in (2, 3) else None)
+    m = tools[0].kinematics.task.rows
+    q, fine = (curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2), WAY))
+    scale = default_scale(robot, tools, q) if scale is None else scale
     ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
     with style.shared():
-        ax.plot(*tool_way(robot, curve)[:, :m].T, color=style.OPTIMUM, linewidth=1.2, zorder=LINES)
-        for jacobian, centre in zip(jacobians, kinematics.pose(q)[:, :m, 3], strict=True):
-            plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
+        for tool in tools:
+            ax.plot(*tool.pose(fine)[:, :m, 3].T, color=style.OPTIMUM, linewidth=1.2, zorder=LINES)
+            for jacobian, centre in zip(tool.jacobian(q), tool.pose(q)[:, :m, 3], strict=True):
+                plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
         style.name_axes(ax)
         ax.set_aspect("equal", adjustable="datalim")
     return ax
 
 
-def default_scale(robot: Robot, jacobians: Array) -> float:
-    """Scale at which the largest velocity ellipsoid radius of Jacobians (k, m, n) is `SHARE` of the arm's length."""
-    arm = np.linalg.norm(
-        np.diff(skeleton(robot.arm(robot.tool), robot.neutral[list(robot.joints_of(robot.tool))]), axis=0), axis=1
-    ).sum()
-    largest = np.linalg.norm(jacobians, ord=2, axis=(1, 2)).max()
-    return float(SHARE * arm / max(largest, 1e-9))
+def default_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
+    """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
+    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
+    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
+    largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
+    return float(SHARE * long / max(largest, 1e-9))
 
 
 def _ball() -> Any:

@@ -1,6 +1,7 @@
 """Data of a motion for the pictures: its joint path and initial path, shares of length, skeleton and tool path."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -64,9 +65,26 @@ def beside(trajectory: Trajectory, seed: JointPath) -> Callable[[ArrayLike], Arr
     return lambda t: seed(np.interp(np.interp(np.asarray(t) / trajectory.duration, s, ours), theirs, s))
 
 
-def linear_kinematics(robot: Robot) -> Kinematics:
-    """Kinematics of the tool's position, whose velocity ellipsoids are drawn; for a planar arm, in its plane."""
-    return robot.kinematics(Task.planar() if robot.planar else Task.position())
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DrawnTool:
+    """A tool with a way and ellipsoids: the kinematics of its arm, and the indices of the arm's joints."""
+
+    kinematics: Kinematics
+    joints: tuple[int, ...]
+
+    def pose(self, q: Array) -> Array:
+        """Its pose (..., 4, 4) at configurations (..., n) of the robot."""
+        return self.kinematics.pose(q[..., self.joints])
+
+    def jacobian(self, q: Array) -> Array:
+        """The Jacobian (..., m, k) of its arm at configurations (..., n) of the robot."""
+        return self.kinematics.jacobian(q[..., self.joints])
+
+
+def drawn_tools(robot: Robot, task: Task | None = None) -> tuple[DrawnTool, ...]:
+    """All tools of a robot, by default with the task whose ellipsoids are drawn: position; for a planar arm, in its plane."""
+    task = task if task is not None else Task.planar() if robot.planar else Task.position()
+    return tuple(DrawnTool(kinematics=robot.arm(tool).kinematics(task), joints=robot.joints_of(tool)) for tool in robot.tools)
 
 
 def skeleton(robot: Robot, q: Array) -> Array:
@@ -80,6 +98,7 @@ def skeleton(robot: Robot, q: Array) -> Array:
     return np.array(line)
 
 
-def tool_way(robot: Robot, path: JointPath, count: int = 160) -> Array:
-    """Positions (count, 3) of the tool along a path [m]."""
-    return robot.kinematics().pose(path(np.linspace(0.0, 1.0, count)))[:, :3, 3]
+def tool_ways(robot: Robot, path: JointPath, count: int = 160) -> list[Array]:
+    """Positions (count, 3) of each tool along a path [m]."""
+    q = path(np.linspace(0.0, 1.0, count))
+    return [tool.pose(q)[:, :3, 3] for tool in drawn_tools(robot)]

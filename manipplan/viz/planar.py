@@ -1,5 +1,6 @@
 """The planar arm along a path, seen from above."""
 
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.arm import PLACES, check_motions
 from manipplan.viz.ellipsoids import plot_ellipsoids
-from manipplan.viz.motions import Motion, skeleton, tool_way
+from manipplan.viz.motions import Motion, skeleton, tool_ways
 from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
 from manipplan.viz.space import draw_skeleton, draw_ways, write, write_ends
 
@@ -39,10 +40,11 @@ def plot_planar_arm(
     if not robot.planar:
         raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
-    ways = {name: tool_way(robot, each)[:, :2] for name, each in zip(names, (curve, other), strict=True) if each is not None}
+    motions = {name: each for name, each in zip(names, (curve, other), strict=True) if each is not None}
+    ways = {name: [way[:, :2] for way in tool_ways(robot, each)] for name, each in motions.items()}
     ax = style.axes_for(ax, size=(6.0, 6.0))
     with style.shared():
-        seen = [*ways.values(), *(skeleton(robot, q)[:, :2] for q in curve(shares))]
+        seen = [*chain(*ways.values()), *(skeleton(robot, q)[:, :2] for q in curve(shares))]
         draw_flat_scene(ax, world, seen)
         draw_flat_bodies(ax, robot, curve.start, style.BODY_FIRST, alpha=0.9)
         draw_flat_bodies(ax, robot, curve.goal, style.BODY_LAST, alpha=0.9)
@@ -50,7 +52,7 @@ def plot_planar_arm(
             draw_skeleton(ax, skeleton(robot, q)[:, :2], alpha=0.25 + 0.6 * share)
         plot_ellipsoids(robot.kinematics(Task.planar()), curve, places, ax=ax)
         draw_ways(ax, ways)
-        write_ends(ax, next(iter(ways.values())))
+        write_ends(ax, next(iter(ways.values()))[0])
         style.name_axes(ax)
         ax.legend(loc="best")
     return ax

@@ -1,6 +1,6 @@
 """Drawing in space: lit surfaces, skeletons and names on axes with projection="3d", and the limits of these axes."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -41,16 +41,18 @@ def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = s
     ax.plot(*points[:-1].T, "o", color=colour, markersize=2.5, alpha=alpha, zorder=LINES)
 
 
-def draw_ways(ax: Any, ways: Mapping[str, Array]) -> None:
-    """Draw one or two tool paths (k, 2) or (k, 3) by name; the second is the initial path of the first.
+def draw_ways(ax: Any, ways: Mapping[str, Sequence[Array]]) -> None:
+    """Draw the paths (k, 2) or (k, 3) of all tools in one or two motions by name; the second is the first's initial path.
 
     If both are the same, as along a workspace path that is followed, one line gets both names.
     """
-    first, *others = ways.values()
+    first, *others = (np.concatenate(each) for each in ways.values())
     if others and np.abs(others[0] - first).max() < SAME * np.ptp(first, axis=0).max():
-        ways = {" and ".join(ways): first}
-    for (name, way), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
-        ax.plot(*way.T, color=colour, linewidth=width, label=f"tool, {name}", zorder=LINES)
+        ways = {" and ".join(ways): next(iter(ways.values()))}
+    for (name, tools), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
+        label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"
+        for k, way in enumerate(tools):
+            ax.plot(*way.T, color=colour, linewidth=width, label=None if k else label, zorder=LINES)
 
 
 def write(ax: Any, at: Array, text: str, colour: str) -> None:

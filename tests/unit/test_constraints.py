@@ -91,7 +91,7 @@ def test_rows_and_derivatives_are_those_of_their_expressions(request, arm):
 
 def test_rows_without_a_compiler_are_the_same(panda):
     kept = ConstraintSet.of(panda, [mp.TiltLimit((0, 0, 1), DOWN, 0.4)])
-    plain = replace(kept, tool=replace(tool_frame(panda), kernel=None))
+    plain = replace(kept, tool=replace(tool_frame(panda, panda.tool), kernel=None))
     q = panda.random_configuration(np.random.default_rng(1), size=70)
     np.testing.assert_allclose(plain.values(q), kept.values(q), atol=1e-13)
     np.testing.assert_allclose(plain.gradients(q), kept.gradients(q), atol=1e-13)
@@ -101,7 +101,7 @@ def test_rows_without_a_compiler_are_the_same(panda):
 def test_bounds_on_the_tools_acceleration_hold(request, arm):
     """Second differences along random straight and bent motions stay below the bounds, and come within a factor of ten."""
     robot, rng = request.getfixturevalue(arm), np.random.default_rng(0)
-    frame, shares = tool_frame(robot), []
+    frame, shares = tool_frame(robot, robot.tool), []
     for _ in range(300):
         q, v, a = robot.random_configuration(rng), rng.normal(size=robot.n), rng.normal(size=robot.n)
         t = 1e-4 * np.array([-1.0, 0.0, 1.0])[:, None]
@@ -200,7 +200,7 @@ def test_a_search_goes_around_inside_the_limit(panda, level):
 def test_a_search_without_machine_code_of_the_tool(panda, level, monkeypatch):
     start, goal, limit = level
     monkeypatch.setattr(
-        "manipplan.constraints.constraint_set.tool_frame", lambda robot: replace(tool_frame(robot), kernel=None)
+        "manipplan.constraints.constraint_set.tool_frame", lambda robot, tool: replace(tool_frame(robot, tool), kernel=None)
     )
     scene = mp.Scene([mp.Box(size=(0.5, 0.02, 0.6), position=(0.5, 0.22, 0.3), name="wall")])
     path = mp.seed_path(panda, start, goal, scene, constraints=[limit, Cylinder(1.0)])

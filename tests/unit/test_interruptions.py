@@ -1,11 +1,14 @@
 """follow with interruptions, judged by Pinocchio alone: a circle about the Panda's base is longer than its first joint's range."""
 
+from dataclasses import replace
+
 import numpy as np
 import pinocchio as pin
 import pytest
 from matplotlib.figure import Figure
 
 import manipplan as mp
+from manipplan.jobs.reports.along import PathPart
 from manipplan.paths.deviation import deviation_from
 from manipplan.search.candidates.positions import choose_positions
 from manipplan.viz.plan import plan_figure
@@ -103,11 +106,33 @@ def test_check_judges_the_parts(panda, circle, table, plan, tmp_path):
         (lambda along: along[:1], "all together one path"),
         (lambda along: along[::-1], "increasing times"),
         (lambda _: [1.0], "a list of PathPart"),
+        (lambda along: [replace(along[0], begin="0"), *along[1:]], r"path_parts\[0\].begin: got '0'; allowed: a finite number"),
+        (lambda along: [*along[:-1], replace(along[-1], end=np.nan)], r"path_parts\[1\].end: got nan"),
+        (
+            lambda along: [replace(along[0], s_begin=-0.1), *along[1:]],
+            r"path_parts\[0\].s_begin: got -0.1; allowed: .*at least 0",
+        ),
+        (lambda along: [replace(along[0], s_end=None), *along[1:]], r"path_parts\[0\].s_end: got None"),
+        (lambda along: [replace(along[0], begin=-1.0), *along[1:]], r"path_parts\[0\].begin: got -1.0"),
+        (lambda along: [replace(along[0], s_end=0.0), replace(along[1], s_begin=0.0)], "all together one path"),
+        (
+            lambda along: [replace(each, s_begin=each.s_begin + 1, s_end=each.s_end + 1) for each in along],
+            "all together one path",
+        ),
     ],
 )
 def test_parts_that_do_not_fit_are_refused(panda, circle, plan, change, match):
     with pytest.raises(mp.InvalidInputError, match=match):
         mp.check(panda, plan.trajectory, path=circle, path_parts=change(list(plan.report.along)))
+
+
+def test_parts_beyond_the_end_need_a_closed_path(panda, plan):
+    away = np.eye(4)
+    away[0, 3] = 0.1
+    line = mp.CartesianPath.line(np.eye(4), away)
+    parts = [PathPart(begin=0.0, end=plan.trajectory.duration, s_begin=0.5, s_end=1.5)]
+    with pytest.raises(mp.InvalidInputError, match="from 0 to 1, as the path's last pose is not its first"):
+        mp.check(panda, plan.trajectory, path=line, path_parts=parts)
 
 
 def test_parts_need_a_path_and_no_other_begin(panda, circle, plan):

@@ -1,5 +1,7 @@
 """Robots with several tools: kinematics, collisions between the arms, goals of both tools, and an object that both carry."""
 
+from dataclasses import replace
+
 import casadi as ca
 import numpy as np
 import pinocchio as pin
@@ -8,10 +10,9 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.collision.body_motion import body_motion
-from manipplan.jobs.carrying.held import tool_poses
 from manipplan.jobs.goals.goal_file import goals_from_yaml
+from manipplan.jobs.goals.tool_goals import reaching_tools
 from manipplan.optimize.clearance import ClearanceRow, row_functions
-from manipplan.paths.cartesian import Offset
 
 TOOLS = ("left_gripper", "right_gripper")
 TABLE = mp.Box(size=(0.7, 1.6, 0.05), position=(0.85, 0.0, -0.2), name="table")
@@ -161,6 +162,8 @@ def test_a_frame_before_the_arm_changes_nothing_but_the_axes():
     [
         ({"task": mp.Task.pose(relative_to="right_griper")}, "right_gripper"),
         ({"task": mp.Task.pose(relative_to="torso"), "measure": mp.OverTools()}, "one motion"),
+        ({"task": mp.Task.pose(relative_to="left_gripper")}, "can move against, such as right_gripper"),
+        ({"task": mp.Task.position(relative_to="left_wrist")}, "can move against, such as right_gripper"),
         ({"measure": mp.OverTools(weights={"left_gripper": 1.0})}, "right_gripper has none"),
         ({"measure": mp.OverTools(weights={"left_gripper": 1.0, "rigth_gripper": 1.0})}, "right_gripper"),
         ({"measure": "log_det"}, "at least 0 and better when larger"),
@@ -171,7 +174,24 @@ def test_wrong_tasks_and_measures(baxter, options, message):
         baxter.kinematics(**options)
 
 
-@pytest.mark.parametrize("weights", [{"left_gripper": 0.0}, {"left_gripper": -1.0}, {}, 2.0])
+@pytest.mark.parametrize(
+    "weights",
+    [
+        {"left_gripper": 0.0},
+        {"left_gripper": -1.0},
+        {"left_gripper": np.nan},
+        {"left_gripper": "large"},
+        {"left_gripper": True},
+        {1: 2.0},
+        {},
+        2.0,
+        [1, 2],
+        ["left_gripper", 1.0],
+        [("left_gripper", 1.0), ("left_gripper", 2.0)],
+        "ab",
+        (each for each in [("left_gripper", 1.0)]),
+    ],
+)
 def test_weights_are_positive(weights):
     with pytest.raises(mp.InvalidInputError, match="weights"):
         mp.OverTools(weights=weights)
@@ -260,6 +280,38 @@ def test_the_report_tells_of_each_tool(baxter, swapped):
     assert "left_gripper: minimum m" in str(plan.report)
 
 
+@pytest.mark.parametrize(
+    ("task", "measure", "of_each"),
+    [
+        (mp.Task.position(), mp.OverTools(measure=mp.InverseCondition()), mp.InverseCondition()),
+        (None, mp.JointLimitPenalised(measure=mp.OverTools(), k=2.0), mp.JointLimitPenalised(k=2.0)),
+        (mp.Task.position(relative_to="right_gripper"), mp.InverseCondition(), mp.InverseCondition()),
+    ],
+    ids=["over tools", "penalised", "relative"],
+)
+def test_figures_of_each_tool_are_of_the_measure_that_is_reported(baxter, swapped, task, measure, of_each):
+    objective = mp.PathObjective(task=task, measure=measure)
+    report = mp.check(baxter, swapped[1].trajectory, objective=objective)
+    q = swapped[1].trajectory.path()(np.linspace(0, 1, 2001))
+    alone = None if task is None else replace(task, relative_to=None)
+    for figure in report.tools:
+        joints = list(baxter.joints_of(figure.tool))
+        m = baxter.arm(figure.tool).kinematics(alone, measure=of_each).manipulability(q[:, joints])
+        assert figure.min_manipulability == pytest.approx(m.min(), rel=1e-3)
+
+
+@pytest.mark.slow
+def test_an_arm_with_fewer_joints_than_a_relative_task_has_rows():
+    robot = mp.load_robot(
+        "baxter", joints=[f"{side}_{name}" for side in ("left", "right") for name in ("s0", "s1", "e1", "w1")]
+    )
+    objective = mp.PathObjective(task=mp.Task.pose(relative_to="right_gripper"))
+    path = mp.JointPath.line(robot.neutral, robot.neutral + 0.05)
+    report = mp.check(robot, mp.retime(path, robot), objective=objective)
+    assert [figure.min_manipulability for figure in report.tools] == [0.0, 0.0]
+    assert report.min_manipulability > 0
+
+
 def test_a_plan_is_the_same_when_it_is_loaded(swapped, tmp_path):
     _, plan = swapped
     plan.save(tmp_path)
@@ -305,6 +357,61 @@ def test_the_torso_helps_both_arms():
     assert max(figure.goal_position for figure in plan.report.tools) < 1e-6
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["tiago_dual", "talos"])
+def test_goals_of_random_configurations_are_reached(name):
+    robot = mp.load_robot(name)
+    model, integral, rng = mp.Scene().collision_model(robot), mp.PathObjective().integral(robot), np.random.default_rng(7)
+    some = robot.random_configuration(rng, size=400)
+    for q in some[~model.in_collision_rows(some, clearance=1e-3)][:60]:
+        goals = {tool: mp.PoseGoal(place(robot, tool, q)) for tool in robot.tools}
+        found = reaching_tools(goals, robot.neutral, model, integral, 0.0, np.zeros(robot.n, dtype=bool))
+        assert len(found.q) and not found.useless
+        assert not model.in_collision_rows(found.q).any()
+        assert (found.q >= robot.limits.lower).all() and (found.q <= robot.limits.upper).all()
+        for tool in robot.tools:
+            np.testing.assert_allclose(place(robot, tool, found.q[0]), goals[tool].matrix, atol=1e-6)
+
+
+def test_out_of_reach_is_said_only_where_it_is_proven():
+    robot = mp.load_robot("tiago_dual")
+    goal = {tool: place(robot, tool, robot.neutral) for tool in robot.tools}
+    first = robot.tool
+    far, just = np.array(goal[first]), np.array(goal[first])
+    far[0, 3] += 0.9
+    just[0, 3] += 0.35
+    with pytest.raises(mp.InvalidInputError, match=f"{first} is out of reach: 1.44 m from torso_lift_joint, .* 1.41 m long"):
+        mp.plan(robot, robot.neutral, goal | {first: far})
+    with pytest.raises(mp.InvalidInputError, match=f"{first} may be out of reach: .*torso_lift_joint .*mp.PoseGoal"):
+        mp.plan(robot, robot.neutral, goal | {first: just})
+
+
+def test_two_poses_that_need_different_torsos():
+    robot = mp.load_robot("tiago_dual")
+    model, integral = mp.Scene().collision_model(robot), mp.PathObjective().integral(robot)
+    q, goals = robot.random_configuration(np.random.default_rng(0), size=200_000), {}
+    for tool, sign in zip(robot.tools, (1, -1), strict=True):  # the highest pose of one tool and the lowest of the other
+        poses = robot.arm(tool).kinematics().pose(q[:, list(robot.joints_of(tool))])
+        goals[tool] = mp.PoseGoal(poses[(sign * poses[:, 2, 3]).argmax()])
+    found = reaching_tools(goals, robot.neutral, model, integral, 0.0, np.zeros(robot.n, dtype=bool))
+    assert not len(found.q)
+    assert "each tool reaches its pose alone, but no value of torso_lift_joint was found" in found.useless[0][1]
+
+
+def test_held_joints_stay_where_both_arms_and_a_torso_move():
+    robot = mp.load_robot("tiago_dual")
+    model, integral = mp.Scene().collision_model(robot), mp.PathObjective().integral(robot)
+    held = np.zeros(robot.n, dtype=bool)
+    held[robot.joints_of(robot.tools[0])[1]] = True
+    q = robot.neutral.copy()
+    q[0] = 0.3
+    goals = {tool: mp.PoseGoal(place(robot, tool, q)) for tool in robot.tools}
+    found = reaching_tools(goals, robot.neutral, model, integral, 0.0, held)
+    assert len(found.q)
+    np.testing.assert_array_equal(found.q[:, held], np.tile(robot.neutral[held], (len(found.q), 1)))
+    np.testing.assert_allclose(place(robot, robot.tools[0], found.q[0]), goals[robot.tools[0]].matrix, atol=1e-6)
+
+
 @pytest.mark.parametrize(
     ("goal", "message"),
     [
@@ -334,62 +441,6 @@ def test_what_needs_one_arm_says_so(baxter):
     for call in calls:
         with pytest.raises(mp.InvalidInputError, match=r"robot\.arm\('left_gripper'\)"):
             call()
-
-
-def grasp(side):
-    """A hand at the side of a tray, from above and outside."""
-    pose = np.eye(4)
-    pose[:3, :3] = Rotation.from_euler("xz", [np.pi - side * np.pi / 4, 0.0]).as_matrix()
-    pose[:3, :3] = pose[:3, :3] @ Rotation.from_euler("z", side * np.pi / 2).as_matrix()
-    pose[:3, 3] = 0.0, 0.22 * side, 0.02
-    return pose
-
-
-def tray_at(x, y, z, turn=0.0):
-    pose = np.eye(4)
-    pose[:3, :3] = Rotation.from_euler("z", turn).as_matrix()
-    pose[:3, 3] = x, y, z
-    return pose
-
-
-@pytest.mark.slow
-def test_both_arms_carry_a_tray(baxter, scene, tmp_path):
-    grasps = {"left_gripper": grasp(1), "right_gripper": grasp(-1)}
-    way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15, 0.2))
-    tray = mp.Box(size=(0.3, 0.4, 0.02), name="tray").at(np.linalg.inv(grasps["left_gripper"]))
-    robot = baxter.attach(tray, tool="left_gripper")
-    plan = mp.carry(robot, way, grasps, scene, positions=15, samples=12, epsilon=0.4)
-    assert plan.status is mp.Status.CARRIED
-    assert plan.report.passed
-    q = plan.trajectory(np.linspace(0, plan.trajectory.duration, 500))
-    poses = tool_poses(robot, q)
-    seen = np.linalg.inv(poses["left_gripper"]) @ poses["right_gripper"]
-    wanted = np.linalg.inv(grasps["left_gripper"]) @ grasps["right_gripper"]
-    assert np.abs(seen - wanted).max() < 1e-3
-    assert np.abs(seen[:, :3, 3] - wanted[:3, 3]).max() < 1e-4
-    assert plan.report.tools[1].held_position < 1e-4
-    assert plan.report.tools[1].held_position >= np.linalg.norm(seen[:, :3, 3] - wanted[:3, 3], axis=1).max() - 1e-6
-    objects = poses["left_gripper"] @ np.linalg.inv(grasps["left_gripper"])
-    np.testing.assert_allclose(objects[[0, -1]], [way(0.0), way(1.0)], atol=1e-4)
-    plan.save(tmp_path)
-    loaded = mp.Plan.load(tmp_path)
-    assert isinstance(loaded.workspace_path, Offset)
-    np.testing.assert_allclose(loaded.workspace_path(0.5), plan.workspace_path(0.5))
-
-
-@pytest.mark.parametrize(
-    ("grasps", "message"),
-    [
-        ({"left_gripper": np.eye(4)}, "two of the tools"),
-        ({"left_gripper": np.eye(4), "right_griper": np.eye(4)}, "right_gripper"),
-        ({"left_gripper": np.eye(4), "right_gripper": np.eye(3)}, r"grasps\['right_gripper'\]"),
-        ({"left_gripper": grasp(1), "right_gripper": tray_at(0.0, -2.0, 0.0)}, r"right_gripper: path, position \d"),
-    ],
-)
-def test_wrong_grasps(baxter, grasps, message):
-    way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15))
-    with pytest.raises(mp.InvalidInputError, match=message):
-        mp.carry(baxter, way, grasps, positions=5, samples=6)
 
 
 def test_a_goal_of_several_tools_takes_no_pose_of_a_part(baxter):

@@ -159,9 +159,9 @@ def test_the_slider_moves_the_robot(shown, page):
     assert f"{shown.time:.2f} of {shown.motion.trajectory.duration:.2f} s" in page.content()
     value = float(shown.motion.kinematics.manipulability(shown.motion.trajectory(1.13)))
     assert f"{value:.4g} m²" in page.content()
-    ellipsoid, jacobian = shown.stage.ellipsoid.mesh, shown.motion.position.jacobian(shown.motion.trajectory(1.13))
+    ellipsoid, jacobian = shown.stage.ellipsoids[0].mesh, shown.motion.tools[0].jacobian(shown.motion.trajectory(1.13))
     np.testing.assert_allclose(ellipsoid.scale[:2], shown.motion.scale * np.linalg.svd(jacobian)[1], rtol=1e-9)
-    np.testing.assert_allclose(ellipsoid.position, shown.motion.position.pose(shown.motion.trajectory(1.13))[:3, 3], atol=1e-9)
+    np.testing.assert_allclose(ellipsoid.position, shown.motion.tools[0].pose(shown.motion.trajectory(1.13))[:3, 3], atol=1e-9)
 
 
 def test_it_plays_at_real_speed_and_stops(shown, page):

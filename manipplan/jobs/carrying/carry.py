@@ -1,42 +1,30 @@
 """carry: two tools of a robot hold an object, such as a tray, and move it along a path."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from itertools import permutations
+from dataclasses import replace
 from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
-from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.carrying.held import held_errors, tool_poses, tool_tolerance
-from manipplan.jobs.carrying.lone_arm import LoneArm, lone_robot
-from manipplan.jobs.goals.read import named_configuration
-from manipplan.jobs.goals.torsos import shared_joints
+from manipplan.jobs.carrying.held import held_errors, tool_poses
+from manipplan.jobs.carrying.request import Request
+from manipplan.jobs.carrying.together import motion_of_both
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
-from manipplan.measures.over_tools import OverTools
 from manipplan.optimize.result import make_result
-from manipplan.paths.cartesian import CartesianPath, Offset
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
-from manipplan.paths.joint import JointPath, side_by_side
-from manipplan.paths.tolerance import Tolerance, with_defaults
-from manipplan.robots.arms import known_tool
+from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.sampling import sample_layers
-from manipplan.seeds.acceptance import CHECK_STEP
-from manipplan.support.checks import Array, instance, number, pose_matrix
-from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.checks import instance
+from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
-from manipplan.timing.retime import check_timing_limits, retime
+from manipplan.timing.retime import retime
 
-#: Clearance that configurations keep beyond the required one, for the motion between positions [m].
-SPARE = 0.003
-#: Number of places at which the nearest bodies are looked for.
-PLACES = 401
 #: Number of times at which the tools are compared with each other and with the path.
 TIMES = 4001
 
@@ -48,8 +36,9 @@ def carry(
     grasps: Mapping[str, Any],
     scene: Scene | None = ...,
     *,
+    start: ArrayLike | str | None = ...,
     posture: ArrayLike | str | None = ...,
-    positions: int = ...,
+    positions: int | ArrayLike | None = ...,
     objective: PathObjective = ...,
     epsilon: ArrayLike = ...,
     samples: int | Sequence[int] | None = ...,
@@ -69,8 +58,9 @@ def carry(
     grasps: Mapping[str, Any],
     scene: Scene | None = ...,
     *,
+    start: ArrayLike | str | None = ...,
     posture: ArrayLike | str | None = ...,
-    positions: int = ...,
+    positions: int | ArrayLike | None = ...,
     objective: PathObjective = ...,
     epsilon: ArrayLike = ...,
     samples: int | Sequence[int] | None = ...,
@@ -90,8 +80,9 @@ def carry(
     grasps: Mapping[str, Any],
     scene: Scene | None = None,
     *,
+    start: ArrayLike | str | None = None,
     posture: ArrayLike | str | None = None,
-    positions: int = 50,
+    positions: int | ArrayLike | None = None,
     objective: PathObjective = PathObjective(),
     epsilon: ArrayLike = 0.2,
     samples: int | Sequence[int] | None = None,
@@ -102,85 +93,70 @@ def carry(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
-    """Move an object that two tools hold along a path: timed, and checked with both arms together.
+    """Plan the motion of an object that two tools hold, such as a tray, along a path; timed, and checked with both arms.
 
-    One arm leads: its motion is the best continuous one through all configurations at the positions, as in `follow`. The other
-    arm has those of its configurations that are free of the first; where that fails, the other arm leads. The arms are joined
-    into one motion, which is checked arm against arm. From Pinocchio's kinematics at many times the report gives the largest
-    distance and angle by which the second tool leaves its pose relative to the first.
+    The arms are searched one after the other, each as in `follow`. The first one has the best motion among all its
+    configurations at a number of positions, the other one among those that are free of the first. Where that fails, the other
+    one is first, and then closer positions and finer samples are tried once. The joined motion is timed and checked arm
+    against arm. The report gives the largest distance and angle by which the second tool leaves its pose relative to the
+    first, by Pinocchio's kinematics.
 
-    Joints that move several tools, such as a torso, stand still.
+    Joints that move both tools, such as a torso, stand still.
 
     Args:
         robot: a robot with several tools. Attach the object to one of them, so that it is checked, too.
-        path: of the object in the world; `CartesianPath.line(start, goal)` for two poses.
+        path: of the object in the world; `CartesianPath.line(begin, end)` for two poses.
         grasps: for both tools that hold the object their poses (4, 4), or pin.SE3, in the object's frame.
         scene: obstacles; None: none. The arms are always checked against themselves and each other.
-        posture: (n,) where the joints stand still that do not move along; default `robot.neutral`.
-        positions, epsilon, samples, seed: as in `follow`.
-        objective: as in `follow`; the measure of each tool, whose minimum over the motion is maximised.
-        tolerance: how far the object may leave the path, and the tools their poses to each other. Default 0.1 mm and 1 mrad.
-        clearance: distance [m] to keep from obstacles and between the robot's own links.
-        torque: keep the joints' effort limits as well.
+        start: (n,) where the motion begins, with both tools at their grasps of the first pose, or the name of one of
+            `robot.states`; None: the motion begins where the best one does.
+        posture: (n,) where the joints stand still that do not move along, or the name of a state; default: those of the start,
+            or `robot.neutral`.
+        positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: those of
+            `follow`, for the tool whose way is longer.
+        objective: as in `follow`; its measure is that of each tool, its task None or Task.pose(length=...).
+        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
+        samples: number of grid points of each arm's redundancy; None: as in `follow`, and 32 for an arm of seven joints without
+            a closed form, such as Baxter's, as each takes a search.
+        tolerance: how far the object may leave the path, and the tools their poses relative to each other. Default 0.1 mm and
+            1 mrad.
+        clearance: distance [m] to keep from obstacles and between the robot's own links. The positions keep 3 mm more.
+        torque: keep the joints' effort limits as well; the weight of the object is not known.
+        seed: of random starts, for arms without closed-form inverse kinematics.
         throw: raise PlanningError if there is no motion; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
     Raises:
         InvalidInputError: an argument is invalid, or a tool cannot reach a position: the message names the tool.
         UnknownNameError: no tool or state has that name; the nearest names are listed.
-        PlanningError: no continuous motion, or none free of the other arms; its `result` is the plan so far.
+        PlanningError: no continuous motion, or none free of the other arm; its `result` is the plan so far.
     """
-    instance("robot", robot, Robot)
-    if not isinstance(path, CartesianPath):
-        raise InvalidInputError("path", path, "a CartesianPath of the object")
-    held = _grasps(robot, grasps)
-    scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    instance("objective", objective, PathObjective)
-    still = robot.neutral if posture is None else named_configuration("posture", posture, robot)
-    still = robot.configuration("posture", still)
-    allowed = with_defaults(None if tolerance is None else instance("tolerance", tolerance, Tolerance))
-    clearance = number("clearance", clearance, least=0.0)
-    check_timing_limits(robot.limits)
-    integral = objective.integral(robot)
-    tell = teller(progress)
-    first = next(iter(held))
-    draft = PartialPlan(
-        robot=robot, scene=scene, status=Status.NO_PATH, workspace_path=Offset(path=path, offset=held[first]), tolerance=allowed
-    )
-    arms = []
-    for k, (tool, grasp) in enumerate(held.items()):
-        joints = [i for i in robot.joints_of(tool) if i not in shared_joints(robot)]
-        way, options = Offset(path=path, offset=grasp), {"samples": samples, "clearance": clearance, "seed": seed}
-        try:
-            layers = sample_layers(
-                lone_robot(robot, tool, joints, still),
-                way,
-                positions,
-                task=objective.task,
-                measure=_measure(integral),
-                scene=scene,
-                spare=SPARE,
-                progress=part(tell, 0.4 * k / len(held), 0.4 * (k + 1) / len(held)),
-                **options,  # type: ignore[arg-type]  # checked by sample_layers itself
-            )
-        except InvalidInputError as error:
-            raise InvalidInputError(f"{tool}: {error.argument}", error.value, error.allowed) from error
-        arms.append(LoneArm(tool=tool, joints=joints, path=way, layers=layers))
-    together = _Together(
-        robot=robot,
-        scene=scene,
-        still=still,
+    request = Request.of(
+        robot,
+        path,
+        grasps,
+        scene,
+        start=start,
+        posture=posture,
+        positions=positions,
+        objective=objective,
         epsilon=epsilon,
+        samples=samples,
+        tolerance=tolerance,
         clearance=clearance,
-        tolerance=tool_tolerance(allowed, held),
+        torque=torque,
+        seed=seed,
     )
-    tell(0.4, "searching for motions of the arms")
+    instance("throw", throw, bool)
+    tell, held, allowed, integral = teller(progress), request.grasps, request.tolerance, request.integral
+    first = request.way(next(iter(held)))
+    draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
     try:
-        joint, seed_path = together.motion(arms)
+        joint, seed_path = motion_of_both(request, part(tell, 0.0, 0.9))
     except PlanningError as error:
         return failed(draft, throw, str(error))
     tell(0.9, "timing the motion")
-    model = scene.collision_model(robot)
+    model = request.scene.collision_model(robot)
     result = make_result(
         joint,
         integral,
@@ -188,7 +164,7 @@ def carry(
         seed=seed_path,
         seed_cost=integral.cost(seed_path),
         model=model,
-        clearance=clearance,
+        clearance=request.clearance,
         status=Status.CARRIED,
     )
     draft = replace(draft, status=Status.CARRIED, path=joint, result=result)
@@ -198,7 +174,7 @@ def carry(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.95, "checking the result")
     poses = tool_poses(robot, trajectory(np.linspace(0.0, trajectory.duration, TIMES)))
-    deviation = deviation_from(Offset(path=path, offset=held[first]), poses[first])
+    deviation = deviation_from(first, poses[next(iter(held))])
     made = finish(
         replace(draft, deviation=deviation),
         joint,
@@ -206,7 +182,7 @@ def carry(
         result,
         model,
         joint.goal,
-        clearance=clearance,
+        clearance=request.clearance,
         torque=torque,
         jerk=True,
         throw=False,
@@ -226,20 +202,6 @@ def carry(
     return made
 
 
-def _grasps(robot: Robot, grasps: Mapping[str, Any]) -> dict[str, Array]:
-    """The grasps of both tools as matrices."""
-    if not isinstance(grasps, Mapping) or len(grasps) != 2:
-        wanted = f"a mapping from two of the tools {', '.join(robot.tools)} to poses in the object's frame"
-        raise InvalidInputError("grasps", grasps, wanted)
-    return {known_tool(robot, "grasps", tool): pose_matrix(f"grasps[{tool!r}]", pose) for tool, pose in grasps.items()}
-
-
-def _measure(integral: PathIntegral) -> Any:
-    """The measure of one tool."""
-    measure = integral.kinematics.measure
-    return measure.measure if isinstance(measure, OverTools) else measure
-
-
 def _excess(errors: Mapping[str, tuple[float, float]], allowed: Tolerance) -> str:
     """What is wrong where the tools leave their poses to each other; "" where they keep them."""
     assert allowed.position is not None and allowed.rotation is not None
@@ -250,53 +212,3 @@ def _excess(errors: Mapping[str, tuple[float, float]], allowed: Tolerance) -> st
                 f"allowed: {1e3 * allowed.position:.3g} mm and {1e3 * allowed.rotation:.3g} mrad"
             )
     return ""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Together:
-    """What the motions of both arms have in common.
-
-    Attributes:
-        still: (n,) where the joints are that do not move along.
-        epsilon: (1,) or one per joint of an arm: maximum step between positions [rad or m].
-        tolerance: of each tool on its own path.
-    """
-
-    robot: Robot
-    scene: Scene
-    still: Array
-    epsilon: ArrayLike
-    clearance: float
-    tolerance: Tolerance
-
-    def motion(self, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:
-        """The joint path of the whole robot, and the same as searched; the first order of the arms that gives one.
-
-        Raises PlanningError with the reason of the first order where none does.
-        """
-        reasons = []
-        for lead, follow in permutations(arms):
-            try:
-                return self._in_order(lead, follow)
-            except PlanningError as error:
-                reasons.append(f"{lead.tool} leads: {error}")
-        raise PlanningError("; ".join(reasons))
-
-    def _in_order(self, lead: LoneArm, follow: LoneArm) -> tuple[JointPath, JointPath]:
-        model, s = self.scene.collision_model(self.robot), lead.layers.s
-        assert s is not None
-        refined, searched = lead.courses(self.epsilon, self.tolerance)
-        q = np.tile(self.still, (len(s), 1))
-        q[:, lead.joints] = refined(s)
-        beside = follow.beside(model, q, self.clearance + SPARE)
-        refined_beside, searched_beside = beside.courses(self.epsilon, self.tolerance)
-        seed = self._of_both((searched, lead.joints), (searched_beside, follow.joints))
-        for own in (refined_beside, searched_beside):  # what is refined knows nothing of the other arm
-            joint = self._of_both((refined, lead.joints), (own, follow.joints))
-            if model.path_is_free(joint, CHECK_STEP, self.clearance):
-                return joint, seed
-        bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PLACES)))
-        raise PlanningError(f"between the positions {bodies}; take more positions")
-
-    def _of_both(self, *parts: tuple[JointPath, list[int]]) -> JointPath:
-        return side_by_side(parts, self.still)

@@ -6,25 +6,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.descend import descend
 from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
 
-#: Smallest and largest number of starts per pose, and of all, and number of steps from each.
-STARTS, ALL_STARTS, STEPS = (8, 24), 600, 60
+#: Smallest and largest number of starts per pose, and of all.
+STARTS, ALL_STARTS = (8, 24), 600
 #: Weight of an angle against a distance [m/rad].
 RADIAN = 0.1
 #: Weights of the six rows of a Jacobian [m or m/rad].
 LENGTHS = np.array([1.0] * 3 + [RADIAN] * 3)
-#: First damping of a step, its factors after a good and a bad step, and the largest change of a joint in one step [rad or m].
-DAMPING, BETTER, WORSE, LONGEST = 1e-2, 1 / 3, 4.0, 0.5
 #: Distance from a limit up to which a joint counts as being at it [rad or m].
 AT_LIMIT = 1e-6
-#: Size of the miss that counts as none, and at which no more steps are made [m].
-REACHED, DONE = 1e-9, 1e-11
+#: Size of the miss that counts as none [m].
+REACHED = 1e-9
 #: Configurations are the same when no joint differs by more than this [rad or m].
 SAME = 1e-3
 
@@ -46,12 +46,15 @@ class Nearest:
     reaching: Array
     stopped: tuple[str, ...]
 
-    def __str__(self) -> str:
+    @property
+    def missed(self) -> str:
+        """How far it is away, and what stops it."""
         joints = f"with {' and '.join(self.stopped)} at a limit" if self.stopped else "with no joint at a limit"
-        return (
-            f"out of reach: the nearest configuration found leaves the tool {1e3 * self.position:.3g} mm and "
-            f"{np.rad2deg(self.rotation):.2g}° away, {joints}"
-        )
+        away = f"{1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° away"
+        return f"the nearest configuration found leaves the tool {away}, {joints}"
+
+    def __str__(self) -> str:
+        return f"out of reach: {self.missed}"
 
 
 def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[Nearest]:
@@ -66,22 +69,7 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
     starts = [[near, robot.neutral, *random_near(robot, goal.matrix, np.random.default_rng(0), count - 2)] for goal in goals]
     q, owners = np.where(held, near, np.concatenate(starts)), np.repeat(np.arange(len(goals)), count)
     missing = Missing.of(kinematics, goals)
-    miss, counting = missing(owners, q)
-    damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
-    for _ in range(STEPS):
-        jacobian = counting[rows] @ (kinematics.jacobian(q[rows]) * LENGTHS[:, None]) * ~held
-        step = damped_step(jacobian, miss[rows], damping[rows])
-        # a joint at a limit that the step would take further does not move
-        stuck = ((q[rows] <= robot.limits.lower) & (step < 0)) | ((q[rows] >= robot.limits.upper) & (step > 0))
-        step = damped_step(jacobian * ~stuck[:, None, :], miss[rows], damping[rows])
-        moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
-        left, counts = missing(owners[rows], moved)
-        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
-        q[rows[good]], miss[rows[good]], counting[rows[good]] = moved[good], left[good], counts[good]
-        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
-        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
-        if not len(rows):
-            break
+    q, miss = descend(robot.limits, lambda rows, q: missing.slopes(owners[rows], q), q, held)
     found = []
     for k, goal in enumerate(goals):
         rows = np.flatnonzero(owners == k)
@@ -98,6 +86,20 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
             )
         )
     return found
+
+
+def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
+    """Why no configuration brings a tool to its goal: its place is beyond the length of all links; "" where it is not."""
+    model, frame = robot.model, robot.model.frames[frame_index(robot.model, tool)]
+    first, *others = robot.joints_of(tool)
+    length = float(np.linalg.norm(frame.placement.translation)) + goal.allowed[0]
+    length += sum(float(np.linalg.norm(model.jointPlacements[i + 1].translation)) for i in others)
+    sliding = [i for i in (first, *others) if robot.joint_types[i] == "prismatic"]
+    length += sum(float(max(abs(robot.limits.lower[i]), abs(robot.limits.upper[i]))) for i in sliding)
+    away = float(np.linalg.norm(goal.matrix[:3, 3] - model.jointPlacements[first + 1].translation))
+    if away <= length:
+        return ""
+    return f"out of reach: {away:.3g} m from {robot.joint_names[first]}, and the links up to the tool are {length:.3g} m long"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -146,6 +148,11 @@ class Missing:
         counting[:, 3:, 3:] -= counting[:, 3:, 3:] @ (have[:, :, None] * have[:, None])  # have is zero where no axis is free
         return np.hstack([position, RADIAN * rotation]), counting
 
+    def slopes(self, owners: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        """What q (k, n) miss of their goals (k,), (k, 6), and its change with the joints (k, 6, n)."""
+        miss, counting = self(owners, q)
+        return miss, counting @ (self.kinematics.jacobian(q) * LENGTHS[:, None])
+
 
 def _different(q: Array) -> Array:
     """Configurations (k, n) without those that are nearly the same as one before."""
@@ -163,10 +170,3 @@ def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:
     along = unit[:, :, None] * unit[:, None] * (length > most)[:, None, None]
     shortened = vectors * np.maximum(1 - most / np.maximum(length, 1e-300), 0.0)[:, None]
     return np.asarray(shortened), np.where((most > 0)[:, None, None], along, np.eye(3))
-
-
-def damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
-    """Damped steps (k, n) of the joints that reduce the miss (k, r)."""
-    turned = np.swapaxes(jacobian, 1, 2)
-    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(miss.shape[1]), miss[:, :, None])
-    return np.asarray(np.clip((turned @ solved)[:, :, 0], -LONGEST, LONGEST))

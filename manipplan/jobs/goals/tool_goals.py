@@ -1,47 +1,33 @@
 """Configurations that reach a goal of several tools: the solutions of each arm, joined where they are free of each other."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.integral import PathIntegral
+from manipplan.jobs.goals.own_arm import OfTool, own_arms, solutions
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.reach import nearest
-from manipplan.jobs.goals.samples import nearest_turns, reaching
-from manipplan.jobs.goals.torsos import shared_joints, torsos
-from manipplan.measures.over_tools import OverTools
-from manipplan.robots.arms import arm_of
+from manipplan.jobs.goals.ranking import Ranking
+from manipplan.jobs.goals.reach import beyond_links, nearest
+from manipplan.jobs.goals.samples import nearest_turns
+from manipplan.jobs.goals.torsos import meeting, torso_grid
+from manipplan.robots.arms import shared_joints
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.memo import once_per_owner
 
-#: Number of the best solutions of each arm that are joined, and largest difference of a joint below which two count as one.
-JOINED, APART = 48, 0.25
+#: Number of places of the shared joints that are looked at together, and of configurations that are joined at all of them.
+TOGETHER, JOINED = 12, 2400
+#: Largest difference of a joint below which two solutions of one arm count as one.
+APART = 0.25
 #: Number of joined configurations that are kept: free ones, and others where none is free.
 FREE, OTHERS = 64, 16
 #: Distance below which bodies of one arm touch [m].
 TOUCHING = 1e-9
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class OwnArm:
-    """The joints that move one tool alone, as an arm whose other joints are locked at the robot's neutral posture.
-
-    Attributes:
-        arm: the arm.
-        joints: indices of its joints.
-        carrier: index, from 1, of the last joint that moves it and another tool; 0: the world.
-        home: (4, 4) place of that joint in the neutral posture.
-    """
-
-    arm: Robot
-    joints: tuple[int, ...]
-    carrier: int
-    home: Array
+#: What to try where no configuration was found.
+REMEDY = "Allow a tolerance or a free axis by mp.PoseGoal, or give several goals in a list"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -52,17 +38,12 @@ class Joined:
     useless: tuple[tuple[Array, str], ...]
 
 
-@once_per_owner
-def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
-    """The arm of each tool without the joints that it shares."""
-    shared, data, found = shared_joints(robot), robot.model.createData(), {}
-    pin.forwardKinematics(robot.model, data, np.asarray(robot.neutral))
-    for tool in robot.tools:
-        joints = tuple(i for i in robot.joints_of(tool) if i not in shared)
-        carrier = max((i + 1 for i in robot.joints_of(tool) if i in shared), default=0)
-        arm = arm_of(robot, tool, joints, robot.neutral)
-        found[tool] = OwnArm(arm=arm, joints=joints, carrier=carrier, home=data.oMi[carrier].homogeneous)
-    return found
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Together:
+    """Configurations (k, n) with a solution of every arm, all free of collisions or none."""
+
+    q: Array
+    is_free: bool
 
 
 def reaching_tools(
@@ -75,68 +56,88 @@ def reaching_tools(
 ) -> Joined:
     """Configurations that reach the goal of each tool named; the arms of the others stay where they are at `start` (n,).
 
-    Each arm's solutions are those of its own joints, for some values of the joints that it shares. Of those that are free alone
-    the best are joined: those whose manipulability is largest, up to that of the start, then the nearest to the start.
+    Each arm's solutions are those of its own joints. The joints that it shares are at their values of the start and on a grid,
+    or, where nothing on the grid is free, where damped steps of all joints lead. Solutions of the arms with the same shared
+    values are joined, the best first: those whose manipulability is largest, up to that of the start, then the nearest to the
+    start.
     """
     robot = model.robot
-    places = torsos(robot, goals, start, held)
-    solutions, useless = [], []
+    far = [(tool, beyond_links(robot, tool, goal)) for tool, goal in goals.items()]
+    if any(proof for _, proof in far):
+        useless = tuple((start, f"left out: {tool} is {proof}") for tool, proof in far if proof)
+        return Joined(q=np.zeros((0, robot.n)), useless=useless)
+    ranking = Ranking(robot=robot, start=start, integral=integral)
+    by_steps = any(held[list(own_arms(robot)[tool].joints)].any() for tool in goals)
+    places = start[None] if by_steps else torso_grid(robot, start, held)
+    found = {tool: solutions(robot, tool, goal, places, start, held) for tool, goal in goals.items()}
+    joined = _free_together(model, ranking, places, found, clearance)
+    if by_steps or not joined.is_free:
+        common = places[ranking.places(places, found)[:TOGETHER]]
+        moves = not held[shared_joints(robot)].all()
+        met = meeting(robot, goals, places, found, start, held) if moves else np.zeros((0, robot.n))
+        more = _closer(robot, goals, common if moves else start[None], met, start, held)
+        closer = _free_together(model, ranking, *more, clearance)
+        joined = closer if closer.is_free or not len(joined.q) else joined
+    useless = () if len(joined.q) else tuple(_missed(robot, goals, found, start, held))
+    return Joined(q=joined.q, useless=useless)
+
+
+def _free_together(
+    model: CollisionModel, ranking: Ranking, places: Array, found: Mapping[str, OfTool], clearance: float
+) -> _Together:
+    """Configurations with a solution of each arm at the same place: the free ones; if there are none, some in collision."""
+    touching = [np.zeros((0, places.shape[1]))]
+    order = ranking.places(places, found)
+    for begin in range(0, len(order), TOGETHER):
+        some = order[begin : begin + TOGETHER]
+        sets = {tool: each.rows(np.isin(each.place, some)) for tool, each in found.items()}
+        free = {tool: each.rows(~_touching(model, each.q, tool, clearance)) for tool, each in sets.items()}
+        touching += [sets[tool].q[:OTHERS] for tool, each in free.items() if not len(each.q)]
+        joined = _joined(ranking, places, some, free)
+        is_free = ~model.in_collision_rows(joined, clearance=clearance)
+        if is_free.any():
+            return _Together(q=joined[is_free][:FREE], is_free=True)
+        touching.append(joined[:OTHERS])
+    return _Together(q=np.concatenate(touching)[:OTHERS], is_free=False)
+
+
+def _closer(
+    robot: Robot, goals: Mapping[str, PoseGoal], common: Array, met: Array, start: Array, held: NDArray[np.bool_]
+) -> tuple[Array, dict[str, OfTool]]:
+    """Places (p, n), which are `common` (c, n) and those of `met` (k, n), and more solutions at them, also by damped steps.
+
+    The configurations `met` reach all goals, and are solutions themselves.
+    """
+    shared = np.isin(np.arange(robot.n), shared_joints(robot)) & ~held
+    places, found = np.vstack([common, np.where(shared, met, start)]), {}
     for tool, goal in goals.items():
-        q, torso, missed = _solutions(robot, tool, goal, places, start, held)
-        if not len(q):
-            useless.append(missed)
-            continue
-        free = ~_touching(model, q, tool, clearance)
-        if not free.any():  # the reasons tell which bodies touch
-            return Joined(q=q[:OTHERS], useless=())
-        q, torso = q[free], torso[free]
-        best = _best(robot, tool, q, start, integral)
-        solutions.append((robot.joints_of(tool), q[best], torso[best]))
-    if useless:
-        return Joined(q=np.zeros((0, robot.n)), useless=tuple(useless))
-    joined = _joined(robot, solutions, places)
-    figures = np.minimum(integral.kinematics.manipulability(joined), integral.kinematics.manipulability(start[None]))
-    joined = joined[np.lexsort((np.linalg.norm(joined - start, axis=1), -figures.round(12)))]
-    touching = model.in_collision_rows(joined, clearance=clearance)
-    return Joined(q=joined[~touching][:FREE] if not touching.all() else joined[:OTHERS], useless=())
+        own = own_arms(robot)[tool]
+        stepped = places[len(common) :].copy()
+        stepped[:, own.joints] = nearest_turns(own.arm, met[:, own.joints], start[list(own.joints)])
+        itself = OfTool(q=stepped, place=np.arange(len(common), len(places)))
+        more = solutions(robot, tool, goal, places, start, held, by_steps=True) if len(places) else itself
+        found[tool] = itself.with_more(more)
+    return places, found
 
 
-def _solutions(
-    robot: Robot, tool: str, goal: PoseGoal, places: Array, start: Array, held: NDArray[np.bool_]
-) -> tuple[Array, NDArray[np.int64], tuple[Array, str]]:
-    """Configurations (k, n) that reach the goal of one tool, the torso (k,) of each, and the nearest one if there is none."""
-    own = own_arms(robot)[tool]
-    joints, near = list(own.joints), start[list(own.joints)]
-    moved = [_seen_from(robot, own, goal, torso) for torso in places]
-    if held[joints].any():
-        found, rows = [], []
-        for k, each in enumerate(nearest(own.arm, moved, near, held[joints])):
-            found.append(each.reaching)
-            rows += [k] * len(each.reaching)
-        q, torso = np.concatenate(found), np.array(rows, dtype=np.int64)
-    else:
-        reached = reaching(own.arm, dict(enumerate(moved)), near)
-        q, torso = reached.q, reached.goals
-    if not len(q):
-        first = nearest(own.arm, moved[:1], near, held[joints])[0]
-        if len(first.reaching):
-            q, torso = first.reaching, np.zeros(len(first.reaching), dtype=np.int64)
-        else:
-            away = start.copy()
-            away[joints] = first.q
-            return np.zeros((0, robot.n)), torso, (away, f"left out: {tool} is {first}")
-    whole = places[torso].copy()
-    whole[:, joints] = nearest_turns(own.arm, q, near)
-    return whole, torso, (start, "")
-
-
-def _seen_from(robot: Robot, own: OwnArm, goal: PoseGoal, torso: Array) -> PoseGoal:
-    """The goal of a tool where its own arm would have to reach with the shared joints at their neutral posture."""
-    if own.carrier == 0:
-        return goal
-    data = robot.model.createData()
-    pin.forwardKinematics(robot.model, data, torso)
-    return replace(goal, pose=own.home @ np.linalg.inv(data.oMi[own.carrier].homogeneous) @ goal.matrix)
+def _missed(
+    robot: Robot, goals: Mapping[str, PoseGoal], found: Mapping[str, OfTool], start: Array, held: NDArray[np.bool_]
+) -> Iterator[tuple[Array, str]]:
+    """The nearest configuration found of each tool that none brought to its goal; the start where each reaches it alone."""
+    alone = True
+    for tool, goal in goals.items():
+        joints = list(robot.joints_of(tool))
+        near = None if len(found[tool].q) else nearest(robot.arm(tool, start), [goal], start[joints], held[joints])[0]
+        if near is not None and not len(near.reaching):
+            q, alone = start.copy(), False
+            q[joints] = near.q
+            yield q, f"left out: {tool} may be out of reach: {near.missed}. {REMEDY}"
+    if alone:
+        names = " and ".join(robot.joint_names[i] for i in shared_joints(robot))
+        yield (
+            start,
+            f"left out: each tool reaches its pose alone, but no value of {names} was found with which all do. {REMEDY}",
+        )
 
 
 def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> NDArray[np.bool_]:
@@ -150,31 +151,25 @@ def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> N
     return touching
 
 
-def _best(robot: Robot, tool: str, q: Array, start: Array, integral: PathIntegral) -> list[int]:
-    """Rows of the best solutions (k, n) of one tool, none near another."""
-    kinematics, measure = integral.kinematics, integral.kinematics.measure
-    figures = np.zeros(len(q))
-    if isinstance(measure, OverTools):
-        joints = list(robot.joints_of(tool))
-        one = robot.arm(tool).kinematics(kinematics.task, measure=measure.measure, threads=1)
-        figures = np.minimum(one.manipulability(q[:, joints]), one.manipulability(start[None, joints]))
-    chosen: list[int] = []
-    for k in np.lexsort((np.linalg.norm(q - start, axis=1), -figures.round(12))).tolist():
-        if all(np.abs(q[k] - q[j]).max() > APART for j in chosen):
-            chosen.append(k)
-        if len(chosen) == JOINED:
-            break
-    return chosen
-
-
-def _joined(robot: Robot, solutions: Sequence[tuple[tuple[int, ...], Array, NDArray[np.int64]]], places: Array) -> Array:
-    """All configurations (k, n) that have a solution of each arm with the same torso."""
-    found = [np.zeros((0, robot.n))]
-    for number, torso in enumerate(places):
-        q = torso[None]
-        for joints, rows, of in solutions:
-            own = rows[of == number][:, list(joints)]
+def _joined(ranking: Ranking, places: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
+    """Configurations (k, n) with a solution of each arm at the same one of some places (p, n), the best first."""
+    count, found = int((JOINED / len(some)) ** (1 / len(free))), [np.zeros((0, places.shape[1]))]
+    for place in some.tolist():
+        q = places[place][None]
+        for tool, each in free.items():
+            own, joints = each.at(place).q, list(ranking.robot.joints_of(tool))
+            own = own[_different(own, ranking.of_tool(tool, own), count)][:, joints]
             q = np.repeat(q, len(own), axis=0)
-            q[:, list(joints)] = np.tile(own, (len(q) // max(len(own), 1), 1))
+            q[:, joints] = np.tile(own, (len(q) // max(len(own), 1), 1))
         found.append(q)
-    return np.concatenate(found)
+    joined = np.concatenate(found)
+    return joined[ranking.whole(joined)]
+
+
+def _different(q: Array, order: NDArray[np.int64], count: int) -> list[int]:
+    """The first rows of q (k, n) in this order, none near another, at most a number of them."""
+    chosen: list[int] = []
+    for k in order.tolist():
+        if len(chosen) < count and all(np.abs(q[k] - q[j]).max() > APART for j in chosen):
+            chosen.append(k)
+    return chosen

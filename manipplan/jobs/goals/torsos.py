@@ -1,76 +1,111 @@
-"""Values of the joints that move several tools, such as a torso, with which every tool can reach its pose."""
+"""Values of the joints that move several tools, such as a torso, with which every tool can reach its goal."""
 
 from collections.abc import Mapping
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.descend import descend
+from manipplan.jobs.goals.own_arm import OfTool, own_arms
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.reach import BETTER, DAMPING, LENGTHS, WORSE, Missing, damped_step
+from manipplan.jobs.goals.reach import Missing
+from manipplan.robots.arms import shared_joints
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
 
-#: Number of random starts, of steps from each, and of different values that are kept.
-STARTS, STEPS, KEPT = 96, 60, 12
-#: Size of the miss that counts as none [m], and largest difference of a shared joint below which two values are one [rad or m].
-REACHED, SAME = 1e-6, 0.05
+#: Number of values of all shared joints together, and at least of each.
+GRID, FEWEST = 25, 3
+#: The same for two joints and more.
+GRID_OF_SEVERAL = 121
+#: Number of random starts of damped steps, of values of the grid beside them, and of starts at each of these.
+RANDOM, NEAREST, STARTS = 96, 16, 6
+#: Size of the miss that counts as none [m], and difference of shared joints, as a share of their range, of equal values.
+REACHED, SAME = 1e-9, 0.005
 
 
-def shared_joints(robot: Robot) -> list[int]:
-    """Indices of the joints that move several tools."""
-    moved = np.zeros(robot.n, dtype=int)
-    for tool in robot.tools:
-        moved[list(robot.joints_of(tool))] += 1
-    found: list[int] = np.flatnonzero(moved > 1).tolist()
-    return found
-
-
-def torsos(robot: Robot, goals: Mapping[str, PoseGoal], start: Array, held: NDArray[np.bool_]) -> Array:
-    """Configurations (k, n) like `start` (n,) but for the shared joints: first that of the start, then others.
-
-    The others are found by damped steps of all joints that are not held towards all poses, and are ordered by their distance
-    from the start.
-    """
-    shared = np.isin(np.arange(robot.n), shared_joints(robot)) & ~held
-    if not shared.any():
+def torso_grid(robot: Robot, start: Array, held: NDArray[np.bool_]) -> Array:
+    """Configurations (k, n) like start (n,) but for the shared joints, which are first as there, then on a grid."""
+    free = [i for i in shared_joints(robot) if not held[i]]
+    if not free:
         return start[None]
-    kept, found = [start], _reaching(robot, goals, start, held)
-    for q in found[np.argsort(np.linalg.norm((found - start)[:, shared], axis=1), kind="stable")]:
-        if len(kept) <= KEPT and all(np.abs((q - other)[shared]).max() > SAME for other in kept):
-            kept.append(np.where(shared, q, start))
-    return np.array(kept)
+    count = GRID if len(free) == 1 else max(FEWEST, round(GRID_OF_SEVERAL ** (1 / len(free))))
+    lower, width = _ranges(robot, free)
+    values = np.array(list(product(np.linspace(0.0, 1.0, count), repeat=len(free))))
+    places = np.tile(start, (1 + len(values), 1))
+    places[1:, free] = np.clip(lower + values * width, robot.limits.lower[free], robot.limits.upper[free])
+    return places
 
 
-def _reaching(robot: Robot, goals: Mapping[str, PoseGoal], start: Array, held: NDArray[np.bool_]) -> Array:
-    """Configurations (k, n) inside the limits that reach all poses, in collision or not."""
-    random = robot.random_configuration(np.random.default_rng(0), size=STARTS)
-    q = np.where(held, start, np.vstack([start, robot.neutral, random]))
-    damping, rows = np.full(len(q), DAMPING), np.arange(len(q))
-    miss, slope = _missing(robot, goals, q)
-    for _ in range(STEPS):
-        step = damped_step(slope[rows] * ~held, miss[rows], damping[rows])
-        moved = np.clip(q[rows] + step, robot.limits.lower, robot.limits.upper)
-        left, slopes = _missing(robot, goals, moved)
-        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
-        q[rows[good]], miss[rows[good]], slope[rows[good]] = moved[good], left[good], slopes[good]
-        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
-        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > REACHED / 10)
-        if not len(rows):
-            break
+def meeting(
+    robot: Robot,
+    goals: Mapping[str, PoseGoal],
+    places: Array,
+    found: Mapping[str, OfTool],
+    start: Array,
+    held: NDArray[np.bool_],
+) -> Array:
+    """Configurations (k, n) that reach all goals, by damped steps; no two have the same values of shared joints.
+
+    The steps begin at random, and where the places (p, n) with which each tool has solutions are nearest to each other. They
+    are sorted by the distance of their shared joints from start (n,).
+    """
+    shared = shared_joints(robot)
+    random = robot.random_configuration(np.random.default_rng(0), size=RANDOM)
+    begins = np.vstack([start, robot.neutral, random, *_between(robot, places, found)])
+    q = _reaching(robot, goals, np.where(held, start, begins), held)
+    _, width = _ranges(robot, shared)
+    kept: list[Array] = []
+    for each in q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]:
+        if all((np.abs((each - other)[shared]) > SAME * width).any() for other in kept):
+            kept.append(each)
+    return np.array(kept).reshape(-1, robot.n)
+
+
+def _between(robot: Robot, places: Array, found: Mapping[str, OfTool]) -> list[Array]:
+    """Starts (n,) at the places that are nearest to those with which the tools have solutions, each tool at such a solution."""
+    shared = shared_joints(robot)
+    _, width = _ranges(robot, shared)
+    values = places[:, shared] / width
+    solved = {tool: each for tool, each in found.items() if len(each.q)}
+    apart, nearest = np.zeros(len(places)), {}
+    for tool, each in solved.items():
+        own = np.unique(each.place)
+        distances = np.linalg.norm(values[:, None] - values[own], axis=2)
+        nearest[tool] = own[distances.argmin(axis=1)]
+        apart += distances.min(axis=1)
+    starts, rng = [], np.random.default_rng(1)
+    for k in np.argsort(apart, kind="stable")[: NEAREST if solved else 0]:
+        for _ in range(STARTS):
+            q = places[k].copy()
+            for tool, each in solved.items():
+                joints, rows = list(own_arms(robot)[tool].joints), each.at(nearest[tool][k]).q
+                q[joints] = rows[rng.integers(len(rows))][joints]
+            starts.append(q)
+    return starts
+
+
+def _reaching(robot: Robot, goals: Mapping[str, PoseGoal], q: Array, held: NDArray[np.bool_]) -> Array:
+    """Those of the configurations q (k, n) that reach all goals after damped steps, in collision or not."""
+    parts = []
+    for tool, goal in goals.items():
+        kinematics = robot.arm(tool).kinematics(Task.pose(length=1.0), threads=1)
+        parts.append((list(robot.joints_of(tool)), Missing.of(kinematics, [goal])))
+
+    def missing(rows: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        miss, slopes = np.empty((len(rows), 6 * len(parts))), np.zeros((len(rows), 6 * len(parts), robot.n))
+        for k, (joints, of_tool) in enumerate(parts):
+            own = slice(6 * k, 6 * k + 6)
+            miss[:, own], slopes[:, own, joints] = of_tool.slopes(np.zeros_like(rows), np.ascontiguousarray(q[:, joints]))
+        return miss, slopes
+
+    q, miss = descend(robot.limits, missing, q, held)
     return np.asarray(q[np.linalg.norm(miss, axis=1) <= REACHED])
 
 
-def _missing(robot: Robot, goals: Mapping[str, PoseGoal], q: Array) -> tuple[Array, Array]:
-    """What q (k, n) miss of all goals (k, 6 t), and the change of what counts of it with each joint (k, 6 t, n)."""
-    misses, slopes = [], []
-    for tool, goal in goals.items():
-        joints = list(robot.joints_of(tool))
-        kinematics = robot.arm(tool).kinematics(Task.pose(length=1.0), threads=1)
-        own = np.ascontiguousarray(q[:, joints])
-        miss, counting = Missing.of(kinematics, [goal])(np.zeros(len(q), dtype=np.intp), own)
-        slope = np.zeros((len(q), 6, robot.n))
-        slope[:, :, joints] = counting @ (kinematics.jacobian(own) * LENGTHS[:, None])
-        misses.append(miss)
-        slopes.append(slope)
-    return np.concatenate(misses, axis=1), np.concatenate(slopes, axis=1)
+def _ranges(robot: Robot, joints: list[int]) -> tuple[Array, Array]:
+    """The smallest value of some joints and the width of their ranges (k,): a full turn of those without limits."""
+    lower, upper = robot.limits.lower[joints], robot.limits.upper[joints]
+    limited = np.isfinite(lower) & np.isfinite(upper)
+    return np.where(limited, lower, -np.pi), np.where(limited, np.maximum(upper - lower, 1e-9), 2 * np.pi)

@@ -7,7 +7,6 @@ import numpy as np
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.measures.over_tools import OverTools
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -21,7 +20,8 @@ class ToolFigure:
 
     Attributes:
         tool: the tool frame.
-        min_manipulability, min_at: minimum of the measure of its arm alone, and the share of the duration at which it occurs.
+        min_manipulability, min_at: minimum of the measure of its arm alone, and the share of the duration at which it occurs;
+            of a relative task that of its motion in the world. 0 where its arm has fewer joints than the task has rows.
         goal_position, goal_rotation: distance [m] and angle [rad] from the pose of the goal at the end; None where the goal has
             no pose for this tool.
         held_position, held_rotation: for `carry`: largest distance [m] and angle [rad] from its pose relative to the first
@@ -49,14 +49,16 @@ class ToolFigure:
 def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, ...]:
     """The figures of each tool on a path; none for a robot with one."""
     kinematics = integral.kinematics
-    robot, task, measure = kinematics.robot, replace(kinematics.task, relative_to=None), kinematics.measure
+    robot, task, measure = kinematics.robot, replace(kinematics.task, relative_to=None), kinematics.measure.of_one_tool()
     if len(robot.tools) == 1:
         return ()
     found = []
     for tool in robot.tools:
         joints = list(robot.joints_of(tool))
-        inner = measure.measure if isinstance(measure, OverTools) else None
-        one = robot.arm(tool).kinematics(task, measure=inner, compiled=kinematics.compiled, threads=1)
+        if measure.vanishes and task.rows > len(joints):  # of a relative task, which the joints of both tools serve
+            found.append(ToolFigure(tool=tool, min_manipulability=0.0, min_at=0.0))
+            continue
+        one = robot.arm(tool).kinematics(task, measure=measure, compiled=kinematics.compiled, threads=1)
         own = JointPath(breaks=path.breaks, control=path.control[:, :, joints])
         if own.length < SHORTEST:
             found.append(ToolFigure(tool=tool, min_manipulability=float(one.manipulability(own.start)), min_at=0.0))

@@ -76,15 +76,15 @@ def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
 
 
 def _rods(robot: Robot) -> tuple[Body, ...]:
-    """A capsule from each joint to the next, and from the last to the tool."""
+    """A capsule from each joint to the next, and from the last to each tool."""
     import coal
 
     from manipplan.robots.model_tree import frame_index
 
     model = robot.model
-    tool = model.frames[frame_index(model, robot.tool)]
+    tools = [model.frames[frame_index(model, tool)] for tool in robot.tools]
     ends = [(model.parents[i], model.jointPlacements[i].translation) for i in range(1, model.njoints)]
-    ends.append((tool.parentJoint, tool.placement.translation))
+    ends += [(tool.parentJoint, tool.placement.translation) for tool in tools]
     lengths = [float(np.linalg.norm(end)) for _, end in ends]
     radius = 0.03 * max(sum(lengths), 1e-3)
     made = []

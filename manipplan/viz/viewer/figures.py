@@ -1,16 +1,17 @@
 """Moving parts of the scene: a robot, and the velocity ellipsoid at its tool."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import pinocchio as pin
 
-from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
+from manipplan.viz.motions import DrawnTool
 from manipplan.viz.viewer.bodies import Body, appearance_of
 from manipplan.viz.viewer.triangles import triangles_of
 
@@ -89,11 +90,11 @@ class EllipsoidFigure:
     `scale`: metres drawn per unit of its radii.
     """
 
-    def __init__(self, scene: Any, name: str, kinematics: Kinematics, scale: float, *, opacity: float) -> None:
+    def __init__(self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float) -> None:
         from trimesh.creation import icosphere
 
         ball = icosphere(subdivisions=3)
-        self._kinematics, self._scale = kinematics, scale
+        self._tool, self._scale = tool, scale
         self.mesh: Any = scene.add_mesh_simple(
             name,
             np.asarray(ball.vertices),
@@ -106,14 +107,14 @@ class EllipsoidFigure:
 
     def place(self, q: Array) -> None:
         """Move the ellipsoid to the tool at q (n,)."""
-        axes, radii = principal(self._kinematics, q)
+        axes, radii = principal(self._tool, q)
         self.mesh.scale = tuple(float(r) for r in self._scale * radii)
-        put(self.mesh, pin.SE3(axes, np.asarray(self._kinematics.pose(q))[:3, 3]))
+        put(self.mesh, pin.SE3(axes, np.asarray(self._tool.pose(q))[:3, 3]))
 
 
-def principal(kinematics: Kinematics, q: Array) -> tuple[Array, Array]:
+def principal(tool: DrawnTool, q: Array) -> tuple[Array, Array]:
     """Axes, a rotation (3, 3), and radii (3,) of the velocity ellipsoid; an ellipse is thin along z."""
-    ellipsoid = velocity_ellipsoid(kinematics.jacobian(q))
+    ellipsoid = velocity_ellipsoid(tool.jacobian(q))
     axes, radii = np.eye(3), np.full(3, THIN * ellipsoid.radii[0])
     m = len(ellipsoid.radii)
     axes[:m, :m] = ellipsoid.axes
@@ -122,9 +123,9 @@ def principal(kinematics: Kinematics, q: Array) -> tuple[Array, Array]:
     return axes, radii
 
 
-def ellipsoid_scale(kinematics: Kinematics, q: Array, box: Array) -> float:
-    """Metres to draw per unit of the radii of the ellipsoids at q (k, n), for an arm within the box (2, 3) [m]."""
-    largest = max(principal(kinematics, each)[1].max() for each in q)
+def ellipsoid_scale(tools: Sequence[DrawnTool], q: Array, box: Array) -> float:
+    """Metres to draw per unit of the radii of the ellipsoids at q (k, n), for a robot within the box (2, 3) [m]."""
+    largest = max(principal(tool, each)[1].max() for tool in tools for each in q)
     return float(LARGEST * np.linalg.norm(box[1] - box[0]) / 2 / max(largest, 1e-9))
 
 

@@ -18,7 +18,7 @@ from manipplan.tracking.controller import Controller
 from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
-from manipplan.viz.motions import linear_kinematics
+from manipplan.viz.motions import drawn_tools
 from manipplan.viz.viewer.chart import Chart, Curve
 from manipplan.viz.viewer.checked import checked_layers
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, ellipsoid_scale, put
@@ -94,7 +94,7 @@ class LiveViewer(Page):
         self._drive = 1.0
         self._first, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
         self._kinematics = robot.kinematics(controller.task)
-        self._position = linear_kinematics(robot)
+        self._position = drawn_tools(robot)[0]
         self._target = np.array(self._position.pose(start))
         self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
         self._lock = threading.RLock()
@@ -148,7 +148,7 @@ class LiveViewer(Page):
         robot = self.controller.robot
         box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
-        scale = ellipsoid_scale(self._position, self._first[None], box)
+        scale = ellipsoid_scale([self._position], self._first[None], box)
         box[:, :2] += [[-ROOM * size], [ROOM * size]]
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)

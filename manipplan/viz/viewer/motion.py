@@ -16,7 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
-from manipplan.viz.motions import beside, linear_kinematics, named_paths
+from manipplan.viz.motions import DrawnTool, beside, drawn_tools, named_paths
 from manipplan.viz.programs.moved import MovedPart, bare, fixed, moved_parts
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 
@@ -35,14 +35,14 @@ class Course:
         at: function from times (...) [s] to configurations (..., n).
         q: (k, n) configurations.
         manipulability: (k,) values of the measure.
-        tool: (k, 3) tool positions [m].
+        tools: (k, 3) positions of each tool [m].
     """
 
     name: str
     at: Callable[[float], Array]
     q: Array
     manipulability: Array
-    tool: Array
+    tools: tuple[Array, ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,7 +57,7 @@ class Motion:
         moved: the parts that a program moves.
         trajectory: its motion.
         kinematics: kinematics with the measure that is drawn.
-        position: kinematics of the tool's position, whose ellipsoids are drawn.
+        tools: the tools whose ways and ellipsoids are drawn.
         t: (k,) times [s].
         ours: the motion.
         seed: the initial path, at the same share of its length as the motion; None where there is no other path.
@@ -70,7 +70,7 @@ class Motion:
     status: str
     trajectory: Trajectory
     kinematics: Kinematics
-    position: Kinematics
+    tools: tuple[DrawnTool, ...]
     t: Array
     ours: Course
     seed: Course | None
@@ -106,12 +106,13 @@ class Motion:
         if trajectory.n != robot.n:
             raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")
         kinematics = robot.kinematics(result.task, measure=result.measure)
-        position = linear_kinematics(robot)
+        tools = drawn_tools(robot)
         t = np.linspace(0.0, trajectory.duration, SAMPLES)
 
         def course(name: str, at: Callable[..., Array]) -> Course:
             q = at(t)
-            return Course(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tool=position.pose(q)[:, :3, 3])
+            ways = tuple(tool.pose(q)[:, :3, 3] for tool in tools)
+            return Course(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tools=ways)
 
         (name, _), *others = paths.items()
         ours = course(name, trajectory)
@@ -123,12 +124,12 @@ class Motion:
             status=status,
             trajectory=trajectory,
             kinematics=kinematics,
-            position=position,
+            tools=tools,
             t=t,
             ours=ours,
             seed=seed,
             box=box,
-            scale=ellipsoid_scale(position, ours.q[:: SAMPLES // 20], box),
+            scale=ellipsoid_scale(tools, ours.q[:: SAMPLES // 20], box),
         )
 
     @property

@@ -169,7 +169,8 @@ def chart_of(motion: Motion) -> Chart:
 def about(motion: Motion) -> str:
     """A description of the scene as HTML, with names escaped."""
     robot = motion.robot
-    lines = [f"{robot.name}, tool frame {robot.tool}; drawn from its {appearance_of(robot).origin}."]
+    frames = f"tool frame{'s' * (len(robot.tools) > 1)} {' and '.join(robot.tools)}"
+    lines = [f"{robot.name}, {frames}; drawn from its {appearance_of(robot).origin}."]
     lines.append(f"{motion.status}.")
     if motion.seed is not None:
         lines.append(f"The {motion.seed.name} is shown where it has covered the same share of its length.")

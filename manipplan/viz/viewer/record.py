@@ -56,7 +56,7 @@ def record(plan: "Plan | Program", file: str | Path, *, rate: float = 25.0) -> P
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
             stage.place(float(t))
             label.text = f"{t:.2f} s, measure {float(np.interp(t, motion.t, motion.ours.manipulability)):.3g}"
-            label.position = stage.ellipsoid.mesh.position
+            label.position = stage.ellipsoids[0].mesh.position
             serializer.insert_sleep(float(wait))
         html = serializer.as_html()
     cut = html.rindex(END)

@@ -1,0 +1,186 @@
+"""Request: the checked arguments of `carry`."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.scene import Scene
+from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import PathObjective
+from manipplan.jobs.carrying.held import tool_poses, tool_tolerance
+from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.jobs.goals.reach import beyond_links
+from manipplan.jobs.goals.read import named_configuration
+from manipplan.paths.cartesian import CartesianPath, Offset
+from manipplan.paths.deviation import angles_between
+from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.robots.arms import known_tool, own_joints
+from manipplan.robots.robot import Robot
+from manipplan.search.candidates.positions import check_positions, choose_positions
+from manipplan.search.steps import check_epsilon
+from manipplan.support.checks import Array, instance, number, pose_matrix, random_seed
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
+from manipplan.timing.retime import check_timing_limits
+
+#: Smallest number of joints with which an arm reaches all poses near one.
+LEAST = 6
+#: Number of poses of the path whose distance from the arms is looked at.
+PLACES = 51
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Request:
+    """What is to be carried, by which tools, and how.
+
+    Attributes:
+        robot, scene: with several tools, and the obstacles.
+        path: of the object.
+        grasps: (4, 4) of both tools in the object.
+        start: (n,) where the motion begins; None: where the best one does.
+        still: (n,) where the joints are that do not move along.
+        positions: s (L,); None: chosen for a stride.
+        integral: of the objective.
+        epsilon: (n,) maximum step between positions [rad or m].
+        samples: as in `sample_layers`.
+        tolerance, own_tolerance: of the object, and of each tool on its own path.
+        clearance, torque, seed: as in `carry`.
+    """
+
+    robot: Robot
+    scene: Scene
+    path: CartesianPath
+    grasps: Mapping[str, Array]
+    start: Array | None
+    still: Array
+    positions: Array | None
+    integral: PathIntegral
+    epsilon: Array
+    samples: int | Sequence[int] | None
+    tolerance: Tolerance
+    own_tolerance: Tolerance
+    clearance: float
+    torque: bool
+    seed: int
+
+    @classmethod
+    def of(
+        cls,
+        robot: Robot,
+        path: CartesianPath,
+        grasps: Mapping[str, Any],
+        scene: Scene | None,
+        *,
+        start: ArrayLike | str | None,
+        posture: ArrayLike | str | None,
+        positions: int | ArrayLike | None,
+        objective: PathObjective,
+        epsilon: ArrayLike,
+        samples: int | Sequence[int] | None,
+        tolerance: Tolerance | None,
+        clearance: float,
+        torque: bool,
+        seed: int,
+    ) -> "Request":
+        """The request; raises InvalidInputError, which names the argument."""
+        if len(instance("robot", robot, Robot).tools) < 2:
+            wanted = (
+                "a robot with several tools, such as mp.load_robot('baxter') or mp.Robot.from_urdf(file, tool=(left, right))"
+            )
+            raise InvalidInputError("robot", f"{robot.name}, with the one tool {robot.tool}", wanted)
+        for tool in robot.tools:
+            if len(own_joints(robot, tool)) < LEAST:
+                wanted = f"arms of at least {LEAST} joints each, besides those that move both, for all poses of the object"
+                raise InvalidInputError(
+                    "robot", f"{robot.name}: {len(own_joints(robot, tool))} joints move {tool} alone", wanted
+                )
+        if not isinstance(path, CartesianPath):
+            raise InvalidInputError("path", path, "a CartesianPath of the object, such as CartesianPath.line(begin, end)")
+        held = _grasps(robot, grasps)
+        _check_reach(robot, path, held)
+        scene = instance("scene", scene if scene is not None else Scene(), Scene)
+        _check_task(instance("objective", objective, PathObjective).task)
+        clearance = number("clearance", clearance, least=0.0)
+        tolerance = with_defaults(None if tolerance is None else instance("tolerance", tolerance, Tolerance))
+        own = tool_tolerance(tolerance, held)
+        check_timing_limits(robot.limits)
+        still, begin = robot.neutral, None
+        if start is not None:
+            if posture is not None:
+                raise InvalidInputError("posture", posture, "None with a start, where the joints that stand still are")
+            free = named_configuration("start", start, robot)
+            still = begin = scene.collision_model(robot).free_configuration("start", free, clearance)
+            _check_start(robot, begin, path, held, own)
+        elif posture is not None:
+            still = robot.configuration("posture", named_configuration("posture", posture, robot))
+        return cls(
+            robot=robot,
+            scene=scene,
+            path=path,
+            grasps=held,
+            start=begin,
+            still=still,
+            positions=None if positions is None else check_positions(positions, closed=False),
+            integral=objective.integral(robot),
+            epsilon=check_epsilon(epsilon, robot.endless),
+            samples=samples,
+            tolerance=tolerance,
+            own_tolerance=own,
+            clearance=clearance,
+            torque=instance("torque", torque, bool),
+            seed=random_seed("seed", seed),
+        )
+
+    def way(self, tool: str) -> Offset:
+        """The path of a tool."""
+        return Offset(path=self.path, offset=self.grasps[tool])
+
+    def at(self, stride: float) -> Array:
+        """The s (L,) of the positions: at most a stride apart on the path of every tool where none were given [m]."""
+        if self.positions is not None:
+            return self.positions
+        return max((choose_positions(self.way(tool), stride=stride) for tool in self.grasps), key=len)
+
+
+def _grasps(robot: Robot, grasps: Mapping[str, Any]) -> dict[str, Array]:
+    """The grasps of both tools as matrices."""
+    if not isinstance(grasps, Mapping) or len(grasps) != 2:
+        wanted = f"a mapping from two of the tools {', '.join(robot.tools)} to poses in the object's frame"
+        raise InvalidInputError("grasps", grasps, wanted)
+    return {known_tool(robot, "grasps", tool): pose_matrix(f"grasps[{tool!r}]", pose) for tool, pose in grasps.items()}
+
+
+def _check_reach(robot: Robot, path: CartesianPath, grasps: Mapping[str, Array]) -> None:
+    """Raise InvalidInputError where a pose of the path is farther away from an arm than its links are long."""
+    for s in np.linspace(0.0, 1.0, PLACES):
+        for tool, grasp in grasps.items():
+            proof = beyond_links(robot, tool, PoseGoal(path(s) @ grasp))
+            if proof:
+                wanted = f"a path on which both tools reach their grasps; at s = {s:.2g} {tool} is {proof}"
+                raise InvalidInputError("path", path, wanted)
+
+
+def _check_task(task: Task | None) -> None:
+    """Raise InvalidInputError for a task that lets a tool move against the object."""
+    if task is not None and task != Task.pose(length=task.length):
+        wanted = "None or mp.Task.pose(length=...): both tools hold the object, and cannot turn or slide on it"
+        raise InvalidInputError(
+            "objective.task", f"Task.{task.name}" + ("" if task.relative_to is None else ", relative"), wanted
+        )
+
+
+def _check_start(robot: Robot, start: Array, path: CartesianPath, grasps: Mapping[str, Array], own: Tolerance) -> None:
+    """Raise InvalidInputError where a tool is not at its grasp of the first pose at the start (n,)."""
+    assert own.position is not None and own.rotation is not None
+    poses = tool_poses(robot, start[None])
+    for tool, grasp in grasps.items():
+        wanted, got = path(0.0) @ grasp, poses[tool][0]
+        position = float(np.linalg.norm(got[:3, 3] - wanted[:3, 3]))
+        rotation = float(angles_between(got[None, :3, :3], wanted[:3, :3], None)[0])
+        if position > own.position or rotation > own.rotation:
+            told = f"{tool} is {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from its grasp of the path's first pose"
+            needed = f"at most {1e3 * own.position:.2g} mm and {np.rad2deg(own.rotation):.2g}°"
+            raise InvalidInputError("start", start.tolist(), f"a configuration that holds the object: {told}; needed: {needed}")

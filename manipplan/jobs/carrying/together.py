@@ -1,0 +1,121 @@
+"""The motion of both arms that hold an object: one arm has its best motion, and the other one keeps free of it."""
+
+from collections.abc import Sequence
+from itertools import permutations
+
+import numpy as np
+
+from manipplan.ik.solver import Solver
+from manipplan.jobs.carrying.lone_arm import LoneArm, lone_robot
+from manipplan.jobs.carrying.request import Request
+from manipplan.paths.joint import JointPath, side_by_side
+from manipplan.robots.arms import own_joints
+from manipplan.robots.robot import Robot
+from manipplan.search.candidates.positions import STRIDE
+from manipplan.search.candidates.sampling import SAMPLES, sample_layers
+from manipplan.seeds.acceptance import CHECK_STEP
+from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.progress import Progress, part
+
+#: Clearance that configurations keep beyond the required one, for the motion between positions [m].
+SPARE = 0.003
+#: Distance from position limits that configurations keep where they can, as splines between positions bow outwards [rad or m].
+INSIDE = 2e-3
+#: Number of places at which the nearest bodies are looked for.
+PLACES = 401
+#: Default number of samples per parameter, for one, two, and more parameters, of arms without a closed form: a search takes
+#: some 2.5 ms. With one parameter of a full turn their distance is just below the default epsilon.
+SEARCHED = (32, 10, 5)
+#: How many times as many samples are taken where those of the default do not connect.
+FINER = 4
+
+
+def motion_of_both(request: Request, tell: Progress) -> tuple[JointPath, JointPath]:
+    """The joint path of the whole robot, and the same as searched; where nothing connects, with closer positions and samples.
+
+    Raises PlanningError with the reason, and InvalidInputError for a position that a tool cannot reach.
+    """
+    given = request.positions is not None and request.samples is not None
+    for last in (True,) if given else (False, True):
+        begin, end = (0.0, 0.5) if given or not last else (0.5, 1.0)
+        finer = last and not given
+        try:
+            arms = _arms(request, part(tell, begin, end - 0.1), finer=finer)
+            tell(end - 0.1, "searching for motions of the arms")
+            return _motion(request, arms)
+        except PlanningError:
+            if last:
+                raise
+    raise AssertionError("the last try returns or raises")
+
+
+def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
+    """Both arms with all their configurations at the positions."""
+    arms, robot = [], request.robot
+    s = request.at(STRIDE / 2 if finer else STRIDE)
+    for k, tool in enumerate(request.grasps):
+        joints = own_joints(robot, tool)
+        lone = lone_robot(robot, tool, joints, request.still)
+        try:
+            layers = sample_layers(
+                lone,
+                request.way(tool),
+                s,
+                measure=request.integral.kinematics.measure.of_one_tool(),
+                task=request.integral.kinematics.task,
+                samples=request.samples if request.samples is not None else _count(lone) * (FINER if finer else 1),
+                scene=request.scene,
+                clearance=request.clearance,
+                spare=SPARE,
+                seed=request.seed,
+                progress=part(tell, k / len(request.grasps), (k + 1) / len(request.grasps)),
+            )
+        except InvalidInputError as error:
+            argument = error.argument if error.argument == "samples" else f"{tool}: {error.argument}"
+            raise InvalidInputError(argument, error.value, error.allowed) from error
+        layers = layers.inside(lone.limits.lower + INSIDE, lone.limits.upper - INSIDE)
+        arm = LoneArm(
+            tool=tool,
+            joints=joints,
+            path=request.way(tool),
+            layers=layers,
+            epsilon=request.epsilon[joints],
+            tolerance=request.own_tolerance,
+        )
+        arms.append(arm if request.start is None else arm.beginning(request.start[joints]))
+    return arms
+
+
+def _count(lone: Robot) -> int:
+    """Default number of samples per parameter of redundancy."""
+    solver = Solver.of(lone, task=None, held=None, method="auto", seed=0)
+    usual = SAMPLES if solver.form is not None else SEARCHED
+    return usual[min(max(len(solver.names), 1), len(usual)) - 1]
+
+
+def _motion(request: Request, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:
+    """The motion of the first order of the arms that gives one; raises PlanningError with the reasons where none does."""
+    reasons = []
+    for lead, follow in permutations(arms):
+        try:
+            return _in_order(request, lead, follow)
+        except PlanningError as error:
+            reasons.append(f"{lead.tool} leads: {error}")
+    raise PlanningError("; ".join(reasons))
+
+
+def _in_order(request: Request, lead: LoneArm, follow: LoneArm) -> tuple[JointPath, JointPath]:
+    model, s, still = request.scene.collision_model(request.robot), lead.layers.s, request.still
+    assert s is not None
+    refined, searched = lead.courses()
+    q = np.tile(still, (len(s), 1))
+    q[:, lead.joints] = refined(s)
+    beside = follow.beside(model, q, request.clearance + SPARE)
+    refined_beside, searched_beside = beside.courses()
+    seed = side_by_side([(searched, lead.joints), (searched_beside, follow.joints)], still)
+    for own in (refined_beside, searched_beside):  # what is refined knows nothing of the other arm
+        joint = side_by_side([(refined, lead.joints), (own, follow.joints)], still)
+        if model.path_is_free(joint, CHECK_STEP, request.clearance):
+            return joint, seed
+    bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PLACES)))
+    raise PlanningError(f"between the positions {bodies}; take more positions")
