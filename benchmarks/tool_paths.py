@@ -34,6 +34,8 @@ MET, STEP = (1e-4, np.deg2rad(0.1)), np.deg2rad(7.0)
 FINER = 10
 #: Number of poses of a path made here, and of poses through which it is laid.
 POSES, VIA = 200, 5
+#: Corners of the long path [m].
+CORNERS = np.array([[0.45, -0.2, 0.35], [0.6, -0.2, 0.35], [0.6, 0.2, 0.35], [0.45, 0.2, 0.45], [0.45, -0.1, 0.45]])
 #: Number of times at which the tool is compared with the poses.
 TIMES = 4000
 
@@ -186,6 +188,55 @@ def made(count: int) -> list[Case]:
     return cases
 
 
+def long_path() -> mp.CartesianPath:
+    """A polyline with four corners, the tool pointing down, through a thousand poses: steps of micrometres to centimetres."""
+    way = np.append(0.0, np.linalg.norm(np.diff(CORNERS, axis=0), axis=1).cumsum())
+    u = np.sort(np.append(way, way[-1] * np.random.default_rng(3).beta(0.4, 0.6, 1000)))
+    u = u[np.append(True, np.diff(u) > 2e-6)]
+    poses = np.tile(np.diag([1.0, -1.0, -1.0, 1.0]), (len(u), 1, 1))
+    poses[:, :3, 3] = np.array([np.interp(u, way, column) for column in CORNERS.T]).T
+    return mp.CartesianPath.through(poses)
+
+
+def free_rows() -> list[str]:
+    """The table of the long path."""
+    path, eye = long_path(), np.eye(6)
+    tasks = {
+        "pose": (mp.Task.pose(), [0, 1, 2]),
+        "one tool axis free": (mp.Task.pointing([0, 0, 1]), [0, 1, 2]),
+        "orientation free": (mp.Task.position(), [0, 1, 2]),
+        "height free": (mp.Task.custom(eye[[0, 1, 3, 4, 5]]), [0, 1]),
+        "depth and turn of the tool free": (mp.Task.custom(eye[[0, 1, 3, 4]], frame="tool"), [0, 1]),
+    }
+    lines = [
+        f"| rows that count, of {len(path.knots)} poses | arm | status | farthest given pose "
+        "| minimum m of the motion through whole poses | minimum m with free rows | time |",
+        "|---" * 7 + "|",
+    ]
+    for name in ("panda", "ur5"):
+        robot = mp.load_robot(name)
+        if name == "ur5":
+            robot = robot.with_limits(lower=-np.pi, upper=np.pi)
+        whole = mp.follow(robot, path)
+        for label, (task, given) in tasks.items():
+            began = time.process_time()
+            plan = mp.follow(robot, path, objective=mp.PathObjective(task=task), throw=False)
+            seconds = time.process_time() - began
+            far, before = np.nan, np.nan
+            if plan.status is mp.Status.FOLLOWED:
+                data, frame, far = robot.model.createData(), robot.model.getFrameId(robot.tool), 0.0
+                for q, pose in zip(plan.path(path.knots), path(path.knots), strict=True):
+                    pin.framesForwardKinematics(robot.model, data, q)
+                    far = max(far, float(np.abs((data.oMf[frame].translation - pose[:3, 3])[given]).max()))
+                q = whole.trajectory(np.linspace(0, whole.trajectory.duration, TIMES))
+                before = float(robot.kinematics(task).manipulability(q).min())
+            reached = "-" if plan.report is None else f"{plan.report.min_manipulability:.3g}"
+            lines.append(
+                f"| {label} | {name} | {plan.status.name} | {1e3 * far:.4f} mm | {before:.3g} | {reached} | {seconds:.1f} s |"
+            )
+    return lines
+
+
 def line(name: str, results: Sequence[Result]) -> str:
     """One row of the table."""
     connected = [each for each in results if each.parts == 1]
@@ -230,6 +281,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
         f"Positions at the given poses, joint steps below 7°, no retreat; finer grid: {FINER * 720} samples at each pose "
         f"and no spare clearance; the UR5's joints turn by ±180°. CPU time; Python {platform.python_version()}, "
         f"{platform.machine()}; command: `make benchmark`.",
+        "",
+        *free_rows(),
+        "",
+        "Manipulability m of the rows that count, on both motions.",
     ]
     options.out.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))

@@ -17,7 +17,7 @@ from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import window
+from manipplan.ik.window import reach_in, window
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
@@ -39,8 +39,6 @@ SAMPLES = (64, 24, 12, 8, 6, 5)
 POSE = 6
 #: Number of random starts per sample of an arm with few joints.
 STARTS = 16
-#: Number of random configurations that tell where the tool can be.
-POSITIONS = 2000
 METHODS = ("auto", "closed-form", "newton")
 
 
@@ -145,12 +143,6 @@ class Solver:
         return _enumeration(self.robot, self.form, None if axis is None else tuple(axis.tolist()))
 
     @cached_property
-    def _positions(self) -> Array:
-        """Where the tool is in random configurations, (k, 3) [m]."""
-        q = self.robot.random_configuration(np.random.default_rng(0), size=POSITIONS)
-        return np.asarray(self.kinematics.pose(q)[:, :3, 3])
-
-    @cached_property
     def _holding(self) -> MovingArm:
         """All joints move but those that are held."""
         moves = np.ones(self.robot.n, dtype=np.bool_)
@@ -177,18 +169,27 @@ class Solver:
         `usual` has the default number of values per parameter, by number of parameters.
         """
         counts, limits = sample_counts(samples, self.names, usual), window(self.robot, poses)
-        return np.array(list(product(*(self._line(k, count, limits) for k, count in enumerate(counts)))))
+        return np.array(list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(counts)))))
 
-    def _line(self, parameter: int, count: int, limits: tuple[Array, Array]) -> Array:
+    def _line(self, parameter: int, count: int, limits: tuple[Array, Array], poses: Array) -> Array:
         """Values of one parameter: a joint's range with its ends, a full turn, or those of a free motion."""
         free = parameter - len(self.names) + len(self.free.names)
         if free >= 0 and not self.by_rows:
-            return self.free.line(free, count, self._positions)
+            return self.free.line(free, count, *reach_in(self.robot, limits), poses)
         if parameter < len(self.held):
             lower, upper = (float(limit[self.held[parameter]]) for limit in limits)
             if np.isfinite(lower):
                 return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
         return -np.pi + 2 * np.pi * np.arange(count) / count
+
+    def whole_poses(self, usual: Sequence[int], poses: Array) -> list[Array]:
+        """For each of poses (p, 4, 4) a grid of parameters (s, r) that keep the whole pose; empty without a free motion."""
+        free = 0 if self.by_rows else len(self.free.names)
+        if not free:
+            return [np.zeros((0, len(self.names)))] * len(poses)
+        own = len(self.names) - free
+        rows = self.grid([usual[own - 1]] * own + [1] * free, usual, poses)
+        return [np.hstack([rows[:, :own], np.tile(each, (len(rows), 1))]) for each in self.free.values(poses, poses)]
 
     def parameters_of(self, q: Array, poses: Array) -> Array:
         """The parameters (k, r) of configurations (k, n) that reach poses (k, 4, 4)."""

@@ -25,6 +25,13 @@ def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
     return lower, upper
 
 
+def reach_in(robot: Robot, limits: tuple[Array, Array]) -> tuple[Array, float]:
+    """A ball that holds every place of the tool with leading slides inside limits (n,): centre (3,) and radius [m]."""
+    directions, centre, radius = _reach(robot)
+    lower, upper = (limit[: len(directions)] for limit in limits)
+    return centre + (lower + upper) / 2 @ directions, radius + float(np.abs((upper - lower) / 2 @ np.abs(directions)).sum())
+
+
 def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int) -> Array:
     """Random configurations (count, n) in the window of a pose (4, 4)."""
     q = robot.random_configuration(rng, size=count)

@@ -85,18 +85,25 @@ class FreeMotion:
         """Orthonormal directions (3 - k, 3) along which the tool's position is fixed."""
         return complement(self.shifts)
 
-    def line(self, value: int, count: int, positions: Array) -> Array:
-        """A grid of one value, (count,): around the circle, evenly over the sphere, or over where a tool is at (k, 3) [m]."""
+    def line(self, value: int, count: int, centre: Array, radius: float, poses: Array) -> Array:
+        """A grid of one value, (count,): around the circle, evenly over the sphere, or over where the tool can be.
+
+        Args:
+            value: its index.
+            count: number of its values.
+            centre, radius: of a ball that holds every place of the tool, (3,) [m].
+            poses: (k, 4, 4), for at least one of which a shift is to be inside the ball.
+        """
         if value >= len(self.shifts):
             if self.turns is Turns.ANY and value == len(self.shifts) + 1:
                 return np.arccos(1.0 - (2.0 * np.arange(count) + 1.0) / count)
             return -np.pi + 2 * np.pi * np.arange(count) / count
+        away = centre - poses[:, :3, 3]
         if self.in_tool:
-            largest = float(np.linalg.norm(np.ptp(positions, axis=0)))
-            lower, upper = -largest, largest
-        else:
-            along = positions @ self.shifts[value]
-            lower, upper = float(along.min()), float(along.max())
+            away = _turned(np.swapaxes(poses[:, :3, :3], 1, 2), away)
+        half = np.sqrt(np.maximum(radius**2 - np.square(away @ self.fixed_directions.T).sum(axis=1), 0.0))
+        middle = (away if self.in_tool else centre[None]) @ self.shifts[value]
+        lower, upper = float((middle - half).min()), float((middle + half).max())
         return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
 
     def values(self, reached: Array, poses: Array) -> Array:

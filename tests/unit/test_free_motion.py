@@ -49,8 +49,8 @@ def case(request):
 
 
 def random_values(free, rng, count):
-    places = rng.uniform(-1, 1, (50, 3))
-    return np.stack([rng.choice(free.line(k, 40, places), count) for k in range(len(free.names))], axis=1)
+    poses = random_poses(rng, 3)
+    return np.stack([rng.choice(free.line(k, 40, np.zeros(3), 1.0, poses), count) for k in range(len(free.names))], axis=1)
 
 
 def test_values_give_poses_and_poses_values(case):
@@ -134,6 +134,21 @@ def test_the_rows_of_the_path_program_vanish_on_the_set_only(panda, name):
     np.testing.assert_allclose(rows.errors(q, poses), 0.0, atol=1e-12)
     away = panda.random_configuration(rng, size=20)
     assert (np.abs(rows.errors(away, poses)).max(axis=1) > 1e-3).all()
+
+
+def test_the_grid_of_a_shift_covers_where_the_tool_can_be(panda):
+    """Whatever the arm reaches is inside the grid of the shifts, and no more than its size outside."""
+    rng = np.random.default_rng(9)
+    poses = panda.kinematics().pose(panda.random_configuration(rng, size=200))
+    for name in ("height", "depth of the tool", "planar", "orientation"):
+        task, _ = TASKS[name]
+        solver = Solver.of(panda, task=task, held=None, method="auto", seed=0)
+        for pose in poses:
+            own = len(solver.names) - len(solver.free.names)
+            grid = solver.grid(5, (5,), pose[None])[:, own : own + len(solver.free.shifts)]
+            value = solver.free.values(pose[None], pose[None])[0, : len(solver.free.shifts)]
+            assert (grid.min(axis=0) <= value).all() and (value <= grid.max(axis=0)).all()
+            assert np.ptp(grid, axis=0).max() < 3.0
 
 
 def test_nothing_is_free_of_a_pose():

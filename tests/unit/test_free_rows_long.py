@@ -38,6 +38,9 @@ def test_each_of_a_thousand_poses_is_met(name, task):
     assert len(poses) > 950
     plan = mp.follow(robot, mp.CartesianPath.through(poses), objective=mp.PathObjective(task=rows))
     assert plan.report.passed and plan.status is mp.Status.FOLLOWED
+    whole = plan if task == "pose" else mp.follow(robot, plan.workspace_path)
+    minimum = robot.kinematics(rows).manipulability(whole.trajectory(np.linspace(0, whole.trajectory.duration, 4000))).min()
+    assert plan.report.min_manipulability > 0.999 * minimum
     s = plan.workspace_path.knots
     data, frame, last = robot.model.createData(), robot.model.getFrameId(robot.tool), 0.0
     for pose, at in zip(poses, s, strict=True):

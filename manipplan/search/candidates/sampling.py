@@ -97,7 +97,8 @@ def sample_layers(
         measure: of manipulability; see `Robot.kinematics`.
         samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel, free
             motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
-            of the search. None: 720 for one parameter, 96 for two, for more as many as give about a million candidates.
+            of the search. None: 720 for one parameter, 96 for two, for more as many as give about a million candidates; besides
+            with a free motion those that keep the whole pose.
         held, method, seed: as in `inverse_kinematics`.
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
@@ -154,10 +155,13 @@ def sample_layers(
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
         values = sampler.solver.grid(max(most, FEWEST), SAMPLES, poses)
+    sets = [values] * n
+    if samples is None:  # a motion through whole poses is among those with a free motion
+        sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(SAMPLES, poses)]
     _check_memory(sampler, n, values, share * len(values) * n, allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
-        jobs = {run.submit(sampler.sample, pose, values): k for k, pose in enumerate(poses)}
+        jobs = {run.submit(sampler.sample, *each): k for k, each in enumerate(zip(poses, sets, strict=True))}
         stack.callback(lambda: [job.cancel() for job in jobs])
         layers: dict[int, tuple[Array, Array]] = {}
         for job in as_completed(jobs):
@@ -176,7 +180,7 @@ def sample_layers(
         closed=closed,
         s=s,
         poses=poses,
-        considered=n * len(values),
+        considered=sum(map(len, sets)),
         sampler=sampler,
     )
 
