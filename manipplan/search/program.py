@@ -15,6 +15,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement
 
 #: Number of linear distance rows per position.
@@ -23,6 +24,12 @@ ROWS = 4
 INSIDE = 2e-3
 #: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
+
+
+@once_per_owner
+def level_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
+    """The program for L positions of one arm and task, built once."""
+    return LevelProgram(kinematics, positions, closed=closed)
 
 
 class LevelProgram:

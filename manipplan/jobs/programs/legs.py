@@ -11,6 +11,7 @@ from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -73,6 +74,8 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
             constraints = ConstraintSet.of(robot, step.constraints)
             legs.append(Leg(number=k, targets=targets, approach=approach, constraints=constraints, rest=()))
             continue
+        if isinstance(step, MoveAlong):
+            _check_tool(k, robot)
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
                 _check_speed(k, step.tool_speed, step.path)
@@ -85,6 +88,13 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
     return legs if legs[0].rest else legs[1:]
 
 
+def _check_tool(k: int, robot: Robot) -> None:
+    try:
+        one_tool(robot, "following a path of the tool")
+    except InvalidInputError as error:
+        raise InvalidInputError(f"steps[{k}].path", error.value, error.allowed) from error
+
+
 def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
     try:
         check_tool_speed(speed, path)
@@ -95,11 +105,9 @@ def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
 def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
     targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
     for each in targets:
-        if each.tools is not None:
-            wanted = "a configuration or the name of a state: only `plan` reaches poses of several tools"
-            raise InvalidInputError(each.argument, sorted(each.tools), wanted)
         if each.q is not None:
             robot.configuration(each.argument, each.q)
-            if step.approach is not None:
-                raise InvalidInputError(each.argument, each.q.tolist(), "a pose of the tool, since there is an approach")
+        if step.approach is not None and each.pose is None:
+            given = sorted(each.tools) if each.q is None and each.tools else np.array(each.q).tolist()
+            raise InvalidInputError(each.argument, given, "a pose of the only tool, since there is an approach")
     return targets

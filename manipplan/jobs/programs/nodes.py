@@ -123,10 +123,12 @@ def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[
 
     Raises InvalidInputError where no place allows any.
     """
-    owners: dict[tuple[object, ...], tuple[Target, list[tuple[int, Places]]]] = {}
+    owners: dict[object, tuple[Target, list[tuple[int, Places]]]] = {}
     refused: list[InvalidInputError] = []
     for k, target in enumerate(leg.targets):
         for before in places:
+            if target.tools is not None:
+                owners.setdefault(k, (target, []))[1].append((k, before))
             if target.pose is None:
                 continue
             try:
