@@ -47,7 +47,7 @@ def straight_finder(
     tolerance: Tolerance | None = None,
 ) -> CourseFinder:
     """The finder of motions along a straight path; raises InvalidInputError for a position that is out of reach or not free."""
-    count = max(FEWEST, int(np.ceil(path.length / STRIDE)))
+    count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
     names = Solver.of(robot, task=task or Task.pose(), held=None, method="auto", seed=0).names
     samples = min(SAMPLES, DEFAULTS[min(max(len(names), 1), len(DEFAULTS)) - 1])
     layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)

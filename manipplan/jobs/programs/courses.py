@@ -189,9 +189,7 @@ def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: Pat
     return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
 
 
-def _along(
-    number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders
-) -> Motion | NoCourse:
+def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | NoCourse:
     """The best motion along a path that begins at q (n,), or why there is none."""
     finder = finders.along(number, step, path, state)
     if isinstance(finder, NoCourse):

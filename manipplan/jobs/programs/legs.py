@@ -109,5 +109,5 @@ def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
             robot.configuration(each.argument, each.q)
         if step.approach is not None and each.pose is None:
             given = sorted(each.tools) if each.q is None and each.tools else np.array(each.q).tolist()
-            raise InvalidInputError(each.argument, given, "a pose of the only tool, since there is an approach")
+            raise InvalidInputError(each.argument, given, "a pose of the tool, since there is an approach")
     return targets
