@@ -1,5 +1,6 @@
 """Programs of moves: choice, parts, blends, stops, speeds, bad input."""
 
+import time
 from dataclasses import replace
 from itertools import pairwise
 
@@ -358,3 +359,36 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
 def test_bad_steps(make, message):
     with pytest.raises(mp.InvalidInputError, match=message):
         make()
+
+
+def poses_around_a_corner(apart):
+    """Poses every few millimetres, with a turn by 90° without a radius."""
+    count = round(0.2 / apart)
+    there = [pose_at(0.4, -0.1 + apart * k, 0.3) for k in range(count + 1)]
+    return there + [pose_at(0.4 + apart * k, 0.1, 0.3) for k in range(1, count // 2 + 1)]
+
+
+@pytest.mark.parametrize("blend", [0.0, 0.02])
+def test_the_fastest_speed_around_a_sharp_corner(hand, blend):
+    """It is found soon, also where the corner is a short piece of a long motion."""
+    path = mp.CartesianPath.through(poses_around_a_corner(0.005))
+
+    def weld(speed):
+        return mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=speed), mp.MoveTo("default")], blend=blend)
+
+    began = time.process_time()
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 0\.3; allowed: at most [\d.]+ m/s") as caught:
+        weld(0.3)
+    assert time.process_time() - began < 20  # 80 s before
+    fastest = float(caught.value.allowed.split()[2])
+    assert 0.05 < fastest < 0.2
+    assert weld(fastest).marks[0].tool_speed.is_steady
+
+
+def test_each_given_pose_of_a_path_is_met(hand):
+    """A wave of 6 mm, of which 20 positions would see little."""
+    poses = [pose_at(0.4 + 0.003 * (-1) ** k, -0.2 + 0.01 * k, 0.3) for k in range(41)]
+    made = mp.sequence(hand, "default", [mp.MoveAlong(mp.CartesianPath.through(poses)), mp.MoveTo("default")])
+    way = hand.kinematics().pose(made.trajectory(np.linspace(made.marks[0].path_begin, made.marks[1].begin, 40_000)))
+    for pose in poses:
+        assert np.linalg.norm(way[:, :3, 3] - pose[:3, 3], axis=1).min() < 1.2e-4

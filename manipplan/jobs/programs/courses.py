@@ -20,7 +20,7 @@ from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
-from manipplan.search.candidates.positions import choose_positions
+from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.max_min import SearchResult
 from manipplan.support.checks import Array
@@ -106,18 +106,42 @@ class Finders:
     clearance: float
     kept: dict[tuple[object, ...], CourseFinder | NoCourse] = field(default_factory=dict)
 
-    def along(self, number: int, step: MoveAlong, path: CartesianPath, state: State) -> CourseFinder | NoCourse:
-        """The finder of motions along a path of a step in a state, or why a position is out of reach or not free."""
-        key = (number, rounded(path(0.0)), state.history)
+    def along(
+        self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
+    ) -> CourseFinder | NoCourse:
+        """The finder of motions along a path of a step in a state, or why a position is out of reach or not free.
+
+        `closer`: with half the distance between positions.
+        """
+        key = (number, closer, rounded(path(0.0)), state.history)
         if key not in self.kept:
             try:
-                made: CourseFinder | NoCourse = finder_of(step, path, state, self.objective, self.clearance)
+                made: CourseFinder | NoCourse = self.made(step, path, state, closer=closer)
             except InvalidInputError as error:
                 made = NoCourse(message=f"{error.argument} is not {error.allowed}", always=True)
             if len(self.kept) >= KEPT:
                 del self.kept[next(iter(self.kept))]
             self.kept[key] = made
         return self.kept[key]
+
+    def made(self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False) -> CourseFinder:
+        """The same, not kept; raises InvalidInputError for a position that is out of reach or not free."""
+        measure, clearance = self.objective.measure, self.clearance
+        if not isinstance(step.path, CartesianPath):
+            return straight_finder(
+                state.robot, state.scene, path, measure=measure, clearance=clearance, task=step.task, tolerance=step.tolerance
+            )
+        positions = step.positions
+        layers = sample_layers(
+            state.robot,
+            path,
+            choose_positions(path, stride=STRIDE / 2 if closer else STRIDE) if positions is None else positions,
+            task=step.task,
+            measure=measure,
+            scene=state.scene,
+            clearance=clearance,
+        )
+        return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
 
 
 def course_of(
@@ -165,38 +189,24 @@ def course_of(
     return Course(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
-def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: PathObjective, clearance: float) -> CourseFinder:
-    """The finder of motions along a path; raises InvalidInputError for a position that is out of reach or not free."""
-    if not isinstance(step.path, CartesianPath):
-        return straight_finder(
-            state.robot,
-            state.scene,
-            path,
-            measure=objective.measure,
-            clearance=clearance,
-            task=step.task,
-            tolerance=step.tolerance,
-        )
-    layers = sample_layers(
-        state.robot,
-        path,
-        step.positions if step.positions is not None else choose_positions(path),
-        task=step.task,
-        measure=objective.measure,
-        scene=state.scene,
-        clearance=clearance,
-    )
-    return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
+def has_closer(step: MoveAlong) -> bool:
+    """Whether closer positions are tried where no motion along a path is found."""
+    return isinstance(step.path, CartesianPath) and step.positions is None
 
 
 def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | NoCourse:
     """The best motion along a path that begins at q (n,), or why there is none."""
-    finder = finders.along(number, step, path, state)
-    if isinstance(finder, NoCourse):
-        return finder
     epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
-    made = motion_from(finder, q, state.robot, epsilon)
-    return NoCourse(message=made) if isinstance(made, str) else _motion(number, step, finder.path, made, state)
+    failure = NoCourse(message="")
+    for closer in (False, True) if has_closer(step) else (False,):
+        finder = finders.along(number, step, path, state, closer=closer)
+        if isinstance(finder, NoCourse):
+            return finder
+        made = motion_from(finder, q, state.robot, epsilon)
+        if not isinstance(made, str):
+            return _motion(number, step, finder.path, made, state)
+        failure = NoCourse(message=made)
+    return failure
 
 
 def _found(number: int, step: MoveAlong, finder: CourseFinder, search: SearchResult, state: State) -> Motion | NoCourse:

@@ -11,7 +11,7 @@ from manipplan.jobs.following.course import CourseFinder
 from manipplan.jobs.following.lead_in import best_courses
 from manipplan.jobs.goals.candidates import find_candidates
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.programs.courses import EPSILON, finder_of
+from manipplan.jobs.programs.courses import EPSILON, Finders, has_closer
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.places import NOWHERE, Places, different, rounded
 from manipplan.jobs.programs.states import State
@@ -78,7 +78,7 @@ def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clear
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, objective, clearance))
+        return list(_on_path(leg, state, Finders(objective=objective, clearance=clearance)))
     return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
 
 
@@ -145,14 +145,17 @@ def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[
     return [each for each, _ in owners.values()], [each for _, each in owners.values()]
 
 
-def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float) -> Iterator[Node]:
+def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
     number, along = leg.rest[0][0], leg.along
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
-        finder = finder_of(along, along.path, state, objective, clearance)
+        finder = finders.made(along, along.path, state)
+        first = max_min_search(finder.layers, EPSILON, throw=False)
+        if not first.connected and has_closer(along):
+            finder = finders.made(along, along.path, state, closer=True)
+            first = max_min_search(finder.layers, EPSILON, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
-    first = max_min_search(finder.layers, EPSILON, throw=False)
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
     for found in best_courses(finder, first):
