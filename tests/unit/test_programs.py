@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from program_cell import DOWN, pose_at
 
@@ -16,6 +17,7 @@ from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
+from manipplan.timing.steady.corner import check_corners, most_acceleration
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
@@ -392,3 +394,31 @@ def test_each_given_pose_of_a_path_is_met(hand):
     way = hand.kinematics().pose(made.trajectory(np.linspace(made.marks[0].path_begin, made.marks[1].begin, 40_000)))
     for pose in poses:
         assert np.linalg.norm(way[:, :3, 3] - pose[:3, 3], axis=1).min() < 1.2e-4
+
+
+def test_a_corner_that_no_motion_takes_is_refused_before_work_starts(hand, monkeypatch):
+    poses = poses_around_a_corner(0.001)
+    path = mp.CartesianPath.through(poses)
+    monkeypatch.setattr("manipplan.jobs.programs.sequence.nodes_of", None)  # where work starts
+    with pytest.raises(
+        mp.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
+    ) as caught:
+        mp.sequence(hand, "default", [mp.Wait(0.1), mp.MoveAlong(path, tool_speed=0.6)])
+    assert "split the path there" in caught.value.allowed
+
+
+def test_the_bound_on_corners_is_none_of_motions(hand):
+    """The tool's acceleration on random motions at the limits is below the bound, and a gentle path is not refused."""
+    rng, model = np.random.default_rng(0), hand.model
+    data, bound, largest = model.createData(), most_acceleration(hand), 0.0
+    frame = model.getFrameId(hand.tool)
+    for _ in range(2000):
+        q, signs = hand.random_configuration(rng), rng.choice([-1.0, 1.0], (2, hand.n))
+        pin.forwardKinematics(model, data, q, signs[0] * hand.limits.velocity, signs[1] * hand.limits.acceleration)
+        moved = pin.getFrameClassicalAcceleration(model, data, frame, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED).linear
+        largest = max(largest, float(np.linalg.norm(moved)))
+    assert 0.2 * bound < largest < bound
+    arc = mp.CartesianPath.circle(pose_at(0.5, 0.0, 0.3), (0.45, 0.0, 0.3), (0, 0, 1))
+    check_corners(np.sqrt(0.9 * bound * 0.05), arc, hand, position=1e-4)
+    with pytest.raises(mp.InvalidInputError, match="turns a corner"):
+        check_corners(np.sqrt(1.2 * bound * 0.05), arc, hand, position=1e-4)

@@ -1,8 +1,9 @@
 """Chooses the configurations of a whole program: the largest minimum manipulability, and of those that tie the shortest motion.
 
-Every leg has nodes, and a free motion leads from each of one leg to each of the next. What a node allows, and what a planned
-motion kept, bound the minimum manipulability of a program through them. A search through these bounds is exact. It is repeated
-with what was reached on the motions planned so far, until no other program could be better.
+Each leg has nodes, the configurations in which it reaches its goal. A free motion leads from a node of one leg to a node of
+the next. The manipulability at a node, and the minimum that a planned motion keeps, are upper bounds on the minimum
+manipulability of each program through them. The search finds the program with the largest bound exactly. It is repeated with
+what the planned motions keep, until no other program could be better.
 """
 
 import time
@@ -34,7 +35,7 @@ GAIN = 0.01
 MOTIONS, FAILURES = 5, 12
 #: Largest change of a joint by which a node is moved to reach its goal exactly [rad or m].
 NEARBY = 0.05
-#: What a motion that is not planned yet costs beside g of its straight line.
+#: Cost of a motion that is not planned yet, added to g of its straight line.
 UNPLANNED = 1e9
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
@@ -70,7 +71,7 @@ class ProgramSearch:
         objective, clearance: of all motions.
         planner: plans free motions.
         deadline: in time.monotonic() [s]; after it no further program is tried.
-        failures: why motions or courses failed.
+        failures: why free motions or courses failed.
     """
 
     legs: list[Leg]
@@ -120,8 +121,9 @@ class ProgramSearch:
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.
 
-        First it is a program with that bound, of those that tie the one with the smallest g. Where one was reached already, it
-        is any whose bound is in the upper half between both: of those the one with the fewest motions that are not planned yet.
+        Without `reached`, the minimum of the best program so far, it is the program with that bound; of those that tie, the one
+        with the smallest g. Otherwise it is one that could be better, with a bound in the upper half between both minima: of
+        those the one with the fewest motions that are not planned yet.
         """
         most = np.full(1, np.inf)
         for at, between in zip(self._at, self._between, strict=True):

@@ -171,7 +171,9 @@ def course_of(
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
                 made = _along(number, step, workspace, q, state, finders)
             if isinstance(made, NoCourse):
-                return replace(made, message=f"steps[{number}]: {made.message}")
+                # where the tool is after a path that leaves its turn free depends on the configuration
+                turned = any(each.task.free_axis is not None for each in items if isinstance(each, Motion) and each.task)
+                return NoCourse(message=f"steps[{number}]: {made.message}", always=made.always and not turned)
             items.append(made)
             q = made.path.goal
             entry = made.path.start if len(items) == 1 else entry

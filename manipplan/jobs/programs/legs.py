@@ -11,10 +11,12 @@ from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import with_defaults
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.timing.steady.corner import check_corners
 from manipplan.timing.steady.speed import check_tool_speed
 
 #: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
@@ -48,8 +50,8 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list[Leg]:
-    """The legs of a program.
+def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0) -> list[Leg]:
+    """The legs of a program that begins at start (n,) and has blends of a size [m].
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
     """
@@ -78,7 +80,7 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
             _check_tool(k, robot)
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
-                _check_speed(k, step.tool_speed, step.path)
+                _check_speed(k, step, robot, blend)
             if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
@@ -95,9 +97,13 @@ def _check_tool(k: int, robot: Robot) -> None:
         raise InvalidInputError(f"steps[{k}].path", error.value, error.allowed) from error
 
 
-def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
+def _check_speed(k: int, step: MoveAlong, robot: Robot, blend: float) -> None:
+    assert step.tool_speed is not None and isinstance(step.path, CartesianPath)
     try:
-        check_tool_speed(speed, path)
+        check_tool_speed(step.tool_speed, step.path)
+        position = with_defaults(step.tolerance).position
+        assert position is not None
+        check_corners(step.tool_speed, step.path, robot, position=position, margin=blend)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 

@@ -20,7 +20,7 @@ from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 
-#: Maximum number of nodes of a leg, the best by their bounds; and where parts may be in several places before it.
+#: Maximum number of nodes of a leg, and of one before which parts may be in several places: those with the largest bounds.
 MOST_NODES, MOST_OF_PLACES = 48, 192
 
 
@@ -53,10 +53,14 @@ def nodes_of(
     places: Sequence[Places],
     needed: set[str],
 ) -> list[Node]:
-    """The nodes of a leg, those with the largest bound first, as far as `state` is known before anything is planned.
+    """The nodes of a leg, those with the largest bound first.
 
-    `places`: where parts may be before the leg; `needed`: the parts on which goals of later legs depend. Raises
-    InvalidInputError, which names the step, where there is none.
+    Args:
+        state: what is known of arm and scene at the leg before anything is planned.
+        places: where parts may be before the leg.
+        needed: the parts on which goals of later legs depend.
+
+    Raises InvalidInputError, which names the step, where there is none.
     """
     pose = state.robot.kinematics().pose
     if any(each.pose is not None and each.pose.of for each in leg.targets):

@@ -52,7 +52,7 @@ class MoveAlong(ProgramStep):
     Attributes:
         path: a CartesianPath in the world; or a vector (3,) by which the tool moves straight on, in the tool frame [m].
         tool_speed: constant speed of the tool's origin [m/s], kept to a hundredth between the ramps or blends at its ends, and
-            not exceeded; None: as fast as the limits allow. One that is too fast is refused with the fastest that is possible.
+            not exceeded; None: as fast as the limits allow. The error for one that is too fast names the fastest.
         tolerance: largest deviation from the path, as for `follow`.
         task: Task.pose() or Task.pointing(axis); None: Task.pose().
         positions: number of positions at which configurations are enumerated; None: as for `follow`. A vector has its own.
