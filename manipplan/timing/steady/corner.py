@@ -1,4 +1,4 @@
-"""check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can follow, before any is planned."""
+"""check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there."""
 
 import numpy as np
 
