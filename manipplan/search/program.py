@@ -22,13 +22,21 @@ from manipplan.symbolic.chain import Placement
 ROWS = 4
 #: Distance from a position limit that the program keeps [rad or m].
 INSIDE = 2e-3
+#: Largest number of positions for which the program is kept.
+SHORT = 40
 #: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
 
 
-@once_per_owner
 def level_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
-    """The program for L positions of one arm and task, built once."""
+    """The program for L positions of one arm and task; those of short paths, which programs of moves have, are kept."""
+    if positions > SHORT:
+        return LevelProgram(kinematics, positions, closed=closed)
+    return _kept_program(kinematics, positions, closed=closed)
+
+
+@once_per_owner
+def _kept_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
     return LevelProgram(kinematics, positions, closed=closed)
 
 
