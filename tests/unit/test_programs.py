@@ -1,5 +1,6 @@
 """Programs of moves: choice, parts, blends, stops, speeds, bad input."""
 
+import re
 import time
 from dataclasses import replace
 from itertools import pairwise
@@ -10,6 +11,7 @@ import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on, straight_way
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import Motion
@@ -422,3 +424,16 @@ def test_the_bound_on_corners_is_none_of_motions(hand):
     check_corners(np.sqrt(0.9 * bound * 0.05), arc, hand, position=1e-4)
     with pytest.raises(mp.InvalidInputError, match="turns a corner"):
         check_corners(np.sqrt(1.2 * bound * 0.05), arc, hand, position=1e-4)
+
+
+def test_a_straight_way_stays_inside_the_limits(hand):
+    """Its configurations are inside at the positions that are searched; between them their spline may bow outwards."""
+    q, way = hand.neutral, np.array([0.0, 0.0, -0.1])
+    path = straight_on(hand.kinematics().pose(q), way)
+    finder = straight_finder(hand, mp.Scene(), path, measure=None, clearance=0.0)
+    made = motion_from(finder, q, hand, STRAIGHT_EPSILON)
+    assert isinstance(made, mp.JointPath)
+    narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
+    assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", motion_from(finder, q, narrow, STRAIGHT_EPSILON))
+    blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
+    assert "lid" in straight_way(hand, blocked, q, way, None, 0.0)
