@@ -1,6 +1,7 @@
 """Nodes: the configurations in which the free motion of a leg may end, with bounds on the manipulability that they allow."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 
@@ -22,6 +23,8 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 
 #: Maximum number of nodes of a leg, and of one before which parts may be in several places: those with the largest bounds.
 MOST_NODES, MOST_OF_PLACES = 48, 192
+#: Number of poses of the tool for which configurations are enumerated together.
+TOGETHER = 4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -102,19 +105,26 @@ def _at_targets(
         touching = model.in_collision_rows(np.array([each.q for each in nodes]), clearance=clearance)
         nodes = [node for node, touches in zip(nodes, touching, strict=True) if not touches]
     poses, owners = _tool_goals(leg, places)
-    if poses:
-        try:
-            found = find_candidates(poses, start, model, objective.integral(state.robot), clearance, leg.constraints)
-        except InvalidInputError as error:
-            if not nodes:
-                raise InvalidInputError(f"steps[{leg.number}].goal", error.value, error.allowed) from error
-            found = []
-        nodes += [
+    integral = objective.integral(state.robot)
+
+    def found(first: int, count: int) -> list[Node]:
+        """Nodes at some of the poses, which share samples and refinements."""
+        some = poses[first : first + count]
+        return [
             Node(q=each.q, goal_index=k, bound=each.manipulability, before=before)
-            for each in found
+            for each in find_candidates(some, start, model, integral, clearance, leg.constraints)
             if each.is_free
-            for k, before in owners[each.goal_index]
+            for k, before in owners[first + each.goal_index]
         ]
+
+    for first in range(0, len(poses), TOGETHER):
+        with suppress(InvalidInputError):
+            nodes += found(first, TOGETHER)
+    if not nodes and poses:
+        try:  # the error names the reasons of all goals
+            nodes = found(0, len(poses))
+        except InvalidInputError as error:
+            raise InvalidInputError(f"steps[{leg.number}].goal", error.value, error.allowed) from error
     if not nodes:
         q = leg.targets[0].q
         assert q is not None
