@@ -273,7 +273,7 @@ def test_bad_programs(hand, cell, name):
         ),
         (
             [mp.MoveTo(pose_at(0.5, 0.3, 0.2)), mp.MoveAlong([0, 0, 0.3])],
-            r"steps\[1\]: path, position .* in the best of them panda_leftfinger_\d and table overlap by [\d.]+ mm",
+            r"steps\[1\]: path, position .* in the best of them panda_(left|right)finger_\d and table overlap by [\d.]+ mm",
         ),
     ],
 )
