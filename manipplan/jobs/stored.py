@@ -11,6 +11,7 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
+from manipplan.robots.attached import Part, with_part
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
@@ -148,9 +149,22 @@ def _apply_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path
         arm = arm.at(base)
     for added in data["frames"]:
         arm = arm.with_tool(stored_array(added["pose"]), name=added["name"], tool=added["frame"])
-    parts = scene_of(path, data["carried"], folder, None).obstacles
-    for part, (_, _, frame) in zip(parts, data["parts"], strict=True):
-        arm = arm.attach(part, tool=frame)
+    return with_parts(arm, path, data, folder)
+
+
+def with_parts(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) -> Robot:
+    """The arm with the parts of the data instead of those that it carries; as it is where the data have none.
+
+    A part may be in the hand of another arm, which does not move.
+    """
+    if "carried" not in data:
+        return arm
+    for name in arm.carried:
+        arm = arm.detach(name)
+    solids = scene_of(path, data["carried"], folder, None).named
+    for solid, (name, _, frame) in zip(solids, data["parts"], strict=True):
+        geometry, bodies = with_part(arm.model, arm.geometry, frame, solid, name)
+        arm = replace(arm, geometry=geometry, carried={**arm.carried, name: Part(solid=solid, bodies=bodies, frame=frame)})
     return arm
 
 

@@ -10,7 +10,7 @@ import pinocchio as pin
 
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array, distinct_names
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 
 @runtime_checkable
@@ -52,6 +52,17 @@ class AddedFrame:
     name: str
     pose: Array
     frame: str
+
+
+def check_in_hand(argument: str, name: str, hands: Mapping[str, str], tool: str) -> None:
+    """Raise an error unless a part is in the hand `tool`; `hands`: the tool frame that carries each part, by its name.
+
+    UnknownNameError, with the nearest names, for one that no hand carries; InvalidInputError for one in another hand.
+    """
+    if name not in hands:
+        raise UnknownNameError(argument, name, hands, empty="none: the arm carries nothing then")
+    if hands[name] != tool:
+        raise InvalidInputError(argument, name, f"a part in the hand {tool}: {name} is in the hand {hands[name]}")
 
 
 def number_names(name: str, count: int) -> tuple[str, ...]:

@@ -112,6 +112,13 @@ def frame_index(model: pin.Model, name: str) -> int:
     return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
 
 
+def frame_pose(model: pin.Model, name: str, q: Array) -> Array:
+    """The pose (4, 4) of a frame in the world at q (n,)."""
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, q)
+    return np.asarray(data.oMf[frame_index(model, name)].homogeneous)
+
+
 def adjacent_pairs(model: pin.Model, geometry: pin.GeometryModel) -> frozenset[frozenset[str]]:
     """Names of geometry objects whose links are the same or joined by one joint: these touch by construction."""
     parents = list(model.parents)

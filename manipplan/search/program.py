@@ -15,6 +15,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.free_motion import Turns, complement
 
@@ -22,8 +23,22 @@ from manipplan.symbolic.free_motion import Turns, complement
 ROWS = 4
 #: Distance from a position limit that the program keeps [rad or m].
 INSIDE = 2e-3
+#: Largest number of positions for which the program is kept.
+SHORT = 40
 #: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
+
+
+def level_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
+    """The program for L positions of one arm and task; those of short paths, which programs of moves have, are kept."""
+    if positions > SHORT:
+        return LevelProgram(kinematics, positions, closed=closed)
+    return _kept_program(kinematics, positions, closed=closed)
+
+
+@once_per_owner
+def _kept_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
+    return LevelProgram(kinematics, positions, closed=closed)
 
 
 class LevelProgram:

@@ -139,13 +139,13 @@ class _Refiner:
         tolerance: Tolerance | None,
         hold_start: bool,
     ) -> None:
-        from manipplan.search.program import LevelProgram
+        from manipplan.search.program import level_program
 
         self.layers, self.found, self.sampler, self.poses = layers, found, sampler, poses
         self.robot, self.clearance = sampler.spec.robot, sampler.spec.clearance
         self.model, self.kinematics = sampler.collision, sampler.kinematics
         self.hold_start = hold_start
-        self.program = LevelProgram(self.kinematics, len(self.poses), closed=layers.closed)
+        self.program = level_program(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
         self.bound = self._bound()
@@ -291,9 +291,9 @@ class _Refiner:
 
     def _bound(self) -> float:
         """The bound of the samples, raised by ascent at the positions that determine it."""
-        from manipplan.search.program import ROWS, LevelProgram
+        from manipplan.search.program import ROWS, level_program
 
-        single = LevelProgram(self.kinematics, 1, closed=False)
+        single = level_program(self.kinematics, 1, closed=False)
         highest = np.array([m.max() for m in self.layers.m])
         best = [self.layers.q[k][int(m.argmax())] for k, m in enumerate(self.layers.m)]
         done = {0} if self.hold_start else set[int]()

@@ -10,6 +10,8 @@ from manipplan.support.checks import Array
 
 #: Share by which ‖q'‖ jumps where it does not count as continuous, and minimum number of nodes between two such jumps.
 JUMP, EACH = 1e-6, 60
+#: Minimum number of nodes per polynomial piece: a sharp bend may be a short piece of a long path.
+PER_PIECE = 24
 #: Grid points closer to a break than this share of the mean grid spacing are dropped.
 BESIDE = 0.1
 
@@ -27,12 +29,13 @@ class ArcLength:
         ends = np.concatenate([[a], jumps[(jumps > a) & (jumps < b)], [b]])
         at, splines = [0.0], []
         for begin, end in pairwise(ends):
-            count = max(EACH, int(np.ceil(nodes_along * (end - begin) / (b - a))))
+            inside = 1 + int(np.count_nonzero((path.breaks > begin) & (path.breaks < end)))
+            count = max(EACH, PER_PIECE * inside, int(np.ceil(nodes_along * (end - begin) / (b - a))))
             # dense near the ends, where a path may start from q' = 0
             s = begin + (end - begin) * (1 - np.cos(np.linspace(0.0, np.pi, count + 1))) / 2
             half = np.diff(s) / 2
-            inside = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
-            length = at[-1] + np.concatenate([[0.0], np.cumsum(half * (_norms(path(inside, 1)) @ weights))])
+            between = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
+            length = at[-1] + np.concatenate([[0.0], np.cumsum(half * (_norms(path(between, 1)) @ weights))])
             rises = np.concatenate([[True], np.diff(length) > 1e-14 * length[-1]])
             rises[-1] = True
             splines.append(CubicSpline(length[rises], s[rises]))

@@ -3,8 +3,13 @@
 import numpy as np
 import pytest
 from program_cell import DOWN, UPRIGHT, carried_to, part_pose, placed_part, pose_at
+from scipy.spatial.transform import Rotation
 
 import manipplan as mp
+from manipplan.jobs.programs.legs import read_steps
+from manipplan.jobs.programs.nodes import nodes_of
+from manipplan.jobs.programs.places import NOWHERE
+from manipplan.jobs.programs.states import State
 
 
 @pytest.mark.parametrize(
@@ -75,3 +80,23 @@ def test_plan_to_a_pose_of_a_carried_part(hand):
         mp.plan(carrying, "default", mp.PoseGoal(place, of="bra"))
     with pytest.raises(mp.InvalidInputError, match=r"goal\.free_axis: .* it is 8\.81 mm beside that of bar"):
         mp.plan(carrying, "default", mp.PoseGoal(place, of="bar", free_axis=[0, 0, 1]))
+
+
+def test_each_of_many_grasps_is_searched_as_well_as_alone(hand):
+    """With the goals of the whole leg at once, each would get few samples and most no refinement."""
+    tilted = []
+    for tilt in (0.0, 0.6, 1.2):
+        for turn in np.arange(8) * np.pi / 4:
+            pose = np.eye(4)
+            pose[:3, :3] = Rotation.from_euler("ZX", [turn, np.pi - tilt]).as_matrix()
+            pose[:3, 3] = [0.5, 0.2, 0.1] - 0.03 * pose[:3, 2]
+            tilted.append(pose)
+    objective, state = mp.PathObjective(), State(robot=hand, scene=mp.Scene())
+
+    def bounds(goals):
+        (leg,) = read_steps([mp.MoveTo(goals)], hand, hand.neutral)
+        nodes = nodes_of(leg, state, hand.neutral, objective, 0.0, [NOWHERE], set())
+        return [max(node.bound for node in nodes if node.goal_index == k) for k in range(len(goals))]
+
+    alone = np.array([bounds([goal])[0] for goal in tilted])
+    assert (np.array(bounds(tilted)) >= 0.95 * np.minimum(alone, hand.kinematics().manipulability(hand.neutral))).all()

@@ -1,13 +1,17 @@
 """Programs of moves: choice, parts, blends, stops, speeds, bad input."""
 
+import re
+import time
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on, straight_way
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import Motion
@@ -15,6 +19,7 @@ from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
+from manipplan.timing.steady.corner import check_corners, most_acceleration
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
@@ -243,7 +248,7 @@ BAD = {
     ),
     "path out of reach": (
         [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
-        r"steps\[0\]\.path, position \d+ of 0 to 19 \(s = [\d.]+\): .* the arm stays [\d.]+ mm and [\d.]+° away",
+        r"steps\[0\]\.path, position \d+ of 0 to \d+ \(s = [\d.]+\): .* the arm stays [\d.]+ mm and [\d.]+° away",
     ),
 }
 
@@ -268,7 +273,7 @@ def test_bad_programs(hand, cell, name):
         ),
         (
             [mp.MoveTo(pose_at(0.5, 0.3, 0.2)), mp.MoveAlong([0, 0, 0.3])],
-            r"steps\[1\]: path, position .* in the best of them panda_leftfinger_\d and table overlap by [\d.]+ mm",
+            r"steps\[1\]: path, position .* in the best of them panda_(left|right)finger_\d and table overlap by [\d.]+ mm",
         ),
     ],
 )
@@ -358,3 +363,77 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
 def test_bad_steps(make, message):
     with pytest.raises(mp.InvalidInputError, match=message):
         make()
+
+
+def poses_around_a_corner(apart):
+    """Poses every few millimetres, with a turn by 90° without a radius."""
+    count = round(0.2 / apart)
+    there = [pose_at(0.4, -0.1 + apart * k, 0.3) for k in range(count + 1)]
+    return there + [pose_at(0.4 + apart * k, 0.1, 0.3) for k in range(1, count // 2 + 1)]
+
+
+@pytest.mark.parametrize("blend", [0.0, 0.02])
+def test_the_fastest_speed_around_a_sharp_corner(hand, blend):
+    """It is found soon, also where the corner is a short piece of a long motion."""
+    path = mp.CartesianPath.through(poses_around_a_corner(0.005))
+
+    def weld(speed):
+        return mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=speed), mp.MoveTo("default")], blend=blend)
+
+    began = time.process_time()
+    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 0\.3; allowed: at most [\d.]+ m/s") as caught:
+        weld(0.3)
+    assert time.process_time() - began < 20  # 80 s before
+    fastest = float(caught.value.allowed.split()[2])
+    assert 0.05 < fastest < 0.2
+    assert weld(fastest).marks[0].tool_speed.is_steady
+
+
+def test_each_given_pose_of_a_path_is_met(hand):
+    """A wave of 6 mm, of which 20 positions would see little."""
+    poses = [pose_at(0.4 + 0.003 * (-1) ** k, -0.2 + 0.01 * k, 0.3) for k in range(41)]
+    made = mp.sequence(hand, "default", [mp.MoveAlong(mp.CartesianPath.through(poses)), mp.MoveTo("default")])
+    way = hand.kinematics().pose(made.trajectory(np.linspace(made.marks[0].path_begin, made.marks[1].begin, 40_000)))
+    for pose in poses:
+        assert np.linalg.norm(way[:, :3, 3] - pose[:3, 3], axis=1).min() < 1.2e-4
+
+
+def test_a_corner_that_no_motion_takes_is_refused_before_work_starts(hand, monkeypatch):
+    poses = poses_around_a_corner(0.001)
+    path = mp.CartesianPath.through(poses)
+    monkeypatch.setattr("manipplan.jobs.programs.sequence.nodes_of", None)  # where work starts
+    with pytest.raises(
+        mp.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
+    ) as caught:
+        mp.sequence(hand, "default", [mp.Wait(0.1), mp.MoveAlong(path, tool_speed=0.6)])
+    assert "split the path there" in caught.value.allowed
+
+
+def test_the_bound_on_corners_is_none_of_motions(hand):
+    """The tool's acceleration on random motions at the limits is below the bound, and a gentle path is not refused."""
+    rng, model = np.random.default_rng(0), hand.model
+    data, bound, largest = model.createData(), most_acceleration(hand), 0.0
+    frame = model.getFrameId(hand.tool)
+    for _ in range(2000):
+        q, signs = hand.random_configuration(rng), rng.choice([-1.0, 1.0], (2, hand.n))
+        pin.forwardKinematics(model, data, q, signs[0] * hand.limits.velocity, signs[1] * hand.limits.acceleration)
+        moved = pin.getFrameClassicalAcceleration(model, data, frame, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED).linear
+        largest = max(largest, float(np.linalg.norm(moved)))
+    assert 0.2 * bound < largest < bound
+    arc = mp.CartesianPath.circle(pose_at(0.5, 0.0, 0.3), (0.45, 0.0, 0.3), (0, 0, 1))
+    check_corners(np.sqrt(0.9 * bound * 0.05), arc, hand, position=1e-4)
+    with pytest.raises(mp.InvalidInputError, match="turns a corner"):
+        check_corners(np.sqrt(1.2 * bound * 0.05), arc, hand, position=1e-4)
+
+
+def test_a_straight_way_stays_inside_the_limits(hand):
+    """Its configurations are inside at the positions that are searched; between them their spline may bow outwards."""
+    q, way = hand.neutral, np.array([0.0, 0.0, -0.1])
+    path = straight_on(hand.kinematics().pose(q), way)
+    finder = straight_finder(hand, mp.Scene(), path, measure=None, clearance=0.0)
+    made = motion_from(finder, q, hand, STRAIGHT_EPSILON)
+    assert isinstance(made, mp.JointPath)
+    narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
+    assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", motion_from(finder, q, narrow, STRAIGHT_EPSILON))
+    blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
+    assert "lid" in straight_way(hand, blocked, q, way, None, 0.0)

@@ -1,14 +1,27 @@
-"""Straight ways of the tool: the path, and how densely it is searched."""
+"""Straight ways of the tool: the path, how densely it is searched, and the best motion along it from a configuration."""
 
 import numpy as np
 
+from manipplan.collision.scene import Scene
+from manipplan.ik.solver import Solver
+from manipplan.jobs.following.course import CourseFinder
+from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.robot import Robot
+from manipplan.search.candidates.sampling import SAMPLES as DEFAULTS
+from manipplan.search.candidates.sampling import sample_layers
+from manipplan.search.max_min import max_min_search
 from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+from manipplan.support.progress import silent
+from manipplan.symbolic.task import Task
 
 #: Maximum step of a joint between neighbouring positions of a straight way [rad or m].
 STRAIGHT_EPSILON = 0.4
-#: Distance between positions on a straight way [m], and their smallest number.
-STRIDE, FEWEST = 0.015, 6
+#: Distance between positions on a straight way [m], their smallest number, and the largest number of samples per parameter.
+STRIDE, FEWEST, SAMPLES = 0.015, 6, 144
 
 
 def moved_by(way: Array) -> Array:
@@ -23,6 +36,48 @@ def straight_on(pose: Array, way: Array) -> CartesianPath:
     return CartesianPath.line(pose, pose @ moved_by(way))
 
 
-def positions_on(path: CartesianPath) -> int:
-    """Number of positions on a straight path."""
-    return max(FEWEST, int(np.ceil(path.length / STRIDE)))
+def straight_finder(
+    robot: Robot,
+    scene: Scene,
+    path: CartesianPath,
+    *,
+    measure: Measure | str | None,
+    clearance: float,
+    task: Task | None = None,
+    tolerance: Tolerance | None = None,
+) -> CourseFinder:
+    """The finder of motions along a straight path; raises InvalidInputError for a position that is out of reach or not free."""
+    count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
+    names = Solver.of(robot, task=task or Task.pose(), held=None, method="auto", seed=0).names
+    samples = min(SAMPLES, DEFAULTS[max(len(names), 1) - 1]) if len(names) < 3 else None
+    layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)
+    return CourseFinder(path=path, layers=layers, tolerance=tolerance)
+
+
+def motion_from(finder: CourseFinder, q: Array, robot: Robot, epsilon: float) -> JointPath | str:
+    """The best motion along a path that begins at q (n,) and stays inside the limits, or why there is none."""
+    beginning = finder.beginning(q)
+    found = max_min_search(beginning.layers, epsilon, explain=False, throw=False)
+    if not found.connected:
+        return found.message
+    path = beginning.along(found, silent, hold_start=True).path
+    return outside_limits(path, robot) or path
+
+
+def straight_way(
+    robot: Robot, scene: Scene, begin: Array, way: Array, measure: Measure | str | None, clearance: float
+) -> JointPath | str:
+    """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
+    path = straight_on(robot.kinematics(Task.pose()).pose(begin), way)
+    try:
+        finder = straight_finder(robot, scene, path, measure=measure, clearance=clearance)
+    except InvalidInputError as error:
+        return f"{error.argument} is not {error.allowed}"
+    return motion_from(finder, begin, robot, STRAIGHT_EPSILON)
+
+
+def outside_limits(path: JointPath, robot: Robot) -> str:
+    """Which joint of a path leaves its limits between the positions that were searched; "" where none does."""
+    outside = robot.limits.outside(np.array(path.bounds())).max(axis=0)
+    joint = int(outside.argmax())
+    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""

@@ -6,20 +6,16 @@ from dataclasses import dataclass
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.straight import STRAIGHT_EPSILON, positions_on, straight_on
+from manipplan.jobs.following.straight import straight_way
 from manipplan.jobs.plan import plan
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.sampling import sample_layers
-from manipplan.search.max_min import max_min_search
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
-from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.progress import Progress, silent
-from manipplan.symbolic.task import Task
+from manipplan.support.errors import PlanningError
+from manipplan.support.progress import Progress
 from manipplan.timing.retime import retime
 
 
@@ -79,12 +75,12 @@ class TransitPlanner:
         """
         if not way.any():
             return self.lead_in(begin)
-        off = straight_way(self.robot, self.scene, begin, way, self.objective, self.clearance)
+        off = straight_way(self.robot, self.scene, begin, way, self.objective.measure, self.clearance)
         if isinstance(off, str):
             return f"no straight retreat from the path: {off}"
 
         def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
-            on = straight_way(self.robot, self.scene, goal, way, self.objective, self.clearance)
+            on = straight_way(self.robot, self.scene, goal, way, self.objective.measure, self.clearance)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
             back = on.backwards()
@@ -118,17 +114,3 @@ class TransitPlanner:
         path, trajectory = JointPath.joined(paths), joined(motions)
         cost = self.integral.cost(path)
         return Transit(path=path, trajectory=trajectory, min_manipulability=cost.min_manipulability, g=cost.g)
-
-
-def straight_way(
-    robot: Robot, scene: Scene, begin: Array, way: Array, objective: PathObjective, clearance: float
-) -> JointPath | str:
-    """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
-    path = straight_on(robot.kinematics(Task.pose()).pose(begin), way)
-    try:
-        layers = sample_layers(robot, path, positions_on(path), measure=objective.measure, scene=scene, clearance=clearance)
-    except InvalidInputError as error:
-        return f"{error.argument} is not {error.allowed}"
-    finder = CourseFinder(path=path, layers=layers, tolerance=None).beginning(begin)
-    found = max_min_search(finder.layers, STRAIGHT_EPSILON, explain=False, throw=False)
-    return finder.along(found, silent, hold_start=True).path if found.connected else found.message

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import Tolerance
-from manipplan.robots.model_tree import frame_index
+from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, pose_matrix
 from manipplan.support.display import one_line
@@ -122,12 +122,12 @@ class PoseGoal:
         return position, angles_between(poses[:, :3, :3], self.matrix[:3, :3], self.axis)
 
     def errors(self, robot: Robot, q: Array, tool: str) -> tuple[float, float]:
-        """Distance [m] and angle [rad] of a tool, or of the part that it carries, from the pose at q (n,), by Pinocchio."""
-        data = robot.model.createData()
-        pin.framesForwardKinematics(robot.model, data, q)
-        place = data.oMf[frame_index(robot.model, tool)].homogeneous
+        """Distance [m] and angle [rad] of a tool, or of a carried part, from the pose at q (n,), by Pinocchio."""
         if self.of:
-            place = place @ robot.carried[self.of].solid.pose.homogeneous
+            part = robot.carried[self.of]
+            place = frame_pose(robot.model, part.frame, q) @ part.solid.pose.homogeneous
+        else:
+            place = frame_pose(robot.model, tool, q)
         position, rotation = (float(each[0]) for each in self.distances(place[None]))
         return position, rotation
 

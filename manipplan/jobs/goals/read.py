@@ -9,6 +9,7 @@ import numpy as np
 
 from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
 from manipplan.robots.arms import known_tool
+from manipplan.robots.attached import check_in_hand
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ROTATION, Array, configurations
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -44,13 +45,11 @@ class Target:
         return self.pose if self.pose is not None else dict(self.tools or {})
 
     def of_tool(self, robot: Robot) -> "Target":
-        """The goal as one of the tool; raises UnknownNameError where it is one of a part that the arm does not carry."""
+        """The goal as one of the tool; raises as `check_in_hand` where it is one of a part that the tool does not carry."""
         if self.pose is None or not self.pose.of:
             return self
-        if self.pose.of not in robot.carried:
-            raise UnknownNameError(
-                f"{self.argument}.of", self.pose.of, robot.carried, empty="none: the arm carries nothing then"
-            )
+        hands = {name: part.frame for name, part in robot.carried.items()}
+        check_in_hand(f"{self.argument}.of", self.pose.of, hands, robot.tool)
         return self.with_grip(robot.carried[self.pose.of].solid.pose.homogeneous)
 
     def with_grip(self, grip: Array) -> "Target":

@@ -1,6 +1,6 @@
 """Puts the motions of a program together: blends, timing, checks, marks."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -23,6 +23,7 @@ from manipplan.optimize.result import make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
 from manipplan.timing.steady.speed import SteadySpeed
@@ -212,7 +213,9 @@ def _off_paths(
         assert motion.task is not None and motion.tolerance is not None
         kinematics = motion.state.robot.kinematics(motion.task)
         pose, free = kinematics.pose, kinematics.free_motion
-        s, timed = np.linspace(low, high, PLACES), trajectory(np.linspace(begin, end, PLACES))
+        knots = motion.workspace_path.knots
+        s = np.union1d(np.linspace(low, high, PLACES), knots[(knots >= low) & (knots <= high)])  # given poses are met, too
+        timed = trajectory(np.linspace(begin, end, PLACES))
         fault = deviation_from(motion.workspace_path, pose(timed), free).excess(motion.tolerance, "time") or deviation_at(
             motion.workspace_path, s, pose(motion.path(s)), free
         ).excess(motion.tolerance, "path")
@@ -238,25 +241,32 @@ def _missed(
 
 
 def _far_away(step: ProgramStep, stop: Stop) -> list[str]:
-    """A warning where a part is taken up or let go far from every body that could hold it."""
-    robot, scene, q = stop.state.robot, stop.state.scene, stop.q[None]
+    """A warning where a part is taken up far from the hand, or let go far from every body that could hold it."""
+    robot, scene = stop.state.robot, stop.state.scene
+    model = scene.collision_model(robot)
+    bodies = model.geometry.geometryObjects
+    pairs = [(bodies[each.first], bodies[each.second]) for each in model.geometry.collisionPairs]
     if isinstance(step, Detach):
-        name, bodies, what, most = step.name, set(robot.carried[step.name].bodies), "let go in the air", IN_THE_AIR
+        name, what, most, where = step.name, "let go in the air", IN_THE_AIR, "the nearest body"
+        own = set(robot.carried[name].bodies)
+        near = [k for k, pair in enumerate(pairs) if any(_is_of(each.name, own) for each in pair)]
+        is_allowed = any(name in pair for pair in scene.allowed)
     elif isinstance(step, Attach) and isinstance(step.part, str):
-        name, bodies, what, most = step.part, {step.part}, "taken up", OUT_OF_HAND
+        name, what, most, where = step.part, "taken up", OUT_OF_HAND, "the hand"
+        joint = robot.model.frames[frame_index(robot.model, step.tool or robot.tool)].parentJoint
+        near = [k for k, (body, part) in enumerate(pairs) if body.parentJoint == joint and _is_of(part.name, {name})]
+        links = {frame.name for frame in robot.model.frames if frame.parentJoint == joint}
+        is_allowed = any(name in pair and pair & links for pair in scene.allowed)
     else:
         return []
-    if any(name in pair for pair in scene.allowed) and isinstance(step, Detach):
+    if is_allowed:  # they may touch, and their distance is not known
         return []
-    model = scene.collision_model(robot)
-    pairs = [
-        k
-        for k, names in enumerate(model.pair_names)
-        if any(each.partition(".")[0] in bodies or each in bodies for each in names)
-    ]
-    if not pairs:
+    if not near:
         return [f"steps[{stop.step}]: {name} is {what}, and there is no body that could hold it"]
-    distance = float(model.pair_distances(np.tile(q, (len(pairs), 1)), pairs).min())
-    if distance <= most:
-        return []
-    return [f"steps[{stop.step}]: {name} is {what}, {1e3 * distance:.3g} mm from the nearest body"]
+    distance = float(model.pair_distances(np.tile(stop.q, (len(near), 1)), near).min())
+    return [f"steps[{stop.step}]: {name} is {what}, {1e3 * distance:.3g} mm from {where}"] if distance > most else []
+
+
+def _is_of(body: str, names: Container[str]) -> bool:
+    """Whether a body belongs to one of some parts: of several bodies they are name.0, name.1, ..."""
+    return body in names or body.rpartition(".")[0] in names

@@ -39,11 +39,14 @@ def blend_of(
     """
     if _turn(before.path, after.path) < BACK:
         return None
-    kinematics = before.state.robot.kinematics()
-    corner = kinematics.pose(before.path.goal)[:3, 3]
+    robot, corner = before.state.robot, before.path.goal[None]
+    tools = [(robot.arm(tool).kinematics(), list(robot.joints_of(tool))) for tool in robot.tools]
 
     def away(path: JointPath, s: Array) -> Array:
-        return np.asarray(np.linalg.norm(kinematics.pose(path(s))[:, :3, 3] - corner, axis=1))
+        """Distances (k,) of the tool from the corner; of several the largest."""
+        q = np.concatenate([corner, path(s)])
+        places = [kinematics.pose(q[:, joints])[:, :3, 3] for kinematics, joints in tools]
+        return np.asarray(np.max([np.linalg.norm(each[1:] - each[0], axis=1) for each in places], axis=0))
 
     for _ in range(HALVINGS + 1):
         leaves = 1 - _reach(lambda s: away(before.path, 1 - s), distance)

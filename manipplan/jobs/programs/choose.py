@@ -1,8 +1,9 @@
 """Chooses the configurations of a whole program: the largest minimum manipulability, and of those that tie the shortest motion.
 
-Every leg has nodes, and a free motion leads from each of one leg to each of the next. What a node allows, and what a planned
-motion kept, bound the minimum manipulability of a program through them. A search through these bounds is exact. It is repeated
-with what was reached on the motions planned so far, until no other program could be better.
+Each leg has nodes, the configurations in which it reaches its goal. A free motion leads from a node of one leg to a node of
+the next. The manipulability at a node, and the minimum that a planned motion keeps, are upper bounds on the minimum
+manipulability of each program through them. The search finds the program with the largest bound exactly. It is repeated with
+what the planned motions keep, until no other program could be better.
 """
 
 import time
@@ -17,7 +18,7 @@ from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.straight import straight_lines
-from manipplan.jobs.programs.courses import Course, Motion, course_of
+from manipplan.jobs.programs.courses import Course, Finders, Motion, NoCourse, course_of
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.nodes import Node
 from manipplan.jobs.programs.places import rounded
@@ -34,7 +35,7 @@ GAIN = 0.01
 MOTIONS, FAILURES = 5, 12
 #: Largest change of a joint by which a node is moved to reach its goal exactly [rad or m].
 NEARBY = 0.05
-#: What a motion that is not planned yet costs beside g of its straight line.
+#: Cost of a motion that is not planned yet, added to g of its straight line.
 UNPLANNED = 1e9
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
@@ -70,7 +71,7 @@ class ProgramSearch:
         objective, clearance: of all motions.
         planner: plans free motions.
         deadline: in time.monotonic() [s]; after it no further program is tried.
-        failures: why motions or courses failed.
+        failures: why free motions or courses failed.
     """
 
     legs: list[Leg]
@@ -84,14 +85,16 @@ class ProgramSearch:
     failures: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._courses: dict[tuple[object, ...], Course | str] = {}
+        self._finders = Finders(objective=self.objective, clearance=self.clearance)
+        self._courses: dict[tuple[object, ...], Course | NoCourse] = {}
         self._free: dict[tuple[object, ...], Plan | str] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
         edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
         self._between, self._lengths = [each[0] for each in edges], [each[1] for each in edges]
         pose = self.state.robot.kinematics().pose
-        keys = [[rounded(pose(each.q)) for each in nodes] for nodes in [[first], *self.nodes]]
+        several = len(self.state.robot.tools) > 1
+        keys = [[rounded(each.q if several else pose(each.q)) for each in nodes] for nodes in [[first], *self.nodes]]
         self._tools = [np.array([each.index(key) for key in each]) for each in keys]
         self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
 
@@ -103,11 +106,10 @@ class ProgramSearch:
             enough = self.late or len(self._free) >= MOTIONS * len(self.legs)
             if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or enough)):
                 break
-            made = self._made(nodes, tell)
-            if made is not None:
-                if best is None or made.minimum > best.minimum * (1 + GAIN):
-                    best = made
-            elif self.late:
+            made = self._made(nodes, -np.inf if best is None else best.minimum * (1 + GAIN), tell)
+            if made is not None and (best is None or made.minimum > best.minimum * (1 + GAIN)):
+                best = made
+            elif made is None and self.late:
                 break
         return best
 
@@ -119,8 +121,9 @@ class ProgramSearch:
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.
 
-        First it is a program with that bound, of those that tie the one with the smallest g. Where one was reached already, it
-        is any whose bound is in the upper half between both: of those the one with the fewest motions that are not planned yet.
+        Without `reached`, the minimum of the best program so far, it is the program with that bound; of those that tie, the one
+        with the smallest g. Otherwise it is one that could be better, with a bound in the upper half between both minima: of
+        those the one with the fewest motions that are not planned yet.
         """
         most = np.full(1, np.inf)
         for at, between in zip(self._at, self._between, strict=True):
@@ -130,7 +133,7 @@ class ProgramSearch:
             return None, bound
         least = bound * (1 - GAIN) if bound > 0 else bound
         if reached is not None:
-            least = min(least, (bound + reached) / 2)
+            least = max(min(least, (bound + reached) / 2), np.nextafter(reached * (1 + GAIN), np.inf))
         cost, back = np.zeros(1), []
         for at, between, lengths, planned in zip(self._at, self._between, self._lengths, self._planned, strict=True):
             allowed = (between >= least) & (at >= least)
@@ -144,8 +147,11 @@ class ProgramSearch:
             chain.append(int(before[chain[-1]]))
         return tuple(reversed(chain)), bound
 
-    def _made(self, nodes: tuple[int, ...], tell: Progress) -> Chosen | None:
-        """The program through some nodes; None where a motion fails. The values of nodes and motions are those reached."""
+    def _made(self, nodes: tuple[int, ...], least: float, tell: Progress) -> Chosen | None:
+        """The program through some nodes; None where a motion fails, or as soon as one keeps no more than `least`.
+
+        The bounds of its nodes and motions are lowered to what they keep.
+        """
         q, state, before = self.start, self.state, 0
         free: list[Plan | None] = []
         courses: list[Course] = []
@@ -153,36 +159,42 @@ class ProgramSearch:
             tell(k / len(self.legs), f"step {leg.number}")
             course = self._course(k, node, state)
             # a part is carried in the same way after all that end with the tool in the same pose
-            same = self._tools[k] == self._tools[k][before] if state.history else slice(None)
-            kept = -np.inf if isinstance(course, str) else course.minimum
-            self._between[k][same, node] = np.minimum(self._between[k][same, node], kept)
-            if isinstance(course, str):
-                self.failures.append(f"steps[{leg.number}]: {course}" if not course.startswith("steps[") else course)
+            rows = self._tools[k] == self._tools[k][before] if state.history else np.ones(len(self._tools[k]), dtype=bool)
+            if isinstance(course, NoCourse):
+                ends = self._tools[k + 1] if course.always else np.arange(len(self.nodes[k]))
+                self._between[k][np.ix_(rows, ends == ends[node])] = -np.inf
+                self.failures.append(course.message)
+                return None
+            self._between[k][rows, node] = np.minimum(self._between[k][rows, node], course.minimum)
+            if course.minimum <= least:
                 return None
             course = _turned(course, q, state)
             plan = None
             if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
                 made = self._motion(k, before, node, q, course.entry, state)
                 self._planned[k][before, node] = True
+                kept = -np.inf if isinstance(made, str) else made.report.min_manipulability
+                self._between[k][before, node] = min(self._between[k][before, node], kept)
                 if isinstance(made, str):
-                    self._between[k][before, node] = -np.inf
                     self.failures.append(f"steps[{leg.number}]: {made}")
                     return None
+                if kept <= least:
+                    return None
                 plan = made
-                self._between[k][before, node] = min(self._between[k][before, node], plan.report.min_manipulability)
             free.append(plan)
             courses.append(course)
             q, state, before = course.exit, course.state, node
         return Chosen(nodes=nodes, free=tuple(free), courses=tuple(courses))
 
-    def _course(self, k: int, node: int, state: State) -> Course | str:
+    def _course(self, k: int, node: int, state: State) -> Course | NoCourse:
         key = (k, node, state.history)
         if key not in self._courses:
             here, leg = self.nodes[k][node], self.legs[k]
             q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
-            self._courses[key] = (
-                q if isinstance(q, str) else course_of(leg, q, state, self.objective, self.clearance, here.found)
-            )
+            if isinstance(q, str):
+                self._courses[key] = NoCourse(message=f"steps[{leg.number}]: {q}")
+            else:
+                self._courses[key] = course_of(leg, q, state, self._finders, here.found)
         return self._courses[key]
 
     def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | str:
@@ -214,9 +226,11 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
     A part that was taken up at the end of a path is not quite where it was to be: as far off as the path's tolerance.
     """
     missed = target.missed_by(robot, q)
-    tool = target.of_tool(robot).pose
-    if not missed or tool is None:
+    if not missed:
         return q
+    tool = target.of_tool(robot).pose
+    if tool is None:
+        return missed
     near = nearest(robot, [tool], q, np.zeros(robot.n, dtype=bool))[0].reaching
     if len(near):
         best = near[np.abs(near - q).max(axis=1).argmin()]

@@ -1,27 +1,38 @@
 """Courses: the motions of a leg along paths of the tool, from a configuration in which it begins."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.straight import STRAIGHT_EPSILON, positions_on, straight_on
+from manipplan.jobs.following.straight import (
+    STRAIGHT_EPSILON,
+    motion_from,
+    outside_limits,
+    straight_finder,
+    straight_on,
+)
 from manipplan.jobs.programs.legs import Leg
+from manipplan.jobs.programs.places import rounded
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import sample_layers
-from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.max_min import SearchResult
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent
+from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
+#: Maximum number of finders that are kept: each may hold a hundred thousand configurations.
+KEPT = 32
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,14 +87,67 @@ class Course:
     minimum: float
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class NoCourse:
+    """Why there is no course, and whether there is none from any configuration with the tool in the same pose either."""
+
+    message: str
+    always: bool = False
+
+
+@dataclass(kw_only=True, eq=False)
+class Finders:
+    """The finders of motions along paths of the tool, each kept for all configurations in which a path begins.
+
+    Attributes:
+        objective, clearance: of all motions.
+    """
+
+    objective: PathObjective
+    clearance: float
+    kept: dict[tuple[object, ...], CourseFinder | NoCourse] = field(default_factory=dict)
+
+    def along(
+        self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
+    ) -> CourseFinder | NoCourse:
+        """The finder of motions along a path of a step in a state, or why a position is out of reach or not free.
+
+        `closer`: with half the distance between positions.
+        """
+        key = (number, closer, rounded(path(0.0)), state.history)
+        if key not in self.kept:
+            try:
+                made: CourseFinder | NoCourse = self.made(step, path, state, closer=closer)
+            except InvalidInputError as error:
+                made = NoCourse(message=f"{error.argument} is not {error.allowed}", always=True)
+            if len(self.kept) >= KEPT:
+                del self.kept[next(iter(self.kept))]
+            self.kept[key] = made
+        return self.kept[key]
+
+    def made(self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False) -> CourseFinder:
+        """The same, not kept; raises InvalidInputError for a position that is out of reach or not free."""
+        measure, clearance = self.objective.measure, self.clearance
+        if not isinstance(step.path, CartesianPath):
+            return straight_finder(
+                state.robot, state.scene, path, measure=measure, clearance=clearance, task=step.task, tolerance=step.tolerance
+            )
+        positions = step.positions
+        layers = sample_layers(
+            state.robot,
+            path,
+            choose_positions(path, stride=STRIDE / 2 if closer else STRIDE) if positions is None else positions,
+            task=step.task,
+            measure=measure,
+            scene=state.scene,
+            clearance=clearance,
+        )
+        return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
+
+
 def course_of(
-    leg: Leg,
-    q: Array,
-    state: State,
-    objective: PathObjective,
-    clearance: float,
-    found: tuple[CourseFinder, SearchResult] | None,
-) -> Course | str:
+    leg: Leg, q: Array, state: State, finders: Finders, found: tuple[CourseFinder, SearchResult] | None
+) -> Course | NoCourse:
     """The course of a leg whose goal is reached at q (n,), or why there is none.
 
     `found`: for a leg that begins on a path, the finder of its first path, and a motion along it that begins at q.
@@ -93,82 +157,75 @@ def course_of(
     if leg.approach is not None:
         pose = state.robot.kinematics(Task.pose()).pose(q)
         back = straight_on(pose, -leg.approach)
-        made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, objective, clearance)
-        made = made if isinstance(made, str) else _outside(made) or made
-        if isinstance(made, str):
-            return f"no straight approach: {made}"
+        made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, finders)
+        if isinstance(made, NoCourse):
+            return replace(made, message=f"steps[{leg.number}]: no straight approach: {made.message}")
         path = made.path.backwards()
-        workspace = CartesianPath.line(back(1.0), pose)
-        items.append(replace(made, path=path, workspace_path=workspace))
+        items.append(replace(made, path=path, workspace_path=CartesianPath.line(back(1.0), pose)))
         entry = path.start
     for number, step in leg.rest:
         if isinstance(step, MoveAlong):
             if found is not None and not items:
-                finder, search = found
-                made = _motion(number, step, finder, search, state)
+                made = _found(number, step, *found, state)
             else:
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
-                made = _along(number, step, workspace, q, state, objective, clearance)
-            made = made if isinstance(made, str) else _outside(made) or made
-            if isinstance(made, str):
-                return f"steps[{number}]: {made}"
+                made = _along(number, step, workspace, q, state, finders)
+            if isinstance(made, NoCourse):
+                # where the tool is after a path that leaves a motion free depends on the configuration
+                tasks = [each.task for each in items if isinstance(each, Motion) and each.task is not None]
+                turned = any(FreeMotion.of(task, planar=state.robot.planar).names for task in tasks)
+                return NoCourse(message=f"steps[{number}]: {made.message}", always=made.always and not turned)
             items.append(made)
             q = made.path.goal
             entry = made.path.start if len(items) == 1 else entry
         elif isinstance(step, Attach | Detach):
             items.append(Stop(step=number, q=q, state=state))
             before, state = state, state.after(step, q)
-            touching = before.touching(q, clearance) or state.touching(q, clearance)
+            touching = before.touching(q, finders.clearance) or state.touching(q, finders.clearance)
             if touching:
-                return f"steps[{number}]: {touching}"
+                return NoCourse(message=f"steps[{number}]: {touching}")
         elif isinstance(step, Wait):
             items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
-    integral = objective.integral(state.robot)
+    integral = finders.objective.integral(state.robot)
     least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, Motion)]
     at_entry = float(integral.kinematics.manipulability(entry))
     return Course(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
-def _outside(motion: Motion) -> str:
-    """Which joint of a motion leaves its limits between the positions that were searched; "" where none does."""
-    robot = motion.state.robot
-    outside = robot.limits.outside(np.array(motion.path.bounds())).max(axis=0)
-    joint = int(outside.argmax())
-    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""
+def has_closer(step: MoveAlong) -> bool:
+    """Whether closer positions are tried where no motion along a path is found."""
+    return isinstance(step.path, CartesianPath) and step.positions is None
 
 
-def finder_of(step: MoveAlong, path: CartesianPath, state: State, objective: PathObjective, clearance: float) -> CourseFinder:
-    """The finder of motions along a path; raises InvalidInputError for a position that is out of reach or not free."""
-    straight = not isinstance(step.path, CartesianPath)
-    positions = positions_on(path) if straight else step.positions
-    layers = sample_layers(
-        state.robot, path, positions, task=step.task, measure=objective.measure, scene=state.scene, clearance=clearance
-    )
-    return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
-
-
-def _along(
-    number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, objective: PathObjective, clearance: float
-) -> Motion | str:
+def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | NoCourse:
     """The best motion along a path that begins at q (n,), or why there is none."""
-    try:
-        finder = finder_of(step, path, state, objective, clearance).beginning(q)
-    except InvalidInputError as error:
-        return f"{error.argument} is not {error.allowed}"
-    search = max_min_search(finder.layers, EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON, throw=False)
-    if not search.connected:
-        return search.message
-    return _motion(number, step, finder, search, state)
+    epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
+    failure = NoCourse(message="")
+    for closer in (False, True) if has_closer(step) else (False,):
+        finder = finders.along(number, step, path, state, closer=closer)
+        if isinstance(finder, NoCourse):
+            return finder
+        made = motion_from(finder, q, state.robot, epsilon)
+        if not isinstance(made, str):
+            return _motion(number, step, finder.path, made, state)
+        failure = NoCourse(message=made)
+    return failure
 
 
-def _motion(number: int, step: MoveAlong, finder: CourseFinder, search: SearchResult, state: State) -> Motion:
-    course = finder.along(search, silent, hold_start=True)
+def _found(number: int, step: MoveAlong, finder: CourseFinder, search: SearchResult, state: State) -> Motion | NoCourse:
+    """A motion along a path that was found already."""
+    path = finder.along(search, silent, hold_start=True).path
+    outside = outside_limits(path, state.robot)
+    return NoCourse(message=outside) if outside else _motion(number, step, finder.path, path, state)
+
+
+def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> Motion:
     return Motion(
         step=number,
-        path=course.path,
+        path=path,
         state=state,
-        workspace_path=finder.path,
+        workspace_path=workspace,
         task=step.task or Task.pose(),
         tolerance=with_defaults(step.tolerance),
         tool_speed=step.tool_speed,

@@ -11,9 +11,12 @@ from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.read import Target, read_goals
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.tolerance import with_defaults
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.timing.steady.corner import check_corners
 from manipplan.timing.steady.speed import check_tool_speed
 
 #: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
@@ -47,8 +50,8 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list[Leg]:
-    """The legs of a program.
+def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0) -> list[Leg]:
+    """The legs of a program that begins at start (n,) and has blends of a size [m].
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
     """
@@ -73,9 +76,11 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
             constraints = ConstraintSet.of(robot, step.constraints)
             legs.append(Leg(number=k, targets=targets, approach=approach, constraints=constraints, rest=()))
             continue
+        if isinstance(step, MoveAlong):
+            _check_tool(k, robot)
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
-                _check_speed(k, step.tool_speed, step.path)
+                _check_speed(k, step, robot, blend)
             if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
@@ -85,9 +90,20 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array) -> list
     return legs if legs[0].rest else legs[1:]
 
 
-def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
+def _check_tool(k: int, robot: Robot) -> None:
     try:
-        check_tool_speed(speed, path)
+        one_tool(robot, "following a path of the tool")
+    except InvalidInputError as error:
+        raise InvalidInputError(f"steps[{k}].path", error.value, error.allowed) from error
+
+
+def _check_speed(k: int, step: MoveAlong, robot: Robot, blend: float) -> None:
+    assert step.tool_speed is not None and isinstance(step.path, CartesianPath)
+    try:
+        check_tool_speed(step.tool_speed, step.path)
+        position = with_defaults(step.tolerance).position
+        assert position is not None
+        check_corners(step.tool_speed, step.path, robot, position=position, margin=blend)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 
@@ -95,11 +111,9 @@ def _check_speed(k: int, speed: float, path: CartesianPath) -> None:
 def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
     targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
     for each in targets:
-        if each.tools is not None:
-            wanted = "a configuration or the name of a state: only `plan` reaches poses of several tools"
-            raise InvalidInputError(each.argument, sorted(each.tools), wanted)
         if each.q is not None:
             robot.configuration(each.argument, each.q)
-            if step.approach is not None:
-                raise InvalidInputError(each.argument, each.q.tolist(), "a pose of the tool, since there is an approach")
+        if step.approach is not None and each.pose is None:
+            given = sorted(each.tools) if each.q is None and each.tools else np.array(each.q).tolist()
+            raise InvalidInputError(each.argument, given, "a pose of the tool, since there is an approach")
     return targets

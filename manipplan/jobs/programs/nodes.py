@@ -1,6 +1,7 @@
 """Nodes: the configurations in which the free motion of a leg may end, with bounds on the manipulability that they allow."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 
@@ -11,7 +12,7 @@ from manipplan.jobs.following.course import CourseFinder
 from manipplan.jobs.following.lead_in import best_courses
 from manipplan.jobs.goals.candidates import find_candidates
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.programs.courses import EPSILON, finder_of
+from manipplan.jobs.programs.courses import EPSILON, Finders, has_closer
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.places import NOWHERE, Places, different, rounded
 from manipplan.jobs.programs.states import State
@@ -20,8 +21,10 @@ from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 
-#: Maximum number of nodes of a leg, the best by their bounds; and where parts may be in several places before it.
+#: Maximum number of nodes of a leg, and of one before which parts may be in several places: those with the largest bounds.
 MOST_NODES, MOST_OF_PLACES = 48, 192
+#: Number of poses of the tool for which configurations are enumerated together.
+TOGETHER = 4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -53,10 +56,14 @@ def nodes_of(
     places: Sequence[Places],
     needed: set[str],
 ) -> list[Node]:
-    """The nodes of a leg, those with the largest bound first, as far as `state` is known before anything is planned.
+    """The nodes of a leg, those with the largest bound first.
 
-    `places`: where parts may be before the leg; `needed`: the parts on which goals of later legs depend. Raises
-    InvalidInputError, which names the step, where there is none.
+    Args:
+        state: what is known of arm and scene at the leg before anything is planned.
+        places: where parts may be before the leg.
+        needed: the parts on which goals of later legs depend.
+
+    Raises InvalidInputError, which names the step, where there is none.
     """
     pose = state.robot.kinematics().pose
     if any(each.pose is not None and each.pose.of for each in leg.targets):
@@ -78,7 +85,7 @@ def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clear
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, objective, clearance))
+        return list(_on_path(leg, state, Finders(objective=objective, clearance=clearance)))
     return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
 
 
@@ -98,19 +105,26 @@ def _at_targets(
         touching = model.in_collision_rows(np.array([each.q for each in nodes]), clearance=clearance)
         nodes = [node for node, touches in zip(nodes, touching, strict=True) if not touches]
     poses, owners = _tool_goals(leg, places)
-    if poses:
-        try:
-            found = find_candidates(poses, start, model, objective.integral(state.robot), clearance, leg.constraints)
-        except InvalidInputError as error:
-            if not nodes:
-                raise InvalidInputError(f"steps[{leg.number}].goal", error.value, error.allowed) from error
-            found = []
-        nodes += [
+    integral = objective.integral(state.robot)
+
+    def found(first: int, count: int) -> list[Node]:
+        """Nodes at some of the poses, which share samples and refinements."""
+        some = poses[first : first + count]
+        return [
             Node(q=each.q, goal_index=k, bound=each.manipulability, before=before)
-            for each in found
+            for each in find_candidates(some, start, model, integral, clearance, leg.constraints)
             if each.is_free
-            for k, before in owners[each.goal_index]
+            for k, before in owners[first + each.goal_index]
         ]
+
+    for first in range(0, len(poses), TOGETHER):
+        with suppress(InvalidInputError):
+            nodes += found(first, TOGETHER)
+    if not nodes and poses:
+        try:  # the error names the reasons of all goals
+            nodes = found(0, len(poses))
+        except InvalidInputError as error:
+            raise InvalidInputError(f"steps[{leg.number}].goal", error.value, error.allowed) from error
     if not nodes:
         q = leg.targets[0].q
         assert q is not None
@@ -123,10 +137,12 @@ def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[
 
     Raises InvalidInputError where no place allows any.
     """
-    owners: dict[tuple[object, ...], tuple[Target, list[tuple[int, Places]]]] = {}
+    owners: dict[object, tuple[Target, list[tuple[int, Places]]]] = {}
     refused: list[InvalidInputError] = []
     for k, target in enumerate(leg.targets):
         for before in places:
+            if target.tools is not None:
+                owners.setdefault(k, (target, []))[1].append((k, before))
             if target.pose is None:
                 continue
             try:
@@ -143,14 +159,17 @@ def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[
     return [each for each, _ in owners.values()], [each for _, each in owners.values()]
 
 
-def _on_path(leg: Leg, state: State, objective: PathObjective, clearance: float) -> Iterator[Node]:
+def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
     number, along = leg.rest[0][0], leg.along
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
-        finder = finder_of(along, along.path, state, objective, clearance)
+        finder = finders.made(along, along.path, state)
+        first = max_min_search(finder.layers, EPSILON, throw=False)
+        if not first.connected and has_closer(along):
+            finder = finders.made(along, along.path, state, closer=True)
+            first = max_min_search(finder.layers, EPSILON, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
-    first = max_min_search(finder.layers, EPSILON, throw=False)
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
     for found in best_courses(finder, first):

@@ -14,6 +14,7 @@ from manipplan.jobs.following.straight import moved_by
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -26,7 +27,7 @@ class Places:
     """Where the parts are on which later goals depend.
 
     Attributes:
-        held: poses (4, 4) in the tool frame of those that the arm carries.
+        held: poses (4, 4) in the tool frame of those that the tool carries.
         placed: poses (4, 4) in the world of the others.
     """
 
@@ -36,8 +37,14 @@ class Places:
     @classmethod
     def at_first(cls, robot: Robot, scene: Scene, names: set[str]) -> "Places":
         """Where these parts are at the beginning of a program."""
-        held = {name: part.solid.pose.homogeneous for name, part in robot.carried.items()}
-        return cls(held=held, placed={each.name: each.pose.homogeneous for each in scene.named}).of(names)
+        held, placed = {}, {each.name: each.pose.homogeneous for each in scene.named}
+        for name, part in robot.carried.items():
+            pose = part.solid.pose.homogeneous
+            if part.frame == robot.tool:
+                held[name] = pose
+            else:  # a hand that is not moved: the part is where it will be put down
+                placed[name] = frame_pose(robot.model, part.frame, robot.neutral) @ pose
+        return cls(held=held, placed=placed).of(names)
 
     @property
     def key(self) -> tuple[object, ...]:
@@ -73,7 +80,7 @@ NOWHERE = Places()
 
 
 def rounded(pose: Array) -> tuple[int, ...]:
-    """A pose (4, 4) as a key: equal for the same ones."""
+    """A pose (4, 4), or a configuration (n,), as a key: equal for the same ones."""
     return tuple(np.round(pose.ravel() / SAME).astype(np.int64).tolist())
 
 

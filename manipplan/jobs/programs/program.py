@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from manipplan.collision.scene import Scene
 from manipplan.jobs.reports.report import shown
 from manipplan.jobs.result import Plan
+from manipplan.measures.measure import Measure
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -28,14 +29,14 @@ class Mark:
         step: its index.
         name: of its class, such as MoveTo.
         begin: when it begins [s]; the step before ends then.
-        path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; nan without.
+        path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; None without.
         tool_speed: of a MoveAlong with a tool speed: the speed of the tool, measured on the motion; None for others.
     """
 
     step: int
     name: str
     begin: float
-    path_begin: float = float("nan")
+    path_begin: float | None = None
     tool_speed: SteadySpeed | None = None
 
     def lines(self) -> list[str]:
@@ -157,14 +158,24 @@ class Program(Pictured):
         return record(self, file)
 
     @staticmethod
-    def load(folder: str | Path) -> "Program":
+    def load(folder: str | Path, *, robot: Robot | None = None, measure: Measure | None = None) -> "Program":
         """Read a program that `save` wrote: all numbers are the same, and nothing is measured again.
 
-        Raises FileFormatError: a file is missing, truncated, changed or of another version, or one of the robot is.
+        Args:
+            folder: the folder, or program.json in it.
+            robot: used instead of the stored one, if files of the robot are missing, or it is one arm of a robot
+                (`robot.arm`) or was put together by hand. It has to be the one that was planned for; whatever it carries, each
+                part of the program has the parts that were carried then.
+            measure: used instead of the stored one, if it is of a class of your own.
+
+        Raises:
+            FileFormatError: a file is missing, truncated, changed or of another version, or one of the robot is; or the robot
+                is another one.
+            MissingExtraError: the robot is from the catalogue, whose package is not installed.
         """
         from manipplan.jobs.programs.stored import read_program
 
-        return read_program(folder)
+        return read_program(folder, robot=robot, measure=measure)
 
 
 def _times(stops: Sequence[float]) -> str:

@@ -54,7 +54,8 @@ class ProgramFile:
         Names of files are relative to it. ``locked: {name: value}`` holds joints of the description. Steps are
         ``{move_to: {goal: ..., approach: 0.1, constraints: [...]}}``, with one goal or a list of them as in `goals_from_yaml`
         and constraints as in `constraints_from_yaml`; ``{move_along: {way: [0, 0, -0.1]}}`` or
-        ``{move_along: {file: poses.csv, tool_speed: 0.02}}``; ``{attach: name}``, ``{detach: name}`` and ``{wait: 0.5}``.
+        ``{move_along: {file: poses.csv, tool_speed: 0.02}}``; ``{attach: name}``, with several tools
+        ``{attach: {part: name, tool: left_gripper}}``; ``{detach: name}`` and ``{wait: 0.5}``.
 
         Raises FileFormatError, which names the entry and the key.
         """
@@ -95,7 +96,7 @@ class ProgramFile:
         makers: dict[str, Callable[[Any], ProgramStep]] = {
             "move_to": lambda value: _move_to(argument, value, robot, self.path),
             "move_along": self._move_along,
-            "attach": Attach,
+            "attach": _attach,
             "detach": Detach,
             "wait": Wait,
         }
@@ -128,6 +129,16 @@ class ProgramFile:
         if "pointing" in value:
             options["task"] = Task.pointing(value["pointing"])
         return MoveAlong(path, **options)
+
+
+def _attach(value: Any) -> Attach:
+    if isinstance(value, str):
+        return Attach(value)
+    if not isinstance(value, Mapping) or "part" not in value or not set(value) <= {"part", "tool"}:
+        raise InvalidInputError("part", value, "the name of an obstacle, or a mapping with part and, where wanted, tool")
+    if not isinstance(value["part"], str):
+        raise InvalidInputError("part", value["part"], "the name of an obstacle")
+    return Attach(value["part"], tool=value.get("tool", ""))
 
 
 def _move_to(argument: str, value: Any, robot: Robot, path: Path) -> MoveTo:

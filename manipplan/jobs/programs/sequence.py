@@ -50,14 +50,16 @@ def sequence(
 ) -> Program:
     """Plan a program of moves as one: pick, carry, place, weld, retreat.
 
-    All configurations that reach the goals of all moves are candidates. One search over the whole program chooses among them
-    for the largest minimum manipulability, by bounds for the free motions, which are then planned; where a motion fails or
-    keeps less than its bound, the search is repeated with that. Of programs that differ by less than 1 % the one with the
-    smallest sum of g on straight lines is taken. A part is carried as it was grasped: a goal that is a pose of the part has
-    configurations of its own for each grasp, and both are chosen together.
+    All configurations that reach the goals of the moves are candidates. One search over the whole program chooses among them
+    for the largest minimum manipulability. It begins with upper bounds for the free motions, then plans the motions that it
+    chose. If one fails or keeps less than its bound, the search is repeated with what it kept. Of programs whose bounds differ
+    by less than 1 % it takes the one with the smallest sum of g on straight lines.
+
+    A part is carried as it was grasped. A goal that is a pose of the part has configurations of its own for each grasp, and
+    both are chosen together.
 
     Args:
-        robot: the arm.
+        robot: the arm; of several tools `Attach` names the hand, and only `MoveTo` moves them.
         start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
         steps: `MoveTo`, `MoveAlong`, `Attach`, `Detach` and `Wait`, in their order.
         scene: obstacles at the beginning; None: none.
@@ -89,7 +91,7 @@ def sequence(
     tell = teller(progress)
     check_timing_limits(robot.limits)
     q_start = scene.collision_model(robot).free_configuration("start", named_configuration("start", start, robot), clearance)
-    legs = read_steps(steps, robot, q_start)
+    legs = read_steps(steps, robot, q_start, blend=blend)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
     first = State(robot=robot, scene=scene)
     nodes: list[list[Node]] = []

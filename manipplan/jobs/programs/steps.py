@@ -52,17 +52,17 @@ class MoveAlong(ProgramStep):
     Attributes:
         path: a CartesianPath in the world; or a vector (3,) by which the tool moves straight on, in the tool frame [m].
         tool_speed: constant speed of the tool's origin [m/s], kept to a hundredth between the ramps or blends at its ends, and
-            not exceeded; None: as fast as the limits allow. One that is too fast is refused with the fastest that is possible.
+            not exceeded; None: as fast as the limits allow. The error for one that is too fast names the fastest.
         tolerance: largest deviation from the path, as for `follow`.
         task: Task.pose() or Task.pointing(axis); None: Task.pose().
-        positions: number of positions at which configurations are enumerated.
+        positions: number of positions at which configurations are enumerated; None: as for `follow`. A vector has its own.
     """
 
     path: CartesianPath | ArrayLike
     tool_speed: float | None = field(default=None, kw_only=True)
     tolerance: Tolerance | None = field(default=None, kw_only=True)
     task: Task | None = field(default=None, kw_only=True)
-    positions: int = field(default=20, kw_only=True)
+    positions: int | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if not isinstance(self.path, CartesianPath):
@@ -72,7 +72,8 @@ class MoveAlong(ProgramStep):
         for name, kind in (("tolerance", Tolerance), ("task", Task)):
             if getattr(self, name) is not None:
                 instance(name, getattr(self, name), kind)
-        whole_number("positions", self.positions, least=2)
+        if self.positions is not None:
+            whole_number("positions", self.positions, least=2)
 
 
 @one_line
@@ -83,15 +84,18 @@ class Attach(ProgramStep):
     Attributes:
         part: the name of an obstacle, which is no longer in the scene; or a shape posed in the tool frame.
         name: name of a part that is given as a shape; default: its own, or "part".
+        tool: of a robot with several tools the one that takes it up; "": the only one.
     """
 
     part: str | Solid
     name: str = field(default="", kw_only=True)
+    tool: str = field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         if not isinstance(self.part, str) and (isinstance(self.part, type) or not isinstance(self.part, Solid)):
             raise InvalidInputError("part", self.part, "the name of an obstacle, or a shape such as a Box")
         instance("name", self.name, str)
+        instance("tool", self.tool, str)
 
     @property
     def part_name(self) -> str:

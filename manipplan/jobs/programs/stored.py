@@ -1,14 +1,18 @@
 """A program in files: program.json, and one file for each part."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from manipplan.jobs.archive import checked_json, checksum, read_plan, write_plan
+from manipplan.jobs.archive import checked_json, checksum, plan_of, write_plan
 from manipplan.jobs.programs.program import Mark
-from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of
+from manipplan.jobs.result import Plan
+from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of, with_parts
+from manipplan.measures.measure import Measure
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import existing_file
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import existing_file, instance
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready
@@ -46,7 +50,7 @@ def write_program(program: "Program", folder: Path) -> list[Path]:
     return files
 
 
-def read_program(folder: str | Path) -> "Program":
+def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | None) -> "Program":
     """Read what `write_program` wrote; see `Program.load`."""
     from manipplan.jobs.programs.program import Program
 
@@ -54,16 +58,27 @@ def read_program(folder: str | Path) -> "Program":
     path = existing_file("folder", given / NAME if isinstance(given, Path) and given.is_dir() else given)
     data = checked_json(path, FORMAT, VERSION)
     home = path.resolve().parent
+    if robot is not None:
+        instance("robot", robot, Robot)
+
+    def arm_of(file: Path, stored: Mapping[str, Any]) -> Robot:
+        """The arm of some data: the one given carries what the data say."""
+        return robot_of(file, stored, home, None if robot is None else with_parts(robot, file, stored, home))
+
+    def part_of(file: Path) -> Plan:
+        plan = checked_json(file)
+        made = plan_of(file, plan, robot=arm_of(file, plan["robot"]), scene=None, measure=measure)
+        if not isinstance(made, Plan):
+            raise FileFormatError("folder", str(file), "a part of a program, with a trajectory")
+        return made
+
     try:
-        parts = tuple(
-            read_plan(home / f"part_{k}.json", robot=None, scene=None, measure=None) for k in range(int(data["parts"]))
-        )
         return Program(
-            robot=robot_of(path, data["robot"], home, None),
+            robot=arm_of(path, data["robot"]),
             scene=scene_of(path, data["scene"], home, None),
-            final_robot=robot_of(path, data["final_robot"], home, None),
+            final_robot=arm_of(path, data["final_robot"]),
             final_scene=scene_of(path, data["final_scene"], home, None),
-            parts=parts,
+            parts=tuple(part_of(existing_file("folder", home / f"part_{k}.json")) for k in range(int(data["parts"]))),
             begins=_numbers(data["begins"]),
             marks=tuple(from_json(each, Mark) for each in data["marks"]),
             trajectory=from_json(data["trajectory"], Trajectory),

@@ -15,7 +15,7 @@ from manipplan.timing.segment import Segment
 from manipplan.timing.steady.retime_steady import GRIDS, slower, steady_segments
 from manipplan.timing.steady.speed import RAMP, SteadySpeed, measure_speed
 
-#: Number of times at which it is looked for when a motion comes past a place.
+#: Number of times that are compared to find when a motion comes past a place.
 TIMES = 4000
 
 
@@ -52,10 +52,10 @@ class Timing:
     torque: bool
 
     def made(self) -> Timed:
-        """The fastest motion.
+        """The fastest motion with the tool speeds that are asked for.
 
-        Raises InvalidInputError, which names the step and the fastest speed that is possible, where a speed of the tool is not
-        constant between its ramps, and PlanningError as `retime`.
+        Raises InvalidInputError, which names the step and the fastest speed that is possible, where the tool cannot keep its
+        speed between the ramps, and PlanningError as `retime`.
         """
         asked = {k: motion.tool_speed for k, motion in enumerate(self.motions) if motion.tool_speed is not None}
         timed = self._timed(asked, GRIDS)

@@ -22,8 +22,8 @@ EDGES = tuple(1.5 ** -np.arange(16.0) / 300)
 GRIDS = (300, 600, 1200)
 #: Share to which the fastest speed is found, maximum number of motions timed for it, and share of the first guess in each.
 CLOSE, TRIES, LESS = 1.02, 14, 0.6
-#: Share of the limits' bound above which the limits are said to bind.
-BINDS = 0.9
+#: Shares of the limits' bound above which the limits are said to bind, and up to which speeds are tried: it is an estimate.
+BINDS, ABOVE = 0.9, 1.1
 
 
 def retime_steady(path: JointPath, robot: Robot, speed: float, *, torque: bool = False) -> Trajectory:
@@ -49,7 +49,7 @@ def slower(path: JointPath, robot: Robot, speed: float, keep: Callable[[float], 
     `keep` gives None for a speed that is not kept.
     """
     bound, reason = limits_bound(path, robot, torque=torque)
-    fastest = _fastest(keep, min(bound, speed), speed)
+    fastest = _fastest(keep, min(bound, speed), min(ABOVE * bound, speed))
     if fastest is None:
         return f"None for this motion: it has no constant speed of the tool; {reason}"
     if fastest < BINDS * bound:
@@ -109,7 +109,7 @@ def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Tra
 
 
 def _fastest(keep: Callable[[float], object | None], guess: float, most: float) -> float | None:
-    """The fastest constant speed, in three digits, found by bisection below `most`, which is too fast; None for none."""
+    """The fastest constant speed, in three digits, found by bisection up to `most`; None for none."""
     low, high, speed = 0.0, most, _rounded_down(0.999 * guess)
     for _ in range(TRIES):
         try:

@@ -100,12 +100,12 @@ def _plot_measure(program: "Program", ax: Any) -> None:
 
 def _draw_part(ax: Any, program: "Program", part: MovedPart) -> None:
     """A part on its way in the hand, and where it is put down."""
-    pose = bare(program.robot).kinematics().pose
+    robot = bare(program.robot)
     edges = [*part.times, program.duration]
     for k, (begin, end) in enumerate(pairwise(edges)):
         times = np.linspace(begin, end, CARRIED + 2)[1:-1] if part.held[k] else [begin] if k else []
         for t in times:
-            solid = part.at(float(t), pose(program.trajectory(float(t))))
+            solid = part.at(float(t), robot, program.trajectory(float(t)))
             if solid is None:
                 continue
             surface = joined(surface_of(shape).placed(solid.pose) for shape in solid.shapes())

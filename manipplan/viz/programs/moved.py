@@ -8,6 +8,7 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.attached import Solid
+from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -26,18 +27,20 @@ class MovedPart:
         name: of the part.
         times: when it is taken up or put down, from 0 on [s].
         held: for each of these times, whether the hand carries it from then on.
-        solids: for each, the part posed in the tool frame or in the world; None while it is nowhere.
+        solids: for each, the part posed in the frame of the hand or in the world; None while it is nowhere.
+        frames: for each, the tool frame of the hand; "" while no hand carries it.
     """
 
     name: str
     times: tuple[float, ...]
     held: tuple[bool, ...]
     solids: tuple[Solid | None, ...]
+    frames: tuple[str, ...]
 
-    def at(self, t: float, tool: Array) -> Solid | None:
-        """The part at time t [s], posed in the world, with the tool at a pose (4, 4); None where it is nowhere."""
-        solid = self.solids[self._since(t)]
-        return solid.at(tool) if solid is not None and self.is_held(t) else solid
+    def at(self, t: float, robot: Robot, q: Array) -> Solid | None:
+        """The part at time t [s], posed in the world, with the arm at q (n,); None where it is nowhere."""
+        solid, frame = self.solids[self._since(t)], self.frames[self._since(t)]
+        return solid.at(frame_pose(robot.model, frame, q)) if solid is not None and frame else solid
 
     def is_held(self, t: float) -> bool:
         """Whether the hand carries it at time t [s]."""
@@ -88,10 +91,11 @@ def _states(program: "Program") -> list[tuple[float, Robot, Scene]]:
 
 
 def _moved(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
-    times, held, solids = [], [], []
+    times, held, solids, frames = [], [], [], []
     for since, robot, scene in states:
         times.append(since)
         held.append(name in robot.carried)
+        frames.append(robot.carried[name].frame if name in robot.carried else "")
         standing = next((each for each in scene.named if each.name == name), None)
         solids.append(robot.carried[name].solid if name in robot.carried else standing)
-    return MovedPart(name=name, times=tuple(times), held=tuple(held), solids=tuple(solids))
+    return MovedPart(name=name, times=tuple(times), held=tuple(held), solids=tuple(solids), frames=tuple(frames))

@@ -47,7 +47,6 @@ class Stage:
         self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
         self.layers |= checked_layers(scene, self.robot)
-        self._tool = motion.robot.kinematics().pose
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
         self.parts = [PartFigure(scene, f"/parts/{k}", part.solid) for k, part in enumerate(motion.moved)]
@@ -60,7 +59,7 @@ class Stage:
         for ellipsoid in self.ellipsoids:
             ellipsoid.place(q)
         for part, figure in zip(self.motion.moved, self.parts, strict=True):
-            figure.place(part.at(t, self._tool(q)))
+            figure.place(part.at(t, self.motion.robot, q))
         if self.seed is not None and self.motion.seed is not None:
             self.seed.place(self.motion.seed.at(t))
 

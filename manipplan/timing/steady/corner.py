@@ -1,0 +1,73 @@
+"""check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there."""
+
+import numpy as np
+
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.model_tree import frame_index
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
+from manipplan.timing.steady.speed import RAMP, STEADY
+
+#: Number of intervals of the tool's way, and of places from which they are interpolated.
+INTERVALS, PLACES = 8192, 20001
+
+
+def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: float, margin: float = 0.0) -> None:
+    """Raise InvalidInputError, which names the place, for a constant speed [m/s] that a corner of the path does not allow.
+
+    A tool that passes three places of the path, a way h apart, at speed v and within the tolerance δ, is accelerated by at
+    least v² (‖p₁ - 2 p₂ + p₃‖ - 4 δ) / (h + δ)². No motion within the limits accelerates it by more than `most_acceleration`.
+
+    Args:
+        position: tolerance δ on the tool's position [m].
+        margin: way at either end that is left out [m]; so are the ramps.
+    """
+    s = np.linspace(0.0, 1.0, PLACES)
+    points = path(s)[:, :3, 3]
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    left_out = margin + RAMP * way[-1]
+    if way[-1] <= 2 * left_out:
+        return
+    at = np.linspace(left_out, way[-1] - left_out, INTERVALS + 1)
+    points = np.stack([np.interp(at, way, points[:, k]) for k in range(3)], axis=1)
+    worst, place = 0.0, 0.0
+    for lag in 2 ** np.arange(int(np.log2(INTERVALS))):
+        second = np.linalg.norm(points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag], axis=1)
+        bend = (second - 4 * position) / (lag * (at[1] - at[0]) + position) ** 2  # acceleration at 1 m/s
+        if bend.max() > worst:
+            worst, place = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
+    most = np.sqrt(most_acceleration(robot) / worst) / (1 - STEADY) if worst > 0 else np.inf
+    if speed > most:
+        wanted = (
+            f"at most {most:.3g} m/s: at s = {place:.3f} the path turns a corner that no motion within the acceleration limits "
+            "takes faster. Round the corner, allow a larger tolerance, or split the path there into two steps with a blend"
+        )
+        raise InvalidInputError("tool_speed", speed, wanted)
+
+
+def most_acceleration(robot: Robot) -> float:
+    """An upper bound on the acceleration of the tool's origin within the limits, in any configuration [m/s²].
+
+    Each joint adds its own acceleration times its lever, and each pair of joints the product of their velocities times the
+    lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
+    """
+    limits, levers = robot.limits, _levers(robot)
+    later = np.maximum.outer(np.arange(robot.n), np.arange(robot.n))
+    return float(limits.acceleration @ levers + (np.outer(limits.velocity, limits.velocity) * levers[later]).sum())
+
+
+def _levers(robot: Robot) -> Array:
+    """The largest distance of the tool from each joint (n,) [m]; 1 for prismatic joints, 0 for those that do not move it."""
+    model, levers = robot.model, np.zeros(robot.n)
+    frame = model.frames[frame_index(model, robot.tool)]
+    reach, joint = float(np.linalg.norm(frame.placement.translation)), int(frame.parentJoint)
+    while joint > 0:
+        if robot.joint_types[joint - 1] == "prismatic":
+            levers[joint - 1] = 1.0
+            reach += float(max(abs(robot.limits.lower[joint - 1]), abs(robot.limits.upper[joint - 1])))
+        else:
+            levers[joint - 1] = reach
+        reach += float(np.linalg.norm(model.jointPlacements[joint].translation))
+        joint = int(model.parents[joint])
+    return levers
