@@ -1,5 +1,6 @@
 """Solver: finds and verifies all inverse kinematics solutions of one arm."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -8,7 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.ik.enumeration import AT_LIMIT, Enumeration
+from manipplan.ik.enumeration import AT_LIMIT, MOST, Enumeration
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
@@ -241,6 +242,12 @@ class Solver:
             q, rows = q[again], rows[again]
             q[:, joint] = np.minimum(q[:, joint] + 2 * np.pi * turns, upper)
         return rows, q
+
+    @property
+    def most(self) -> int:
+        """Maximum number of solutions of one sample; a guess for arms without closed form."""
+        ranges = self.robot.limits.upper - self.robot.limits.lower
+        return MOST * math.prod(int((ranges[k] + AT_LIMIT) // (2 * np.pi)) + 1 for k in self._turning)
 
     @cached_property
     def _turning(self) -> list[int]:

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from manipplan.viz.viewer import PlanViewer
 
 
+#: Columns of marks.csv.
+COLUMNS = ("step", "name", "begin", "path_begin", "tool_speed")
+
+
 @one_line
 @dataclass(frozen=True, kw_only=True)
 class Mark:
@@ -38,6 +42,14 @@ class Mark:
     begin: float
     path_begin: float | None = None
     tool_speed: SteadySpeed | None = None
+
+    @property
+    def row(self) -> str:
+        """The row of marks.csv; empty cells for None, and the constant speed asked for."""
+        speed = None if self.tool_speed is None else self.tool_speed.asked
+        return ",".join(
+            "" if each is None else str(each) for each in (self.step, self.name, self.begin, self.path_begin, speed)
+        )
 
     def lines(self) -> list[str]:
         """Lines of a report."""
@@ -128,7 +140,7 @@ class Program(Pictured):
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
-        marks.csv tells when each step begins. `load` reads program.json and one file for each part. Raises InvalidInputError
+        marks.csv has a row for each mark, with times in s and the tool speed in m/s. `load` reads program.json and one file for each part. Raises InvalidInputError
         when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
@@ -139,7 +151,7 @@ class Program(Pictured):
         self.trajectory.to_json(to / "trajectory.json")
         self.trajectory.to_ros(to / "trajectory.yaml")
         write_text(to / "report.txt", f"{self}\n")
-        write_text(to / "marks.csv", "step,name,begin\n" + "".join(f"{e.step},{e.name},{e.begin!r}\n" for e in self.marks))
+        write_text(to / "marks.csv", "\n".join([",".join(COLUMNS), *(each.row for each in self.marks)]) + "\n")
         written = write_program(self, to)
         save_program(self, to / "program.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt", "marks.csv")

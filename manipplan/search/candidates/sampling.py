@@ -151,7 +151,7 @@ def sample_layers(
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
         raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
     values = sampler.solver.grid(samples, usual, poses)
-    share = _share_found(sampler, poses, values)
+    share = _share_found(sampler, poses, values, allowed)
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
         values = sampler.solver.grid(max(most, FEWEST), SAMPLES, poses)
@@ -214,8 +214,11 @@ def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int
             raise InvalidInputError(argument, value, wanted)
 
 
-def _share_found(sampler: "CandidateSampler", poses: Array, values: Array) -> float:
-    """Number of candidates that one sample (s, r) gives in the mean, estimated from few."""
+def _share_found(sampler: "CandidateSampler", poses: Array, values: Array, allowed: float) -> float:
+    """Number of candidates that one sample (s, r) gives in the mean, estimated from few; the most if these are allowed."""
+    most = sampler.solver.most
+    if len(sampler.solver.names) < 3 and most * len(values) * len(poses) * 8 * (sampler.spec.robot.n + 1) <= allowed:
+        return float(most)
     rng = np.random.default_rng(0)
     some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
     few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
