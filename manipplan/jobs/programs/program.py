@@ -140,8 +140,8 @@ class Program(Pictured):
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
-        marks.csv has a row for each mark, with times in s and the tool speed in m/s. `load` reads program.json and one file for each part. Raises InvalidInputError
-        when the folder cannot be written.
+        marks.csv has a row for each mark, with times in s and the tool speed in m/s. `load` reads program.json and one file for
+        each part. Raises InvalidInputError when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
         from manipplan.viz.programs.figure import save_program
