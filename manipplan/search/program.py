@@ -13,6 +13,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
+from manipplan.search.candidates.layers import INSIDE_LIMITS
 from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -21,8 +22,6 @@ from manipplan.symbolic.free_motion import Turns, complement
 
 #: Number of linear distance rows per position.
 ROWS = 4
-#: Distance from a position limit that the program keeps [rad or m].
-INSIDE = 2e-3
 #: Largest number of positions for which the program is kept.
 SHORT = 40
 #: Bound on the pose rows [m or rad] where there is no tolerance.
@@ -120,9 +119,9 @@ class LevelProgram:
         turns = full_turns(q, self.kinematics.robot.endless)
         weights = np.array([scale, 0.0 if level is None else 1.0])
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
-        # a configuration nearer to a limit than INSIDE goes no nearer: the spline through the path bows outwards
-        lower = np.maximum(q - trust, np.minimum(limits.lower + INSIDE, q))
-        upper = np.minimum(q + trust, np.maximum(limits.upper - INSIDE, q))
+        # a configuration nearer to a limit than INSIDE_LIMITS goes no nearer: the spline through the path bows outwards
+        lower = np.maximum(q - trust, np.minimum(limits.lower + INSIDE_LIMITS, q))
+        upper = np.minimum(q + trust, np.maximum(limits.upper - INSIDE_LIMITS, q))
         box = np.tile(np.maximum(tolerance, EXACT), positions)
         if hold_start:
             lower[0] = upper[0] = q[0]
@@ -225,7 +224,7 @@ def joint_path(
         between, targets = joints(middle), path(middle)
         if tube is not None and not solver.free.names:
             targets = _into(tube, targets, solver.kinematics.pose(between))
-        q = np.insert(q, wide + 1, solver.onto(between, targets, inside=INSIDE / 2), axis=0)
+        q = np.insert(q, wide + 1, solver.onto(between, targets, inside=INSIDE_LIMITS / 2), axis=0)
     return JointPath.spline(s, q, closed=closed)
 
 

@@ -11,16 +11,13 @@ from manipplan.jobs.carrying.request import Request
 from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.robots.arms import own_joints
 from manipplan.robots.robot import Robot
+from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE
 from manipplan.search.candidates.sampling import SAMPLES, sample_layers
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part
 
-#: Clearance that configurations keep beyond the required one, for the motion between positions [m].
-SPARE = 0.003
-#: Distance from position limits that configurations keep where they can, as splines between positions bow outwards [rad or m].
-INSIDE = 2e-3
 #: Number of places at which the nearest bodies are looked for.
 PLACES = 401
 #: Default number of samples per parameter, for one, two, and more parameters, of arms without a closed form: a search takes
@@ -66,14 +63,14 @@ def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
                 samples=request.samples if request.samples is not None else _count(lone) * (FINER if finer else 1),
                 scene=request.scene,
                 clearance=request.clearance,
-                spare=SPARE,
+                spare=SPARE_CLEARANCE,
                 seed=request.seed,
                 progress=part(tell, k / len(request.grasps), (k + 1) / len(request.grasps)),
             )
         except InvalidInputError as error:
             argument = error.argument if error.argument == "samples" else f"{tool}: {error.argument}"
             raise InvalidInputError(argument, error.value, error.allowed) from error
-        layers = layers.inside(lone.limits.lower + INSIDE, lone.limits.upper - INSIDE)
+        layers = layers.inside(lone.limits)
         arm = LoneArm(
             tool=tool,
             joints=joints,
@@ -110,7 +107,7 @@ def _in_order(request: Request, lead: LoneArm, follow: LoneArm) -> tuple[JointPa
     refined, searched = lead.courses()
     q = np.tile(still, (len(s), 1))
     q[:, lead.joints] = refined(s)
-    beside = follow.beside(model, q, request.clearance + SPARE)
+    beside = follow.beside(model, q, request.clearance + SPARE_CLEARANCE)
     refined_beside, searched_beside = beside.courses()
     seed = side_by_side([(searched, lead.joints), (searched_beside, follow.joints)], still)
     for own in (refined_beside, searched_beside):  # what is refined knows nothing of the other arm

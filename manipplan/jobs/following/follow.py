@@ -23,6 +23,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
+from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import SAMPLES, sample_layers
 from manipplan.search.max_min import SearchResult
@@ -37,10 +38,6 @@ from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits
 from manipplan.timing.steady.speed import check_tool_speed
 
-#: Clearance that candidates keep beyond the required one, for the motion between positions [m].
-SPARE = 0.003
-#: Distance from position limits that candidates keep where they can, as splines between positions bow outwards [rad or m].
-INSIDE = 2e-3
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
 #: Minimum length of a retreat [m].
@@ -212,14 +209,13 @@ def follow(
             samples=count,
             scene=scene,
             clearance=clearance,
-            spare=SPARE,
+            spare=SPARE_CLEARANCE,
             closed=closed,
             executor=executor,
             seed=seed,
             progress=tell,
         )
-        inner = layers.inside(robot.limits.lower + INSIDE, robot.limits.upper - INSIDE)
-        return CourseFinder(path=path, layers=inner, tolerance=tolerance, samples=count)
+        return CourseFinder(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
 
     spread = positions if positions is not None else choose_positions(path, closed=closed)
     finder = sampled(spread, samples, part(tell, 0.0, 0.4))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -15,6 +16,9 @@ from manipplan.support.errors import InvalidInputError
 if TYPE_CHECKING:
     from manipplan.search.candidates.sampler import CandidateSampler
 
+#: What candidates keep beyond what is required, for the motion between positions, whose splines bow outwards: clearance [m],
+#: and distance from position limits where they can [rad or m].
+SPARE_CLEARANCE, INSIDE_LIMITS = 0.003, 2e-3
 #: Number of rows that are folded into one when extremes are taken: NumPy is fast along long rows only.
 FOLD = 64
 #: Maximum number of candidates per layer: they have 32-bit indices.
@@ -128,8 +132,9 @@ class Layers:
         upper = np.max([_extreme(layer, np.maximum) for layer in self.q], axis=0)
         return np.array([lower, upper])
 
-    def inside(self, lower: Array, upper: Array) -> Self:
-        """The same without the candidates outside lower to upper (n,), except at positions where all are."""
+    def inside(self, limits: JointLimits) -> Self:
+        """The same without the candidates nearer to a position limit than INSIDE_LIMITS, except at positions where all are."""
+        lower, upper = limits.lower + INSIDE_LIMITS, limits.upper - INSIDE_LIMITS
         kept = [((lower <= q) & (q <= upper)).all(axis=1) for q in self.q]
         kept = [each if each.any() else np.ones_like(each) for each in kept]
         q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, kept, strict=True))
