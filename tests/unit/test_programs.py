@@ -437,3 +437,12 @@ def test_a_straight_way_stays_inside_the_limits(hand):
     assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", motion_from(finder, q, narrow, STRAIGHT_EPSILON))
     blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
     assert "lid" in straight_way(hand, blocked, q, way, None, 0.0)
+
+
+def test_a_configuration_is_reached_as_it_was_given(ur5):
+    """A pose may be reached at any full turn of the joints; a configuration may not."""
+    start, goal = np.array([0.0, -1.5, 1.5, -1.5, 4.6, 6.0]), np.array([0.2, -1.4, 1.4, -1.5, -1.6, 0.0])
+    program = mp.sequence(ur5, start, [mp.MoveTo(goal), mp.MoveTo(ur5.kinematics().pose(start))])
+    ends = [program.trajectory(mark.begin) for mark in program.marks[1:]]
+    np.testing.assert_allclose(ends[0], goal, atol=1e-5)
+    assert np.abs(program.trajectory.q[-1] - goal).max() < np.pi

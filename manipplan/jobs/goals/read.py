@@ -61,15 +61,14 @@ class Target:
             raise InvalidInputError(f"{self.argument}.{error.argument}", error.value, error.allowed) from error
 
     def missed_by(self, robot: Robot, q: Array) -> str:
-        """How far q (n,) is from the goal, up to full turns of revolute joints; "" where it is reached."""
+        """How far q (n,) is from the goal, up to full turns of joints without limits; "" where it is reached."""
         if self.pose is not None:
             return self.pose.missed_by(robot, q)
         if self.tools is not None:
             return "; ".join(filter(None, (pose.missed_by(robot, q, tool) for tool, pose in self.tools.items())))
         assert self.q is not None
         off = q - self.q
-        turns = np.array([kind != "prismatic" for kind in robot.joint_types])
-        off = np.abs(np.where(turns, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+        off = np.abs(np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
         joint = int(off.argmax())
         return "" if off[joint] <= REACHED else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 

@@ -168,7 +168,8 @@ class ProgramSearch:
             self._between[k][rows, node] = np.minimum(self._between[k][rows, node], course.minimum)
             if course.minimum <= least:
                 return None
-            course = _turned(course, q, state)
+            if not self.nodes[k][node].is_given:
+                course = _turned(course, q, state)
             plan = None
             if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
                 made = self._motion(k, before, node, q, course.entry, state)
@@ -212,10 +213,12 @@ class ProgramSearch:
         integral = self.objective.integral(robot)
         bounds, lengths = np.full((len(one), len(other)), -np.inf), np.full((len(one), len(other)), np.inf)
         ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
+        given = np.array([each.is_given for each in other])
         for k, begin in enumerate(one):
             fits = [j for j, key in enumerate(keys) if key == begin.after.key]
             if fits:
-                lines = straight_lines(begin.q, nearest_turns(robot, ends[fits], begin.q), integral)
+                near = np.where(given[fits, None], ends[fits], nearest_turns(robot, ends[fits], begin.q))
+                lines = straight_lines(begin.q, near, integral)
                 bounds[k, fits], lengths[k, fits] = lines.bound, lines.g
         return bounds, lengths
 

@@ -36,6 +36,7 @@ class Node:
         goal_index: index of the goal in its list.
         bound: no motion through it has a larger minimum manipulability.
         found: for a leg that begins on a path: its finder, and the best motion along the path from q.
+        is_given: whether the goal is this configuration, so that its joints may not be turned by full turns.
         before, after: where the parts are before and after its leg, as far as later goals depend on that.
     """
 
@@ -43,6 +44,7 @@ class Node:
     goal_index: int
     bound: float
     found: tuple[CourseFinder, SearchResult] | None = None
+    is_given: bool = False
     before: Places = NOWHERE
     after: Places = NOWHERE
 
@@ -96,7 +98,7 @@ def _at_targets(
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
-        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), before=before)
+        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=True, before=before)
         for k, each in enumerate(leg.targets)
         if each.q is not None
         for before in places
