@@ -38,8 +38,8 @@ STEPS = 200
 SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Number of joints that a pose takes.
 POSE = 6
-#: Number of random starts per sample of an arm with few joints.
-STARTS = 16
+#: Number of random starts per sample, and at least of all, of an arm with few joints.
+STARTS, ALL_STARTS = 6, 64
 METHODS = ("auto", "closed-form", "newton")
 
 
@@ -299,9 +299,9 @@ class Solver:
         return residuals(self.kinematics.pose(q), targets, rows)
 
     def _by_rows(self, poses: Array, samples: Array) -> Found:
-        """Solutions of what counts of poses (s, 4, 4), one for each sample (s, r), from STARTS random starts each."""
+        """Solutions of what counts of poses (s, 4, 4), one for each sample (s, r), from random starts."""
         rng, limits = np.random.default_rng(self.seed), self.robot.limits
-        source = np.repeat(np.arange(len(samples)), STARTS)
+        source = np.repeat(np.arange(len(samples)), max(STARTS, ALL_STARTS // max(len(samples), 1)))
         q = self.robot.random_configuration(rng, size=len(source))
         q[:, list(self.held)] = samples[source]
         moves = np.ones(self.robot.n, dtype=np.bool_)

@@ -63,11 +63,9 @@ class FreeMotion:
         else:
             shifts, in_tool = _free_directions(task, world[:, :3], tool[:, :3])
             turns, axis = _free_rotations(task, world[:, 3:], tool[:, 3:])
-        if in_tool and turns is not Turns.NONE:
-            along = shifts @ axis if turns is Turns.TOOL_AXIS else np.full(len(shifts), 0.5)
-            if not (np.abs(along) < SMALL).all() and not (len(shifts) == 1 and abs(along[0]) > 1 - SMALL):
-                wanted = "shifts that are free along or across the tool axis about which it turns freely, or in the world"
-                raise InvalidInputError("task", task.name, wanted)
+        if in_tool and not (turns is Turns.NONE or (turns is Turns.TOOL_AXIS and _is_kept(shifts, axis))):
+            wanted = "shifts that are free along the tool axis about which it turns freely, all across it, or in the world"
+            raise InvalidInputError("task", task.name, wanted)
         return cls(shifts=shifts, in_tool=in_tool, turns=turns, axis=axis)
 
     @property
@@ -184,6 +182,12 @@ def complement(rows: Array) -> Array:
 
 #: Nothing is free: a pose is met as it is.
 NOTHING = FreeMotion(shifts=np.zeros((0, 3)), in_tool=False, turns=Turns.NONE, axis=np.zeros(3))
+
+
+def _is_kept(shifts: Array, axis: Array) -> bool:
+    """Whether directions (k, 3) span the same after any turn about an axis (3,): its line, or the plane across it."""
+    along = np.abs(shifts @ axis)
+    return bool((len(shifts) == 1 and along[0] > 1 - SMALL) or (len(shifts) == 2 and (along < SMALL).all()))
 
 
 def _free_directions(task: Task, world: Array, tool: Array) -> tuple[Array, bool]:

@@ -163,6 +163,7 @@ def test_nothing_is_free_of_a_pose():
         mp.Task.custom([[1, 0, 0, 0, 1, 0]]),
         mp.Task.custom(ROWS[[0, 1]], frame="tool"),
         mp.Task.custom(ROWS[[0, 3, 4]], frame="tool"),
+        mp.Task.custom(ROWS[[0, 2, 3, 4]], frame="tool"),
     ],
     ids=[
         "one rotation",
@@ -170,6 +171,7 @@ def test_nothing_is_free_of_a_pose():
         "a screw",
         "directions that turn with the tool",
         "one direction across the axis",
+        "a wheel",
     ],
 )
 def test_a_task_that_fixes_no_set_of_poses_is_refused(task):

@@ -54,7 +54,7 @@ class SamplingSpec:
 SAMPLES = (720, 96, 36, 16, 9, 6)
 FEWEST, ENOUGH = 5, 1e6
 #: The same for arms with fewer than six joints, whose rows are solved for from random starts.
-FEW_SAMPLES = (48, 16, 8, 5)
+FEW_SAMPLES = (48, 12, 6, 4)
 #: Share of the machine's memory that candidates may take.
 MEMORY = 0.5
 #: Number of positions, and of samples at each, from which the number of candidates is estimated.
