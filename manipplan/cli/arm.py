@@ -13,6 +13,7 @@ from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,3 +80,12 @@ def _value(text: str) -> tuple[str, float]:
         return name, float(value)
     except ValueError as error:
         raise InvalidInputError("locked", text, "name=value, such as panda_finger_joint1=0.04") from error
+
+
+def task_of(pointing: tuple[float, float, float] | None, only: str | None) -> Task | None:
+    """The task of a path of the tool: with a free tool axis (3,), or of the position or the orientation only."""
+    if pointing is not None and only is not None:
+        raise InvalidInputError("only", only, "nothing where a tool axis is given by --pointing")
+    if pointing is not None:
+        return Task.pointing(pointing)
+    return {"position": Task.position(), "orientation": Task.orientation(), None: None}[only]

@@ -2,19 +2,19 @@
 
 import json as json_module
 from pathlib import Path
+from typing import Literal
 
 from rich.console import Console
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of, task_of
 from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.check import check as check_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.json_data import json_ready
-from manipplan.symbolic.task import Task
 
 
 def check(
@@ -29,6 +29,7 @@ def check(
     path_begin: float = 0.0,
     tolerance: tuple[float, float] | None = None,
     pointing: tuple[float, float, float] | None = None,
+    only: Literal["position", "orientation"] | None = None,
     constraints: Path | None = None,
     clearance: float = 0.0,
     torque: bool = False,
@@ -49,6 +50,7 @@ def check(
         path_begin: Time from which the tool follows that path [s], after a lead-in.
         tolerance: Maximum distance of the tool from that path [m] [rad].
         pointing: Tool axis about which the tool may turn.
+        only: What of the poses of the path counts.
         constraints: YAML file with what the motion has to keep, as for `manipplan plan`.
         clearance: Minimum distance to keep [m].
         torque: Check the joints' effort limits as well.
@@ -71,9 +73,7 @@ def check(
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
             constraints=constraints_from_yaml(constraints) if constraints is not None else (),
             clearance=clearance,
-            objective=PathObjective(
-                task=Task.pointing(pointing) if pointing is not None else None, measure=measure, power=power
-            ),
+            objective=PathObjective(task=task_of(pointing, only), measure=measure, power=power),
             torque=torque,
         )
         tell(1.0, "done")

@@ -6,15 +6,13 @@ from typing import Literal
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of, task_of
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
-from manipplan.symbolic.task import Task
 
 
 def follow(
@@ -78,7 +76,7 @@ def follow(
             positions=positions,
             interruptions=interruptions,
             retreat=retreat[0] if len(retreat) == 1 else retreat,
-            objective=PathObjective(task=_task(pointing, only), measure=measure),
+            objective=PathObjective(task=task_of(pointing, only), measure=measure),
             epsilon=epsilon,
             samples=samples[0] if len(samples) == 1 else samples or None,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]) if tolerance is not None else None,
@@ -91,11 +89,3 @@ def follow(
         tell(1.0, "writing files")
         files = made.save(folder)
     return terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")
-
-
-def _task(pointing: tuple[float, float, float] | None, only: str | None) -> Task | None:
-    if pointing is not None and only is not None:
-        raise InvalidInputError("only", only, "nothing where a tool axis is given by --pointing")
-    if pointing is not None:
-        return Task.pointing(pointing)
-    return {"position": Task.position(), "orientation": Task.orientation(), None: None}[only]
