@@ -1,4 +1,4 @@
-"""Steps of an arm onto the rows of poses that count; the rest of the poses is free."""
+"""Newton and damped steps of an arm until what counts of poses is reached; the rest of them is free."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ def onto_rows(
         moves: (n,) the joints that may move.
         tolerance: see above.
     """
-    best, least, rows = q.copy(), np.full(len(q), np.inf), np.arange(len(q))
+    q, best, least, rows = q.copy(), q.copy(), np.full(len(q), np.inf), np.arange(len(q))
     for _ in range(STEPS):
         error, jacobian = _errors(kinematics, free, q[rows], poses[rows])
         size = np.abs(error).max(axis=1, initial=0.0)
@@ -42,7 +42,6 @@ def onto_rows(
         square = jacobian @ np.swapaxes(jacobian, 1, 2)
         square += DAMPING * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1])
         step = (np.swapaxes(jacobian, 1, 2) @ np.linalg.solve(square, error[:, :, None]))[:, :, 0]
-        q = q.copy()
         q[rows] += step * np.minimum(LONGEST / np.maximum(np.abs(step).max(axis=1), 1e-300), 1.0)[:, None]
     return best
 

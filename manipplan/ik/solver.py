@@ -16,7 +16,7 @@ from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
-from manipplan.ik.statistical import Sampled, best_held, random_answers
+from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
 from manipplan.ik.window import reach_in, window
 from manipplan.kinematics.kinematics import Kinematics
@@ -36,8 +36,8 @@ ROUNDED = 1e-6
 STEPS = 200
 #: Default number of samples per parameter, for one to six parameters.
 SAMPLES = (64, 24, 12, 8, 6, 5)
-#: Number of joints that a pose takes.
-POSE = 6
+#: Number of joints that a pose takes, and one in a plane.
+POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
 STARTS, ALL_STARTS = 6, 64
 METHODS = ("auto", "closed-form", "newton")
@@ -89,12 +89,13 @@ class Solver:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
         free = FreeMotion.of(task, planar=robot.planar)
         _check_limits(robot)
-        few = robot.n < POSE and not robot.planar and bool(free.names)
+        few = _has_few_joints(robot, free)
         if few and robot.n < task.rows:
             raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
         form = closed_form(robot, held) if method != "newton" and not few else None
         if form is None and method == "closed-form":
-            raise InvalidInputError("method", method, f"'newton': {robot.name} has no closed form")
+            told = "only rows are solved for, as it has too few joints for a free motion" if few else "has no closed form"
+            raise InvalidInputError("method", method, f"'newton': {robot.name} {told}")
         screws = form.screws if form is not None else Screws.of(robot)
         if form is not None:
             indices = form.held
@@ -116,7 +117,7 @@ class Solver:
     @property
     def by_rows(self) -> bool:
         """Whether the arm has too few joints to reach a pose at each value of a free motion: then only rows are solved for."""
-        return bool(self.free.names) and self.robot.n < POSE and not self.robot.planar
+        return _has_few_joints(self.robot, self.free)
 
     @property
     def method(self) -> str:
@@ -213,7 +214,7 @@ class Solver:
         inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
         beyond = inner != moved
         for stopped in np.unique(beyond[beyond.any(axis=1)], axis=0):
-            if self.robot.n - stopped.sum() >= POSE - len(self.free.names):
+            if self.robot.n - stopped.sum() >= (PLANAR_POSE if self.robot.planar else POSE) - len(self.free.names):
                 rows = np.flatnonzero((beyond == stopped).all(axis=1))
                 moved[rows] = self._moved(inner[rows], poses[rows], ~stopped)
         return np.clip(moved, limits.lower, limits.upper)
@@ -308,7 +309,10 @@ class Solver:
         moves[list(self.held)] = False
         q, residual = search_rows(self.kinematics, self.free, q, poses[source], moves)
         found = (residual <= REACHED) & (limits.outside(q) <= 0).all(axis=1)
-        return Found(q=q[found], source=source[found], residual=residual[found])
+        q, source = q[found], source[found]
+        kept, hits = merged(q, source)
+        missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
+        return Found(q=q[kept], source=source[kept], residual=residual[found][kept], missing=missing)
 
     def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         blocks, missing = [], []
@@ -336,6 +340,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
         wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
         raise InvalidInputError("samples", samples, wanted)
     return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+
+
+def _has_few_joints(robot: Robot, free: FreeMotion) -> bool:
+    """Whether an arm has too few joints to reach a pose at each value of a free motion."""
+    return bool(free.names) and robot.n < POSE and not robot.planar
 
 
 @once_per_owner

@@ -1,9 +1,10 @@
 """Solutions by Newton steps from random starts, until few are likely to be missing."""
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
@@ -87,6 +88,19 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
             break
     missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
     return found, missing
+
+
+def merged(q: Array, source: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The first of equal rows of q (k, n) with equal source (k,), ascending: their indices, and how often each was found."""
+    kept, hits = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    edges = np.flatnonzero(np.diff(source, prepend=-1, append=-1))
+    for begin, end in pairwise(edges.tolist()):
+        some = q[begin:end]
+        same = np.abs(some[:, None] - some).max(axis=2) < SAME
+        first = np.flatnonzero(same.argmax(axis=1) == np.arange(len(some)))
+        kept.append(begin + first)
+        hits.append(same[first].sum(axis=1))
+    return np.concatenate(kept), np.concatenate(hits)
 
 
 def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:

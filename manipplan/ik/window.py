@@ -1,14 +1,13 @@
 """The values of leading slides at which an arm can reach poses: a base on rails can be far from most of what it reaches."""
 
 import numpy as np
+import pinocchio as pin
 
 from manipplan.ik.geometry import Screws
+from manipplan.robots.lengths import lengths_beyond
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
-
-#: Number of random configurations that show how far the tool gets from the slides, and the factor on their largest distance.
-CONFIGURATIONS, FARTHER = 2000, 1.1
 
 
 def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
@@ -37,8 +36,7 @@ def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int)
     q = robot.random_configuration(rng, size=count)
     lower, upper = window(robot, pose[None])
     slides = len(_reach(robot)[0])
-    low, high = robot.limits.lower[:slides], robot.limits.upper[:slides]
-    q[:, :slides] = lower[:slides] + (q[:, :slides] - low) / (high - low) * (upper - lower)[:slides]
+    q[:, :slides] = rng.uniform(lower[:slides], upper[:slides], (count, slides))
     return q
 
 
@@ -47,11 +45,10 @@ def _reach(robot: Robot) -> tuple[Array, Array, float]:
     """Directions (k, 3) of the leading slides, and the ball in which the tool is with them at 0: centre (3,) and radius [m]."""
     screws = Screws.of(robot)
     count = int(np.argmin(np.append(screws.slides, False)))
-    directions = screws.axes[:count]
-    if np.linalg.matrix_rank(directions) < count:
-        directions = directions[:0]  # slides in parallel can make up for each other
-    q = robot.random_configuration(np.random.default_rng(0), size=CONFIGURATIONS)
-    q[:, : len(directions)] = 0.0
-    places = robot.kinematics().pose(q)[:, :3, 3]
-    centre = places.mean(axis=0)
-    return directions, centre, FARTHER * float(np.linalg.norm(places - centre, axis=1).max())
+    if np.linalg.matrix_rank(screws.axes[:count]) < count:
+        count = 0  # slides in parallel can make up for each other
+    if count == robot.n:
+        return screws.axes, screws.home[:3, 3], 0.0
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, np.zeros(robot.n))
+    return screws.axes[:count], data.oMi[count + 1].translation.copy(), float(lengths_beyond(robot, robot.tool)[count])

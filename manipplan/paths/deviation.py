@@ -24,7 +24,7 @@ class Deviation:
 
     Attributes:
         position: [m]; `position_at` is where it occurs, as a fraction of the samples.
-        rotation: [rad], of the tool or of its pointing axis; `rotation_at` is where it occurs.
+        rotation: [rad], of what counts of the tool's rotation, 0 where nothing does; `rotation_at` is where it occurs.
     """
 
     position: float

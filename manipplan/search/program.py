@@ -44,7 +44,7 @@ class LevelProgram:
     """The program for L positions of one arm and task; built once, solved for many paths.
 
     Args:
-        kinematics: defines the manipulability that is raised, for a pose or pointing task.
+        kinematics: defines the manipulability that is raised, for a task whose rows fix a set of poses.
         positions: L.
         closed: whether the last position neighbours the first.
     """

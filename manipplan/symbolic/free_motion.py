@@ -56,6 +56,8 @@ class FreeMotion:
         for rows in (world, tool):
             if (rows[:, :3].any(axis=1) & rows[:, 3:].any(axis=1)).any():
                 raise InvalidInputError("task", task.name, "rows that are each a direction or an axis, for poses of a path")
+        if planar and tool[:, :3].any():
+            raise InvalidInputError("task", task.name, "directions of the world, for a planar arm")
         if planar:  # the arm itself fixes z and the tilt
             turns_fixed = bool(world[:, 5].any() or tool[:, 5].any())
             shifts, in_tool = _free_directions(task, np.vstack([world[:, :3], np.eye(3)[2]]), tool[:, :3])
@@ -199,8 +201,9 @@ def _free_directions(task: Task, world: Array, tool: Array) -> tuple[Array, bool
         raise InvalidInputError("task", task.name, "directions of the world or of the tool, not of both, for poses of a path")
     if not max(ranks):
         return np.eye(3), False
-    rows = world if ranks[0] else tool
-    return np.linalg.svd(rows)[2][max(ranks) :], bool(ranks[1])
+    directions = np.linalg.svd(world if ranks[0] else tool)[2][max(ranks) :]
+    largest = np.take_along_axis(directions, np.abs(directions).argmax(axis=1)[:, None], axis=1)
+    return directions * np.sign(largest), bool(ranks[1])
 
 
 def _free_rotations(task: Task, world: Array, tool: Array) -> tuple[Turns, Array]:

@@ -148,7 +148,7 @@ def test_a_retreat_that_is_not_free_names_the_bodies(panda, circle, table):
     found = mp.follow(panda, circle, table, positions=60, interruptions=1, retreat=[0.0, 0.0, 0.3], throw=False)
     assert found.status is mp.Status.NO_PATH
     assert "no straight retreat from the path" in found.message and "table" in found.message
-    assert "4 other places for it do not help either" in found.message
+    assert "4 other places do not help either" in found.message
 
 
 def test_the_tool_leaves_the_path_where_the_retreat_is_free(panda, circle):

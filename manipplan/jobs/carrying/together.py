@@ -32,18 +32,22 @@ def motion_of_both(request: Request, tell: Progress) -> tuple[JointPath, JointPa
 
     Raises PlanningError with the reason, and InvalidInputError for a position that a tool cannot reach.
     """
-    given = request.positions is not None and request.samples is not None
-    for last in (True,) if given else (False, True):
-        begin, end = (0.0, 0.5) if given or not last else (0.5, 1.0)
-        finer = last and not given
+    if request.positions is not None and request.samples is not None:
+        return _tried(request, tell, finer=False)
+    try:
+        return _tried(request, part(tell, 0.0, 0.5), finer=False)
+    except PlanningError as first:
         try:
-            arms = _arms(request, part(tell, begin, end - 0.1), finer=finer)
-            tell(end - 0.1, "searching for motions of the arms")
-            return _motion(request, arms)
-        except PlanningError:
-            if last:
-                raise
-    raise AssertionError("the last try returns or raises")
+            return _tried(request, part(tell, 0.5, 1.0), finer=True)
+        except InvalidInputError as error:  # the positions and samples are not the caller's
+            raise first from error
+
+
+def _tried(request: Request, tell: Progress, *, finer: bool) -> tuple[JointPath, JointPath]:
+    """The same with the default positions and samples, or finer ones."""
+    arms = _arms(request, part(tell, 0.0, 0.8), finer=finer)
+    tell(0.8, "searching for motions of the arms")
+    return _motion(request, arms)
 
 
 def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:

@@ -25,7 +25,7 @@ from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
-from manipplan.search.candidates.sampling import SAMPLES, sample_layers
+from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.search.max_min import SearchResult
 from manipplan.search.steps import check_epsilon
 from manipplan.support.checks import Array, finite_array, instance, number, whole_number
@@ -149,7 +149,7 @@ def follow(
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
             and the way back to where it began counts as one.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
-            z-axis, or a vector (3,) in the tool frame; 0 for none.
+            z-axis, or a vector (3,) in the tool frame; 0 for none. A planar arm needs 0 or a vector with z = 0.
         objective: its task and its measure define the manipulability whose minimum is maximised; power and metric only count in
             the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
             leave a motion of the tool free.
@@ -227,7 +227,7 @@ def follow(
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
-        return sampled(closer, FINER * SAMPLES[0] if one else samples, tell)
+        return sampled(closer, FINER * usual_samples(sampler.solver)[0] if one else samples, tell)
 
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
@@ -277,8 +277,8 @@ def follow(
 
 def _retreat(value: float | ArrayLike) -> Array:
     """The way (3,) off the path in the tool frame [m]; raises InvalidInputError."""
-    down = np.array([0.0, 0.0, 1.0])
-    way = finite_array("retreat", value, (3,)) if np.ndim(value) else -number("retreat", value, least=0.0) * down
+    tool_z = np.array([0.0, 0.0, 1.0])
+    way = finite_array("retreat", value, (3,)) if np.ndim(value) else -number("retreat", value, least=0.0) * tool_z
     if 0 < np.linalg.norm(way) < LEAST_RETREAT:
         raise InvalidInputError("retreat", value, f"0 for none, or at least {1e3 * LEAST_RETREAT:g} mm")
     return way

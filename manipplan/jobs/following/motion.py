@@ -213,7 +213,10 @@ def join_parts(
             return made
         failures.append(made)
     first, others = failures[0], len(failures) - 1
-    return replace(first, reason=f"{first.reason}; {others} other places for it do not help either") if others else first
+    if not others:
+        return first
+    places = "another place does" if others == 1 else f"{others} other places do"
+    return replace(first, reason=f"{first.reason}; {places} not help either")
 
 
 def _join(

@@ -48,7 +48,8 @@ def find_parts(
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
         tell: called with the share done.
-        start: (n,) at the first pose of the path, where the motion begins; it may not on a closed path that is interrupted.
+        start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
+            elsewhere.
     """
     tried: list[CourseFinder] = []
     for k, samples in enumerate((lambda _: finder, finer)):

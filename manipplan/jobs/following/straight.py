@@ -10,8 +10,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.sampling import SAMPLES as DEFAULTS
-from manipplan.search.candidates.sampling import sample_layers
+from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.search.max_min import max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -48,8 +47,9 @@ def straight_finder(
 ) -> CourseFinder:
     """The finder of motions along a straight path; raises InvalidInputError for a position that is out of reach or not free."""
     count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
-    names = Solver.of(robot, task=task or Task.pose(), held=None, method="auto", seed=0).names
-    samples = min(SAMPLES, DEFAULTS[max(len(names), 1) - 1]) if len(names) < 3 else None
+    solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
+    names, usual = len(solver.names), usual_samples(solver)
+    samples = min(SAMPLES, usual[max(names, 1) - 1]) if names < 3 else None
     layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)
     return CourseFinder(path=path, layers=layers, tolerance=tolerance)
 
@@ -65,12 +65,18 @@ def motion_from(finder: CourseFinder, q: Array, robot: Robot, epsilon: float) ->
 
 
 def straight_way(
-    robot: Robot, scene: Scene, begin: Array, way: Array, measure: Measure | str | None, clearance: float
+    robot: Robot,
+    scene: Scene,
+    begin: Array,
+    way: Array,
+    measure: Measure | str | None,
+    clearance: float,
+    task: Task | None = None,
 ) -> JointPath | str:
     """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
     path = straight_on(robot.kinematics(Task.pose()).pose(begin), way)
     try:
-        finder = straight_finder(robot, scene, path, measure=measure, clearance=clearance)
+        finder = straight_finder(robot, scene, path, measure=measure, clearance=clearance, task=task)
     except InvalidInputError as error:
         return f"{error.argument} is not {error.allowed}"
     return motion_from(finder, begin, robot, STRAIGHT_EPSILON)

@@ -16,6 +16,7 @@ from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress
+from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 
 
@@ -75,12 +76,12 @@ class TransitPlanner:
         """
         if not way.any():
             return self.lead_in(begin)
-        off = straight_way(self.robot, self.scene, begin, way, self.objective.measure, self.clearance)
+        off = straight_way(self.robot, self.scene, begin, way, self.objective.measure, self.clearance, self._straight_task)
         if isinstance(off, str):
             return f"no straight retreat from the path: {off}"
 
         def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
-            on = straight_way(self.robot, self.scene, goal, way, self.objective.measure, self.clearance)
+            on = straight_way(self.robot, self.scene, goal, way, self.objective.measure, self.clearance, self._straight_task)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
             back = on.backwards()
@@ -94,6 +95,11 @@ class TransitPlanner:
             return self._of([off, middle.path, back], [timed[0], middle.trajectory, timed[1]])
 
         return planned
+
+    @property
+    def _straight_task(self) -> Task | None:
+        """What straight ways keep: the whole pose, or, of an arm with too few joints for that, what the path keeps."""
+        return self.objective.task if self.robot.n < 6 and not self.robot.planar else None
 
     def _free(self, begin: Array, goal: Array, seconds: float, tell: Progress) -> Plan | str:
         made = plan(

@@ -32,11 +32,10 @@ class OwnArm:
     carrier: int
     home: Array
 
-    def seen(self, robot: Robot, goal: PoseGoal, q: Array) -> PoseGoal:
+    def seen(self, robot: Robot, goal: PoseGoal, q: Array, data: pin.Data) -> PoseGoal:
         """The tool's goal where the arm has to reach with the shared joints at their neutral posture instead of at q (n,)."""
         if self.carrier == 0:
             return goal
-        data = robot.model.createData()
         pin.forwardKinematics(robot.model, data, q)
         return replace(goal, pose=self.home @ np.linalg.inv(data.oMi[self.carrier].homogeneous) @ goal.matrix)
 
@@ -86,12 +85,13 @@ def solutions(
 ) -> OfTool:
     """The solutions of a tool's own arm with the shared joints as in each of the places (p, n); others as there.
 
-    They are those of inverse kinematics, nearest to start (n,). With `by_steps` those that damped steps find are added; where
-    joints of the arm are held, they are all.
+    They are those of inverse kinematics, nearest to start (n,). With `by_steps`, solutions found by damped steps are added.
+    Where joints of the arm are held, only these are returned.
     """
     own = own_arms(robot)[tool]
     joints, near = list(own.joints), start[list(own.joints)]
-    goals = [own.seen(robot, goal, each) for each in places]
+    data = robot.model.createData()
+    goals = [own.seen(robot, goal, each, data) for each in places]
     q, place = np.zeros((0, len(joints))), np.zeros(0, dtype=np.int64)
     if not held[joints].any():
         found = reaching(own.arm, dict(enumerate(goals)), near)

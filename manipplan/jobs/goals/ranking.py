@@ -14,7 +14,7 @@ from manipplan.support.checks import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Ranking:
-    """What is better: a larger manipulability, up to that of the start (n,); of equal ones the nearer to it."""
+    """Orders configurations by manipulability, of which more than at the start (n,) counts as equal, then by nearness to it."""
 
     robot: Robot
     start: Array

@@ -10,7 +10,7 @@ from manipplan.ik.descend import descend
 from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.robots.model_tree import frame_index
+from manipplan.robots.lengths import lengths_beyond
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
@@ -90,13 +90,9 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
 
 def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
     """Why no configuration brings a tool to its goal: its place is beyond the length of all links; "" where it is not."""
-    model, frame = robot.model, robot.model.frames[frame_index(robot.model, tool)]
-    first, *others = robot.joints_of(tool)
-    length = float(np.linalg.norm(frame.placement.translation)) + goal.allowed[0]
-    length += sum(float(np.linalg.norm(model.jointPlacements[i + 1].translation)) for i in others)
-    sliding = [i for i in (first, *others) if robot.joint_types[i] == "prismatic"]
-    length += sum(float(max(abs(robot.limits.lower[i]), abs(robot.limits.upper[i]))) for i in sliding)
-    away = float(np.linalg.norm(goal.matrix[:3, 3] - model.jointPlacements[first + 1].translation))
+    first = robot.joints_of(tool)[0]
+    length = float(lengths_beyond(robot, tool)[first]) + goal.allowed[0]
+    away = float(np.linalg.norm(goal.matrix[:3, 3] - robot.model.jointPlacements[first + 1].translation))
     if away <= length:
         return ""
     return f"out of reach: {away:.3g} m from {robot.joint_names[first]}, and the links up to the tool are {length:.3g} m long"

@@ -226,7 +226,7 @@ def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointP
         path=path,
         state=state,
         workspace_path=workspace,
-        task=step.task or Task.pose(),
+        task=step.task or (state.robot.default_task if state.robot.planar else Task.pose()),
         tolerance=with_defaults(step.tolerance),
         tool_speed=step.tool_speed,
     )

@@ -54,7 +54,7 @@ class MoveAlong(ProgramStep):
         tool_speed: constant speed of the tool's origin [m/s], kept to a hundredth between the ramps or blends at its ends, and
             not exceeded; None: as fast as the limits allow. The error for one that is too fast names the fastest.
         tolerance: largest deviation from the path, as for `follow`.
-        task: Task.pose() or Task.pointing(axis); None: Task.pose().
+        task: what of the path's poses the tool follows, as for `follow`; None: Task.pose(), of a planar arm Task.planar().
         positions: number of positions at which configurations are enumerated; None: as for `follow`. A vector has its own.
     """
 

@@ -26,6 +26,7 @@ from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
+    from manipplan.ik.solver import Solver
     from manipplan.search.candidates.sampler import CandidateSampler
 
 
@@ -97,8 +98,9 @@ def sample_layers(
         measure: of manipulability; see `Robot.kinematics`.
         samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel, free
             motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
-            of the search. None: 720 for one parameter, 96 for two, for more as many as give about a million candidates; besides
-            with a free motion those that keep the whole pose.
+            of the search. None: 720 for one parameter, 96 for two, and for more as many as give about a million candidates;
+            48, 12, 6 or 4 for arms with fewer than six joints and a free motion. With a free motion, samples that keep the
+            whole pose are added.
         held, method, seed: as in `inverse_kinematics`.
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
@@ -143,9 +145,9 @@ def sample_layers(
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)
-    _check_grid(sampler, n, samples, allowed)
+    usual = usual_samples(sampler.solver)
+    _check_grid(sampler, n, samples, usual, allowed)
     s = check_positions(positions, closed=closed)
-    usual = FEW_SAMPLES if sampler.solver.by_rows else SAMPLES
     poses = path(s)
     if not are_poses(poses):
         k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
@@ -158,7 +160,7 @@ def sample_layers(
     sets = [values] * n
     if samples is None:  # a motion through whole poses is among those with a free motion
         sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(SAMPLES, poses)]
-    _check_memory(sampler, n, values, share * len(values) * n, allowed)
+    _check_memory(sampler, n, values, share * sum(map(len, sets)), allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
         jobs = {run.submit(sampler.sample, *each): k for k, each in enumerate(zip(poses, sets, strict=True))}
@@ -185,6 +187,11 @@ def sample_layers(
     )
 
 
+def usual_samples(solver: "Solver") -> Sequence[int]:
+    """Default number of samples per parameter, by the number of parameters."""
+    return FEW_SAMPLES if solver.by_rows else SAMPLES
+
+
 def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> str:
     """Why a position has no candidate, and the remedy."""
     if reached:
@@ -203,11 +210,13 @@ def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: in
     return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
 
 
-def _check_grid(sampler: "CandidateSampler", n: int, samples: int | Sequence[int] | None, allowed: float) -> None:
+def _check_grid(
+    sampler: "CandidateSampler", n: int, samples: int | Sequence[int] | None, usual: Sequence[int], allowed: float
+) -> None:
     """Raises InvalidInputError where the poses or the grid of parameters would not fit into memory."""
     from manipplan.ik.solver import sample_counts
 
-    counts = sample_counts(samples, sampler.solver.names, SAMPLES)
+    counts = sample_counts(samples, sampler.solver.names, usual)
     for argument, value, needed in (("positions", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
         if needed > allowed:
             wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"

@@ -3,9 +3,8 @@
 import numpy as np
 
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.robots.model_tree import frame_index
+from manipplan.robots.lengths import lengths_beyond
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.steady.speed import RAMP, STEADY
 
@@ -17,7 +16,7 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
     """Raise InvalidInputError, which names the place, for a constant speed [m/s] that a corner of the path does not allow.
 
     A tool that passes three places of the path, a way h apart, at speed v and within the tolerance δ, is accelerated by at
-    least v² (‖p₁ - 2 p₂ + p₃‖ - 4 δ) / (h + δ)². No motion within the limits accelerates it by more than `most_acceleration`.
+    least v² (‖p₁ - 2 p₂ + p₃‖ - 4 δ) / (h + 2 δ)². No motion within the limits accelerates it by more than `most_acceleration`.
 
     Args:
         position: tolerance δ on the tool's position [m].
@@ -34,7 +33,7 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
     worst, place = 0.0, 0.0
     for lag in 2 ** np.arange(int(np.log2(INTERVALS))):
         second = np.linalg.norm(points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag], axis=1)
-        bend = (second - 4 * position) / (lag * (at[1] - at[0]) + position) ** 2  # acceleration at 1 m/s
+        bend = (second - 4 * position) / (lag * (at[1] - at[0]) + 2 * position) ** 2  # acceleration at 1 m/s
         if bend.max() > worst:
             worst, place = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
     most = np.sqrt(most_acceleration(robot) / worst) / (1 - STEADY) if worst > 0 else np.inf
@@ -52,22 +51,7 @@ def most_acceleration(robot: Robot) -> float:
     Each joint adds its own acceleration times its lever, and each pair of joints the product of their velocities times the
     lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
     """
-    limits, levers = robot.limits, _levers(robot)
+    limits, lengths = robot.limits, lengths_beyond(robot, robot.tool)
+    levers = np.where([kind == "prismatic" for kind in robot.joint_types], lengths > 0, lengths)
     later = np.maximum.outer(np.arange(robot.n), np.arange(robot.n))
     return float(limits.acceleration @ levers + (np.outer(limits.velocity, limits.velocity) * levers[later]).sum())
-
-
-def _levers(robot: Robot) -> Array:
-    """The largest distance of the tool from each joint (n,) [m]; 1 for prismatic joints, 0 for those that do not move it."""
-    model, levers = robot.model, np.zeros(robot.n)
-    frame = model.frames[frame_index(model, robot.tool)]
-    reach, joint = float(np.linalg.norm(frame.placement.translation)), int(frame.parentJoint)
-    while joint > 0:
-        if robot.joint_types[joint - 1] == "prismatic":
-            levers[joint - 1] = 1.0
-            reach += float(max(abs(robot.limits.lower[joint - 1]), abs(robot.limits.upper[joint - 1])))
-        else:
-            levers[joint - 1] = reach
-        reach += float(np.linalg.norm(model.jointPlacements[joint].translation))
-        joint = int(model.parents[joint])
-    return levers
