@@ -190,6 +190,41 @@ def test_an_arm_with_fewer_joints_than_rows_is_refused():
     path = CartesianPath.through(arm.kinematics().pose(np.linspace(arm.neutral, arm.neutral + 0.3, 4)))
     with pytest.raises(mp.InvalidInputError, match="measure: got 'yoshikawa'; allowed: at most as many task rows as joints"):
         mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.pose()))
+    with pytest.raises(mp.InvalidInputError, match=r"objective: .*a task of at most 5 rows, such as Task.position\(\)"):
+        mp.follow(arm, path)
+
+
+@pytest.mark.slow
+def test_a_path_that_is_singular_everywhere_is_refused():
+    """The SO-100 turns its tool about y with three parallel joints: the direction of that axis is no row of its own."""
+    arm = mp.load_robot("so100")
+    begin = arm.kinematics(mp.Task.pose(length=1.0)).pose([0.0, 1.6, -1.6, -0.3, 0.2])
+    end = begin.copy()
+    end[1:3, 3] += 0.02
+    objective = mp.PathObjective(task=mp.Task.pointing([0, 1, 0]))
+    with pytest.raises(mp.InvalidInputError, match="objective: got 'pointing'; allowed: a task whose rows are independent"):
+        mp.follow(arm, CartesianPath.line(begin, end), positions=5, objective=objective)
+
+
+def test_poses_that_one_configuration_meets_are_told(panda, line):
+    with pytest.raises(
+        mp.InvalidInputError, match="objective: got 'orientation'; allowed: a task for which the arm has to move"
+    ):
+        mp.follow(panda, line, positions=4, objective=mp.PathObjective(task=mp.Task.orientation()))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("task", [mp.Task.position(), mp.Task.pointing([0, 0, 1])], ids=["position", "pointing"])
+def test_a_start_at_the_first_pose_of_free_rows(panda, task):
+    """The start is no sample: samples around its parameters connect it."""
+    rng = np.random.default_rng(4)
+    for _ in range(3):
+        q = panda.neutral + rng.uniform(-0.3, 0.3, 7)
+        pose = panda.kinematics().pose(q)
+        end = pose.copy()
+        end[:3, 3] += 0.05
+        plan = mp.follow(panda, CartesianPath.line(pose, end), start=q, objective=mp.PathObjective(task=task))
+        assert plan.report.passed and np.abs(plan.trajectory.q[0] - q).max() < 1e-9 and plan.path_begin == 0.0
 
 
 @pytest.mark.slow

@@ -18,8 +18,10 @@ from manipplan.jobs.following.motion import Failure, join_parts
 from manipplan.jobs.following.parts import find_parts
 from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
+from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
-from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.cartesian import APART, CartesianPath
+from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
@@ -42,6 +44,8 @@ from manipplan.timing.steady.speed import check_tool_speed
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
+#: Number of places at which it is looked whether the poses of a path differ.
+PLACES = 50
 #: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
 FINER, MOST = 10, 20_000_000
 
@@ -183,6 +187,9 @@ def follow(
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
+    if objective.task is None and robot.n < 6 and not robot.planar:
+        wanted = f"one with a task of at most {robot.n} rows, such as Task.position(): {robot.name} has {robot.n} joints"
+        raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
     epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
@@ -211,6 +218,7 @@ def follow(
             clearance=clearance,
             spare=SPARE_CLEARANCE,
             closed=closed,
+            near=q_start,
             executor=executor,
             seed=seed,
             progress=tell,
@@ -221,6 +229,9 @@ def follow(
     finder = sampled(spread, samples, part(tell, 0.0, 0.4))
     sampler = finder.layers.sampler
     assert sampler is not None
+    if max(float(m.max()) for m in finder.layers.m) < VANISHING:
+        wanted = "a task whose rows are independent somewhere on the path: the arm is singular in every configuration there"
+        raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
     def finer(tell: Progress) -> CourseFinder | None:
         one = samples is None and len(sampler.solver.names) == 1 and FINER * finder.layers.count <= MOST
@@ -255,6 +266,10 @@ def follow(
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
+    still = all(each.course.path.length < SHORTEST for each in motion.parts)
+    if still and np.ptp(path.sample(PLACES), axis=0).max() > APART:
+        wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
+        raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.measured(integral, scene, clearance)
     least = min((each.course for each in motion.parts), key=lambda course: course.refinement.refined)
     draft = replace(

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
 from dataclasses import dataclass
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +21,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import Array, finite_array, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
@@ -56,6 +57,8 @@ SAMPLES = (720, 96, 36, 16, 9, 6)
 FEWEST, ENOUGH = 5, 1e6
 #: The same for arms with fewer than six joints, whose rows are solved for from random starts.
 FEW_SAMPLES = (48, 12, 6, 4)
+#: Differences from the parameters of a given configuration, for each parameter [rad or m].
+BESIDE = (-0.2, -0.1, 0.0, 0.1, 0.2)
 #: Share of the machine's memory that candidates may take.
 MEMORY = 0.5
 #: Number of positions, and of samples at each, from which the number of candidates is estimated.
@@ -81,6 +84,7 @@ def sample_layers(
     clearance: float = 0.0,
     spare: float = 0.0,
     closed: bool = False,
+    near: ArrayLike | None = None,
     executor: Executor | None = None,
     memory: float | None = None,
     seed: int = 0,
@@ -107,6 +111,8 @@ def sample_layers(
         clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
         spare: distance [m] beyond the clearance that candidates keep, for the motion between positions.
         closed: whether the path returns to its start, so that the motion has to as well.
+        near: (n,) a configuration in which the motion may begin; of an arm with several parameters, values of them around those
+            of this configuration are added at every position.
         executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
             `get_executor()`.
         memory: maximum memory of the candidates [bytes]; default: half of the machine's memory.
@@ -160,6 +166,10 @@ def sample_layers(
     sets = [values] * n
     if samples is None:  # a motion through whole poses is among those with a free motion
         sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(SAMPLES, poses)]
+    if near is not None and len(sampler.solver.names) > 1:
+        q = finite_array("near", near, (robot.n,))
+        here = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
+        sets = [np.vstack([each, here]) for each in sets]
     _check_memory(sampler, n, values, share * sum(map(len, sets)), allowed)
     with ExitStack() as stack:
         run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
@@ -185,6 +195,11 @@ def sample_layers(
         considered=sum(map(len, sets)),
         sampler=sampler,
     )
+
+
+def _offsets(parameters: int) -> Array:
+    """Differences (k, r) from parameters near which more samples are taken [rad or m]."""
+    return np.array(list(product(BESIDE if parameters < 5 else BESIDE[1:4], repeat=parameters)))
 
 
 def usual_samples(solver: "Solver") -> Sequence[int]:
