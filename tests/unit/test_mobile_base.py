@@ -1,10 +1,13 @@
 """An arm on two slides of a mobile base, whose limits are far beyond what the arm reaches from one place."""
 
 import numpy as np
+import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.ik.window import random_near, window
+from manipplan.ik.window import random_near, reach_in, window
+from manipplan.robots.lengths import lengths_beyond
+from manipplan.robots.model_tree import frame_index
 
 #: Parent, child, place and axis of the six revolute joints.
 ARM = (
@@ -80,3 +83,25 @@ def test_a_pose_that_is_out_of_reach_is_told_with_a_true_distance(arm):
         mp.plan(arm, START, high)
     missed = float(str(told.value).split("leaves the tool ")[1].split(" mm")[0])
     assert 1300 < missed < 2000  # 3 m against 0.22 + 0.12 + 0.4 + 0.35 + 0.2 m and some width
+
+
+@pytest.mark.parametrize("name", ["panda", "tiago", "so100"])
+def test_no_configuration_takes_the_tool_farther_from_a_joint_than_its_bound(name):
+    robot = mp.load_robot(name)
+    lengths = lengths_beyond(robot, robot.tool)
+    data, frame = robot.model.createData(), frame_index(robot.model, robot.tool)
+    farthest = np.zeros(robot.n)
+    for q in robot.random_configuration(np.random.default_rng(0), size=500):
+        pin.framesForwardKinematics(robot.model, data, q)
+        for joint in range(robot.n):
+            origin = data.oMi[joint + 1].translation
+            if robot.joint_types[joint] == "prismatic":
+                origin = data.oMi[joint].act(robot.model.jointPlacements[joint + 1].translation)
+            farthest[joint] = max(farthest[joint], np.linalg.norm(data.oMf[frame].translation - origin))
+    assert (farthest <= lengths + 1e-12).all() and (farthest > 0.3 * lengths).all()
+
+
+def test_the_ball_of_a_long_arm_holds_it_stretched_out():
+    arm = mp.planar_arm([0.1] * 20)
+    centre, radius = reach_in(arm, window(arm, arm.kinematics().pose(arm.neutral)[None]))
+    assert np.linalg.norm(arm.kinematics().pose(np.zeros(20))[:3, 3] - centre) <= radius + 1e-12
