@@ -446,3 +446,16 @@ def test_a_configuration_is_reached_as_it_was_given(ur5):
     ends = [program.trajectory(mark.begin) for mark in program.marks[1:]]
     np.testing.assert_allclose(ends[0], goal, atol=1e-5)
     assert np.abs(program.trajectory.q[-1] - goal).max() < np.pi
+
+
+def test_paths_whose_orientation_is_free_follow_each_other(panda):
+    """The second path begins in the configuration in which the first one ended, which is no sample of it."""
+    points = [[0.4, 0.2, 0.3], [0.4, 0.3, 0.3], [0.5, 0.3, 0.35]]
+    poses = np.tile(np.diag([1.0, -1.0, -1.0, 1.0]), (3, 1, 1))
+    poses[:, :3, 3] = points
+    lines = [mp.CartesianPath.line(*poses[k : k + 2]) for k in (0, 1)]
+    program = mp.sequence(panda, "default", [mp.MoveAlong(line, task=mp.Task.position()) for line in lines])
+    assert program.passed
+    times = [program.marks[0].path_begin, program.marks[1].begin, program.duration]
+    reached = panda.kinematics().pose(program.trajectory(np.array(times)))[:, :3, 3]
+    np.testing.assert_allclose(reached, points, atol=2e-4)

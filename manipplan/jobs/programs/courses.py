@@ -125,8 +125,13 @@ class Finders:
             self.kept[key] = made
         return self.kept[key]
 
-    def made(self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False) -> CourseFinder:
-        """The same, not kept; raises InvalidInputError for a position that is out of reach or not free."""
+    def made(
+        self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False, near: Array | None = None
+    ) -> CourseFinder:
+        """The same, not kept, with samples near a configuration (n,) if it is given.
+
+        Raises InvalidInputError for a position that is out of reach or not free.
+        """
         measure, clearance = self.objective.measure, self.clearance
         if not isinstance(step.path, CartesianPath):
             return straight_finder(
@@ -141,6 +146,7 @@ class Finders:
             measure=measure,
             scene=state.scene,
             clearance=clearance,
+            near=near,
         )
         return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
 
@@ -210,7 +216,16 @@ def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: S
         if not isinstance(made, str):
             return _motion(number, step, finder.path, made, state)
         failure = NoCourse(message=made)
+        if isinstance(step.path, CartesianPath) and has_several_parameters(finder):
+            near = motion_from(finders.made(step, path, state, closer=closer, near=q), q, state.robot, epsilon)
+            if not isinstance(near, str):
+                return _motion(number, step, finder.path, near, state)
     return failure
+
+
+def has_several_parameters(finder: CourseFinder) -> bool:
+    """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
+    return finder.layers.sampler is not None and len(finder.layers.sampler.solver.names) > 1
 
 
 def _found(number: int, step: MoveAlong, finder: CourseFinder, search: SearchResult, state: State) -> Motion | NoCourse:
