@@ -128,10 +128,11 @@ class Program(Pictured):
         lines = [
             f"{self.robot.name}: {len(self.marks)} steps, {verdict}",
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {shown(self.min_manipulability)}",
+            f"  minimum m    {shown(self.min_manipulability)}{self.parts[0].report.unit}",
             f"  stops        {len(self.stops)} at corners{_times(self.stops)}",
         ]
         lines += [line for each in self.marks for line in each.lines()]
+        lines += [f"  goal         steps[{step}]: number {index} of its list" for step, index in self.goals.items()]
         lines += [f"  warning      {each}" for each in self.warnings]
         for k, (each, begin) in enumerate(zip(self.parts, self.begins, strict=True)):
             lines += [f"part {k}, from {begin:.3f} s", *(f"  {line}" for line in str(each.report).splitlines())]

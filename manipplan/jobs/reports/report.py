@@ -97,7 +97,7 @@ class Report:
         lines += [f"  failed       {fault}" for fault in self.faults]
         lines += [
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {shown(self.min_manipulability)}{self._unit()} ({self.measure}), after "
+            f"  minimum m    {shown(self.min_manipulability)}{self.unit} ({self.measure}), after "
             f"{self.min_at * self.duration:.3f} s",
             f"  g            {self.g:.5g}, exponent {self.power:g}",
             f"  length       {self.length:.4g} rad",
@@ -115,13 +115,14 @@ class Report:
     @property
     def summary(self) -> str:
         """Duration, minimum manipulability and verdict in a few words."""
-        return f"{self.duration:.3f} s, minimum m {shown(self.min_manipulability)}{self._unit()}, {self._verdict()}"
+        return f"{self.duration:.3f} s, minimum m {shown(self.min_manipulability)}{self.unit}, {self._verdict()}"
 
     def _verdict(self) -> str:
         """The verdict at the end of the first line."""
         return "all checks passed" if self.passed else "CHECK FAILED"
 
-    def _unit(self) -> str:
+    @property
+    def unit(self) -> str:
         """Unit of the measure behind a space; "" for none."""
         return f" {self.measure_unit}" if self.measure_unit != "1" else ""
 
@@ -206,7 +207,7 @@ class PlanReport(Report):
             f"  status       {self.status}",
             *(f"  failed       {fault}" for fault in self.faults),
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {shown(self.min_manipulability)}{self._unit()} ({self.measure}; {others}"
+            f"  minimum m    {shown(self.min_manipulability)}{self.unit} ({self.measure}; {others}"
             f"{'' if self.straight_free else ', which collides'})",
             f"               {self.minimum_note}",
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
