@@ -16,7 +16,7 @@ from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
-from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
+from manipplan.ik.statistical import Sampled, best_held, in_range, merged, random_answers
 from manipplan.ik.verify import residuals
 from manipplan.ik.window import reach_in, window
 from manipplan.kinematics.kinematics import Kinematics
@@ -25,7 +25,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
-from manipplan.symbolic.free_motion import FreeMotion
+from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
@@ -221,7 +221,7 @@ class Solver:
 
     def _moved(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
         """Configurations (k, n) after minimum-norm Newton steps of the joints `moves` (n,) onto poses (k, 4, 4)."""
-        if self.free.names and not self.robot.planar:
+        if self.free.names and (self.by_rows or not self.robot.planar):
             return onto_rows(self.kinematics, self.free, q, poses, moves, REACHED / 100)
         targets = self.free.nearest(self.kinematics.pose(q), poses)
         return MovingArm(self.screws, moves).refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
@@ -259,7 +259,10 @@ class Solver:
     def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
         """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
         if self.by_rows:
-            return self._by_rows(poses[owners], samples)
+            return self._by_rows(poses[owners], self.free, samples)
+        if self.robot.planar:
+            targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
+            return self._by_rows(targets[rows], NOTHING, samples)
         if self.form is None:
             return self._by_search(poses, owners, samples)
         asked = poses, owners, samples
@@ -299,17 +302,17 @@ class Solver:
             return np.zeros(0)
         return residuals(self.kinematics.pose(q), targets, rows)
 
-    def _by_rows(self, poses: Array, samples: Array) -> Found:
-        """Solutions of what counts of poses (s, 4, 4), one for each sample (s, r), from random starts."""
+    def _by_rows(self, poses: Array, free: FreeMotion, samples: Array) -> Found:
+        """Solutions of what counts of poses (s, 4, 4), the pose of each sample (s, r), from random starts."""
         rng, limits = np.random.default_rng(self.seed), self.robot.limits
         source = np.repeat(np.arange(len(samples)), max(STARTS, ALL_STARTS // max(len(samples), 1)))
         q = self.robot.random_configuration(rng, size=len(source))
-        q[:, list(self.held)] = samples[source]
+        q[:, list(self.held)] = samples[source, : len(self.held)]
         moves = np.ones(self.robot.n, dtype=np.bool_)
         moves[list(self.held)] = False
-        q, residual = search_rows(self.kinematics, self.free, q, poses[source], moves)
+        q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
         found = (residual <= REACHED) & (limits.outside(q) <= 0).all(axis=1)
-        q, source = q[found], source[found]
+        q, source = in_range(q[found], limits), source[found]
         kept, hits = merged(q, source)
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
         return Found(q=q[kept], source=source[kept], residual=residual[found][kept], missing=missing)
@@ -344,7 +347,7 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
 
 def _has_few_joints(robot: Robot, free: FreeMotion) -> bool:
     """Whether an arm has too few joints to reach a pose at each value of a free motion."""
-    return bool(free.names) and robot.n < POSE and not robot.planar
+    return bool(free.names) and robot.n < (PLANAR_POSE if robot.planar else POSE)
 
 
 @once_per_owner

@@ -78,7 +78,7 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
             near = near[:0]
         else:
             break
-        for each in _in_range(q[miss <= TOLERANCE], limits):
+        for each in in_range(q[miss <= TOLERANCE], limits):
             same = np.flatnonzero(np.abs(found - each).max(axis=1) < SAME)
             if len(same):
                 hits[same[0]] += 1
@@ -118,6 +118,6 @@ def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
     return max(combinations(range(robot.n), count), key=mean_volume)
 
 
-def _in_range(q: Array, limits: JointLimits) -> Array:
+def in_range(q: Array, limits: JointLimits) -> Array:
     """q with joints without limits wrapped to [-π, π]."""
     return np.where(np.isinf(limits.lower), (q + np.pi) % (2 * np.pi) - np.pi, q)

@@ -491,3 +491,18 @@ def test_objectives_that_do_not_fit_are_refused_before_the_work(panda, line, obj
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.follow(panda, line, objective=objective, progress=lambda *each: told.append(each))
     assert told == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("links", [2, 4])
+def test_planar_arms_of_any_number_of_links(links):
+    arm = mp.planar_arm([0.3] * links)
+    start = arm.kinematics().pose(np.linspace(0.4, 0.9, links))
+    end = start.copy()
+    end[:2, 3] += [-0.1, 0.1]
+    plan = mp.follow(arm, CartesianPath.line(start, end), positions=12, objective=mp.PathObjective(task=mp.Task.planar()))
+    assert plan.report.passed
+    reached = arm.kinematics().pose(plan.trajectory(np.linspace(0, plan.trajectory.duration, 200)))[:, :2, 3]
+    across = np.array([1.0, 1.0]) / np.sqrt(2)
+    assert np.abs((reached - start[:2, 3]) @ across).max() < BETWEEN[0]
+    assert np.abs(reached[-1] - end[:2, 3]).max() < 1e-6

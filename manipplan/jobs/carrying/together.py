@@ -13,16 +13,13 @@ from manipplan.robots.arms import own_joints
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE
-from manipplan.search.candidates.sampling import SAMPLES, sample_layers
+from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part
 
 #: Number of places at which the nearest bodies are looked for.
 PLACES = 401
-#: Default number of samples per parameter, for one, two, and more parameters, of arms without a closed form: a search takes
-#: some 2.5 ms. With one parameter of a full turn their distance is just below the default epsilon.
-SEARCHED = (32, 10, 5)
 #: How many times as many samples are taken where those of the default do not connect.
 FINER = 4
 
@@ -90,7 +87,7 @@ def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
 def _count(lone: Robot) -> int:
     """Default number of samples per parameter of redundancy."""
     solver = Solver.of(lone, task=None, held=None, method="auto", seed=0)
-    usual = SAMPLES if solver.form is not None else SEARCHED
+    usual = usual_samples(solver)
     return usual[min(max(len(solver.names), 1), len(usual)) - 1]
 
 

@@ -55,8 +55,9 @@ class SamplingSpec:
 #: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
 FEWEST, ENOUGH = 5, 1e6
-#: The same for arms with fewer than six joints, whose rows are solved for from random starts.
-FEW_SAMPLES = (48, 12, 6, 4)
+#: The same for arms without a closed form, whose solutions are searched: some 2.5 ms for a sample. With one parameter of a full
+#: turn their distance is just below an ε of 0.2. And for arms with fewer than six joints, of which only rows are solved for.
+SEARCHED, FEW_SAMPLES = (32, 10, 5, 4, 3), (48, 12, 6, 4)
 #: Differences from the parameters of a given configuration, for each parameter [rad or m].
 BESIDE = (-0.2, -0.1, 0.0, 0.1, 0.2)
 #: Share of the machine's memory that candidates may take.
@@ -103,8 +104,8 @@ def sample_layers(
         samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel, free
             motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
             of the search. None: 720 for one parameter, 96 for two, and for more as many as give about a million candidates;
-            48, 12, 6 or 4 for arms with fewer than six joints and a free motion. With a free motion, samples that keep the
-            whole pose are added.
+            32, 10, 5, ... for arms without closed form; 48, 12, 6, ... for arms with fewer than six joints and a free motion.
+            With a free motion, samples that keep the whole pose are added.
         held, method, seed: as in `inverse_kinematics`.
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
@@ -162,10 +163,10 @@ def sample_layers(
     share = _share_found(sampler, poses, values, allowed)
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
-        values = sampler.solver.grid(max(most, FEWEST), SAMPLES, poses)
+        values = sampler.solver.grid(max(most, FEWEST), usual, poses)
     sets = [values] * n
     if samples is None:  # a motion through whole poses is among those with a free motion
-        sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(SAMPLES, poses)]
+        sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(usual, poses)]
     if near is not None and len(sampler.solver.names) > 1:
         q = finite_array("near", near, (robot.n,))
         here = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
@@ -204,7 +205,9 @@ def _offsets(parameters: int) -> Array:
 
 def usual_samples(solver: "Solver") -> Sequence[int]:
     """Default number of samples per parameter, by the number of parameters."""
-    return FEW_SAMPLES if solver.by_rows else SAMPLES
+    if solver.by_rows:
+        return FEW_SAMPLES
+    return SAMPLES if solver.form is not None else SEARCHED
 
 
 def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> str:
