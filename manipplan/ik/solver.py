@@ -39,7 +39,7 @@ SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
-STARTS, ALL_STARTS = 6, 64
+STARTS, ALL_STARTS = 8, 64
 METHODS = ("auto", "closed-form", "newton")
 
 
