@@ -4,7 +4,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.ik.geometry import Screws
-from manipplan.robots.lengths import lengths_beyond
+from manipplan.robots.arms import lengths_beyond
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner

@@ -1,4 +1,4 @@
-"""The arms of a robot with several tools: which joints move a tool, and the arm that they are, with the others locked."""
+"""The arms of a robot: which joints move a tool, how far from them it can be, and the arm of one of several tools."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -118,3 +118,20 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
         states=states,
         source=None,
     )
+
+
+def lengths_beyond(robot: "Robot", tool: str) -> Array:
+    """An upper bound on the distance of a tool from the origin of each joint (n,) [m]; 0 for joints that do not move it.
+
+    It is the sum of the lengths of the links beyond the joint and of the travel of slides, its own included.
+    """
+    model, lengths = robot.model, np.zeros(robot.n)
+    frame = model.frames[frame_index(model, tool)]
+    length, joint = float(np.linalg.norm(frame.placement.translation)), int(frame.parentJoint)
+    while joint > 0:
+        if robot.joint_types[joint - 1] == "prismatic":
+            length += float(max(abs(robot.limits.lower[joint - 1]), abs(robot.limits.upper[joint - 1])))
+        lengths[joint - 1] = length
+        length += float(np.linalg.norm(model.jointPlacements[joint].translation))
+        joint = int(model.parents[joint])
+    return lengths

@@ -6,7 +6,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.ik.window import random_near, reach_in, window
-from manipplan.robots.lengths import lengths_beyond
+from manipplan.robots.arms import lengths_beyond
 from manipplan.robots.model_tree import frame_index
 
 #: Parent, child, place and axis of the six revolute joints.

@@ -10,7 +10,7 @@ from manipplan.ik.descend import descend
 from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.robots.lengths import lengths_beyond
+from manipplan.robots.arms import lengths_beyond
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task

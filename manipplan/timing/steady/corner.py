@@ -3,7 +3,7 @@
 import numpy as np
 
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.robots.lengths import lengths_beyond
+from manipplan.robots.arms import lengths_beyond
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.steady.speed import RAMP, STEADY
