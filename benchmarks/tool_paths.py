@@ -260,7 +260,7 @@ def line(name: str, results: Sequence[Result]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--paths", type=int, default=30, help="number of paths made here")
+    parser.add_argument("--paths", type=int, default=12, help="number of paths made here")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     follow(others()[0], 0)  # what is compiled at the first call does not count
