@@ -20,7 +20,7 @@ from manipplan.ik.statistical import Sampled, best_held, in_range, merged, rando
 from manipplan.ik.verify import residuals
 from manipplan.ik.window import reach_in, window
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.robots.arms import one_tool
+from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -89,7 +89,7 @@ class Solver:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
         free = FreeMotion.of(task, planar=robot.planar)
         _check_limits(robot)
-        few = _has_few_joints(robot, free)
+        few = _solves_rows(robot, free)
         if few and robot.n < task.rows:
             raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
         form = closed_form(robot, held) if method != "newton" and not few else None
@@ -117,7 +117,7 @@ class Solver:
     @property
     def by_rows(self) -> bool:
         """Whether the arm has too few joints to reach a pose at each value of a free motion: then only rows are solved for."""
-        return _has_few_joints(self.robot, self.free)
+        return _solves_rows(self.robot, self.free)
 
     @property
     def method(self) -> str:
@@ -345,9 +345,9 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
     return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
 
 
-def _has_few_joints(robot: Robot, free: FreeMotion) -> bool:
+def _solves_rows(robot: Robot, free: FreeMotion) -> bool:
     """Whether an arm has too few joints to reach a pose at each value of a free motion."""
-    return bool(free.names) and robot.n < (PLANAR_POSE if robot.planar else POSE)
+    return bool(free.names) and has_few_joints(robot)
 
 
 @once_per_owner

@@ -135,3 +135,8 @@ def lengths_beyond(robot: "Robot", tool: str) -> Array:
         length += float(np.linalg.norm(model.jointPlacements[joint].translation))
         joint = int(model.parents[joint])
     return lengths
+
+
+def has_few_joints(robot: "Robot") -> bool:
+    """Whether an arm has fewer joints than a pose of its tool needs: six, or three in a plane."""
+    return robot.n < (3 if robot.planar else 6)

@@ -155,7 +155,17 @@ def test_the_tool_leaves_the_path_where_the_retreat_is_free(panda, circle):
     free = mp.follow(panda, circle, positions=60, interruptions=1, retreat=[0.06, 0.0, 0.0])
     at = free.report.along[0].s_end
     post = mp.Box(size=(0.03, 0.03, 0.3), position=circle(at)[:3, 3] + 0.1 * circle(at)[:3, 0] + [0, 0, 0.05], name="post")
-    plan = mp.follow(panda, circle, mp.Scene([post]), positions=60, interruptions=1, retreat=[0.06, 0.0, 0.0])
+    shares = []
+    plan = mp.follow(
+        panda,
+        circle,
+        mp.Scene([post]),
+        positions=60,
+        interruptions=1,
+        retreat=[0.06, 0.0, 0.0],
+        progress=lambda share, _: shares.append(share),
+    )
+    assert shares == sorted(shares) and shares[-1] == 1.0
     assert plan.report.passed and len(plan.report.along) == 2
     assert abs(plan.report.along[0].s_end - at) > 0.02
     assert plan.refinement.refined == pytest.approx(free.refinement.refined, rel=1e-3)

@@ -14,7 +14,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.motion import Failure, join_parts
+from manipplan.jobs.following.motion import Failure, PartsJoiner
 from manipplan.jobs.following.parts import find_parts
 from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
@@ -23,7 +23,7 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import APART, CartesianPath
 from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
-from manipplan.robots.arms import one_tool
+from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
@@ -187,7 +187,7 @@ def follow(
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
-    if objective.task is None and robot.n < 6 and not robot.planar:
+    if objective.task is None and has_few_joints(robot) and not robot.planar:
         wanted = f"one with a task of at most {robot.n} rows, such as Task.position(): {robot.name} has {robot.n} joints"
         raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
@@ -262,7 +262,8 @@ def follow(
         torque=torque,
         seed=seed,
     )
-    motion = join_parts(parts, q_start, way, transits, part(tell, 0.6, 0.9), closed=closed, hold_start=stands)
+    joiner = PartsJoiner(start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, tell=part(tell, 0.6, 0.9))
+    motion = joiner.first_of(parts)
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)

@@ -185,78 +185,69 @@ class Failure:
     at_cut: bool
 
 
-def join_parts(
-    options: Iterable[list[FoundPart]],
-    start: Array | None,
-    way: Array,
-    transits: TransitPlanner,
-    tell: Progress,
-    *,
-    closed: bool,
-    hold_start: bool,
-) -> FollowingMotion | Failure:
-    """The motion along the first of several sets of parts whose parts can be joined.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PartsJoiner:
+    """Joins parts of a path, each beginning where the one before ends.
 
-    Args:
-        options: sets of parts of the path, each part beginning where the one before ends.
+    Attributes:
         start: (n,) where the motion begins; None: where the best motion along the path does.
+        hold_start: whether the start is at the first pose of the path.
+        closed: whether the motion ends in the configuration in which the path begins.
         way: (3,) by which the tool leaves the path between parts, in its frame [m].
         transits: plans motions between parts.
         tell: called with the share done.
-        closed: whether the motion ends in the configuration in which the path begins.
-        hold_start: whether the start is at the first pose of the path.
     """
-    failures: list[Failure] = []
-    for parts in options:
-        made = _join(parts, start, way, transits, tell, closed=closed, hold_start=hold_start)
-        if isinstance(made, FollowingMotion) or not made.at_cut:
-            return made
-        failures.append(made)
-    first, others = failures[0], len(failures) - 1
-    if not others:
-        return first
-    places = "another place does" if others == 1 else f"{others} other places do"
-    return replace(first, reason=f"{first.reason}; {places} not help either")
 
+    start: Array | None
+    hold_start: bool
+    closed: bool
+    way: Array
+    transits: TransitPlanner
+    tell: Progress
 
-def _join(
-    parts: list[FoundPart],
-    start: Array | None,
-    way: Array,
-    transits: TransitPlanner,
-    tell: Progress,
-    *,
-    closed: bool,
-    hold_start: bool,
-) -> FollowingMotion | Failure:
-    """The motion along parts of the path, or why there is none."""
-    pieces: list[FollowedPart] = []
-    search = parts[0].found
-    candidates: tuple[GoalCandidate, ...] = ()
-    returns = closed and not parts[0].finder.layers.closed
-    for k, each in enumerate(parts):
-        share = part(tell, k / len(parts), (k + 1) / len(parts))
-        begin = pieces[-1].course.path.goal if pieces else start
-        # an interrupted motion around a closed path begins where that takes the fewest interruptions
-        if begin is None or (not pieces and hold_start and not returns):
-            course = each.finder.along(each.found, share, hold_start=begin is not None)
-            pieces.append(FollowedPart(part=each, course=course, transit=None))
-            continue
-        plan_transit = transits.between(begin, way) if pieces else transits.lead_in(begin)
-        where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
-        if isinstance(plan_transit, str):
-            return Failure(reason=where + plan_transit, search=search, candidates=candidates, at_cut=bool(pieces))
-        choice = choose_entry(each.finder, each.found, begin, transits.integral, plan_transit, share)
-        if not pieces:
-            candidates = choice.candidates
-        if choice.entry is None:
-            return Failure(reason=where + choice.failure, search=search, candidates=candidates, at_cut=bool(pieces))
-        pieces.append(FollowedPart(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
-    if not returns:
-        return FollowingMotion(parts=tuple(pieces), candidates=candidates)
-    plan_transit = transits.between(pieces[-1].course.path.goal, way)
-    back = plan_transit if isinstance(plan_transit, str) else plan_transit(pieces[0].course.path.start, SECONDS, silent)
-    if isinstance(back, str):
-        reason = f"no way back to the configuration in which the path began: {back}"
-        return Failure(reason=reason, search=search, candidates=candidates, at_cut=True)
-    return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)
+    def first_of(self, options: Iterable[list[FoundPart]]) -> FollowingMotion | Failure:
+        """The motion along the first of several sets of parts that can be joined."""
+        failures: list[Failure] = []
+        for tried, parts in enumerate(options):
+            made = self._joined(parts, part(self.tell, 1 - 0.5**tried, 1 - 0.5 ** (tried + 1)))
+            if isinstance(made, FollowingMotion) or not made.at_cut:
+                return made
+            failures.append(made)
+        first, others = failures[0], len(failures) - 1
+        if not others:
+            return first
+        places = "another place does" if others == 1 else f"{others} other places do"
+        return replace(first, reason=f"{first.reason}; {places} not help either")
+
+    def _joined(self, parts: list[FoundPart], tell: Progress) -> FollowingMotion | Failure:
+        """The motion along parts of the path, or why there is none."""
+        pieces: list[FollowedPart] = []
+        search = parts[0].found
+        candidates: tuple[GoalCandidate, ...] = ()
+        returns = self.closed and not parts[0].finder.layers.closed
+        for k, each in enumerate(parts):
+            share = part(tell, k / len(parts), (k + 1) / len(parts))
+            begin = pieces[-1].course.path.goal if pieces else self.start
+            # an interrupted motion around a closed path begins where that takes the fewest interruptions
+            if begin is None or (not pieces and self.hold_start and not returns):
+                course = each.finder.along(each.found, share, hold_start=begin is not None)
+                pieces.append(FollowedPart(part=each, course=course, transit=None))
+                continue
+            plan_transit = self.transits.between(begin, self.way) if pieces else self.transits.lead_in(begin)
+            where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
+            if isinstance(plan_transit, str):
+                return Failure(reason=where + plan_transit, search=search, candidates=candidates, at_cut=bool(pieces))
+            choice = choose_entry(each.finder, each.found, begin, self.transits.integral, plan_transit, share)
+            if not pieces:
+                candidates = choice.candidates
+            if choice.entry is None:
+                return Failure(reason=where + choice.failure, search=search, candidates=candidates, at_cut=bool(pieces))
+            pieces.append(FollowedPart(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
+        if not returns:
+            return FollowingMotion(parts=tuple(pieces), candidates=candidates)
+        plan_transit = self.transits.between(pieces[-1].course.path.goal, self.way)
+        back = plan_transit if isinstance(plan_transit, str) else plan_transit(pieces[0].course.path.start, SECONDS, silent)
+        if isinstance(back, str):
+            reason = f"no way back to the configuration in which the path began: {back}"
+            return Failure(reason=reason, search=search, candidates=candidates, at_cut=True)
+        return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)

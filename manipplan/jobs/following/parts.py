@@ -53,7 +53,7 @@ def find_parts(
     """
     tried: list[CourseFinder] = []
     for k, samples in enumerate((lambda _: finder, finer)):
-        each = samples(part(tell, 0.0, 0.5))
+        each = samples(part(tell, 0.2, 0.5))
         if each is None:
             continue
         begun = each if start is None else each.beginning(start)

@@ -13,7 +13,6 @@ from manipplan.robots.robot import Robot
 from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.search.max_min import max_min_search
 from manipplan.support.checks import Array
-from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent
 from manipplan.symbolic.task import Task
 
@@ -62,24 +61,6 @@ def motion_from(finder: CourseFinder, q: Array, robot: Robot, epsilon: float) ->
         return found.message
     path = beginning.along(found, silent, hold_start=True).path
     return outside_limits(path, robot) or path
-
-
-def straight_way(
-    robot: Robot,
-    scene: Scene,
-    begin: Array,
-    way: Array,
-    measure: Measure | str | None,
-    clearance: float,
-    task: Task | None = None,
-) -> JointPath | str:
-    """The best motion from a configuration (n,) on which the tool moves straight by `way` (3,) in its frame, or why none is."""
-    path = straight_on(robot.kinematics(Task.pose()).pose(begin), way)
-    try:
-        finder = straight_finder(robot, scene, path, measure=measure, clearance=clearance, task=task)
-    except InvalidInputError as error:
-        return f"{error.argument} is not {error.allowed}"
-    return motion_from(finder, begin, robot, STRAIGHT_EPSILON)
 
 
 def outside_limits(path: JointPath, robot: Robot) -> str:

@@ -6,15 +6,16 @@ from dataclasses import dataclass
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.following.straight import straight_way
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
 from manipplan.jobs.plan import plan
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.robots.arms import has_few_joints
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
-from manipplan.support.errors import PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
@@ -76,12 +77,12 @@ class TransitPlanner:
         """
         if not way.any():
             return self.lead_in(begin)
-        off = straight_way(self.robot, self.scene, begin, way, self.objective.measure, self.clearance, self._straight_task)
+        off = self._straight(begin, way)
         if isinstance(off, str):
             return f"no straight retreat from the path: {off}"
 
         def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
-            on = straight_way(self.robot, self.scene, goal, way, self.objective.measure, self.clearance, self._straight_task)
+            on = self._straight(goal, way)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
             back = on.backwards()
@@ -96,10 +97,24 @@ class TransitPlanner:
 
         return planned
 
-    @property
-    def _straight_task(self) -> Task | None:
-        """What straight ways keep: the whole pose, or, of an arm with too few joints for that, what the path keeps."""
-        return self.objective.task if self.robot.n < 6 and not self.robot.planar else None
+    def _straight(self, q: Array, way: Array) -> JointPath | str:
+        """The best motion from q (n,) on which the tool moves straight by `way` (3,) in its frame, or why there is none.
+
+        The tool keeps its orientation; that of an arm with too few joints for that keeps what counts on the path.
+        """
+        path = straight_on(self.robot.kinematics(Task.pose()).pose(q), way)
+        try:
+            finder = straight_finder(
+                self.robot,
+                self.scene,
+                path,
+                measure=self.objective.measure,
+                clearance=self.clearance,
+                task=self.objective.task if has_few_joints(self.robot) else None,
+            )
+        except InvalidInputError as error:
+            return f"{error.argument} is not {error.allowed}"
+        return motion_from(finder, q, self.robot, STRAIGHT_EPSILON)
 
     def _free(self, begin: Array, goal: Array, seconds: float, tell: Progress) -> Plan | str:
         made = plan(

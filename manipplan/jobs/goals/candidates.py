@@ -18,6 +18,7 @@ from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns,
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.goals.tool_goals import reaching_tools
 from manipplan.paths.joint import SHORTEST
+from manipplan.robots.arms import has_few_joints
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
@@ -172,7 +173,7 @@ def _ties(first: GoalCandidate, other: GoalCandidate) -> bool:
 
 def _needs_steps(robot: Robot, goal: PoseGoal) -> bool:
     """Whether samples of what is free about a goal are out of reach, as the arm has too few joints to reach every pose."""
-    return robot.n < (3 if robot.planar else 6) and (goal.axis is not None or goal.tolerance is not None)
+    return has_few_joints(robot) and (goal.axis is not None or goal.tolerance is not None)
 
 
 def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
