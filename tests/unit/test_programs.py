@@ -11,7 +11,7 @@ import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
-from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on, straight_way
+from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import Motion
@@ -436,7 +436,8 @@ def test_a_straight_way_stays_inside_the_limits(hand):
     narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
     assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", motion_from(finder, q, narrow, STRAIGHT_EPSILON))
     blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
-    assert "lid" in straight_way(hand, blocked, q, way, None, 0.0)
+    with pytest.raises(mp.InvalidInputError, match="lid"):
+        straight_finder(hand, blocked, path, measure=None, clearance=0.0)
 
 
 def test_a_configuration_is_reached_as_it_was_given(ur5):
