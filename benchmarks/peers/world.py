@@ -78,7 +78,7 @@ def write_description(robot: mp.Robot, folder: Path) -> dict:
         mesh.set("filename", os.path.relpath(parent / name, folder))  # mplib puts the folder before every name
     urdf, srdf = folder / "arm.urdf", folder / "arm.srdf"
     ElementTree.ElementTree(tree).write(urdf)
-    near = {frozenset(name.rsplit("_", 1)[0] for name in pair) for pair in robot.adjacent_pairs}  # those are of bodies
+    near = {frozenset(name.rsplit("_", 1)[0] for name in pair) for pair in robot.unchecked}  # those are of bodies
     semantics = ElementTree.Element("robot", name=tree.get("name"))
     for pair in sorted(sorted(each) for each in robot.disabled_pairs | near if len(each) == 2):
         ElementTree.SubElement(semantics, "disable_collisions", link1=pair[0], link2=pair[1], reason="Never")

@@ -158,8 +158,8 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
                     dropped[first.name, second.name] = "disabled in the SRDF"
                     continue
             origin = frozenset(robot.geometry.geometryObjects[origins[k]].name for k in (i, j))
-            if origin in robot.adjacent_pairs:
-                dropped[first.name, second.name] = "adjacent"
+            if origin in robot.unchecked:
+                dropped[first.name, second.name] = robot.unchecked[origin]
                 continue
             geometry.addCollisionPair(pin.CollisionPair(j, i))
     return dropped

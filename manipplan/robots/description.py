@@ -2,7 +2,7 @@
 
 import tempfile
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
@@ -26,13 +26,23 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, kw_only=True)
 class Description:
-    """Contents of a robot file: the whole robot, its collision geometry, and which joint mimics which."""
+    """Contents of a robot file.
+
+    Attributes:
+        file: the file that was read.
+        source: kind of the file, for messages.
+        model: the whole robot, one plain number per joint.
+        geometry: its collision bodies; the parent frame of each is the frame of its link.
+        mimics: the joints that follow another one, by name.
+        unchecked: pairs of bodies (names of geometry objects) that the description itself exempts from checks, with the reason.
+    """
 
     file: Path
     source: str
     model: pin.Model
     geometry: pin.GeometryModel
     mimics: Mapping[str, Mimic]
+    unchecked: Mapping[frozenset[str], str]
 
 
 def read_urdf(file: Path, files: UrdfFiles) -> Description:
@@ -57,7 +67,14 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
         )
     urdf_links.check_loaded(file, root, model, geometry)
     _check_meshes(file, geometry)
-    return Description(file=file, source="URDF", model=plain_angles(model), geometry=geometry, mimics=mimics)
+    return Description(
+        file=file,
+        source="URDF",
+        model=plain_angles(model),
+        geometry=geometry,
+        mimics=mimics,
+        unchecked=_adjacent_bodies(model, geometry, _joined_links(root)),
+    )
 
 
 def read_mjcf(file: Path) -> Description:
@@ -76,7 +93,38 @@ def read_mjcf(file: Path) -> Description:
     mimics = read_couplings(file, root, model)
     model, geometry = attached.move_base(model, geometry, mjcf_bodies.root_pose(root))
     _check_meshes(file, geometry)
-    return Description(file=file, source="MJCF", model=plain_angles(model), geometry=geometry, mimics=mimics)
+    joined = {(str(body.get("name")), str(child.get("name"))) for body in root.iter("body") for child in body.findall("body")}
+    return Description(
+        file=file,
+        source="MJCF",
+        model=plain_angles(model),
+        geometry=geometry,
+        mimics=mimics,
+        unchecked=_adjacent_bodies(model, geometry, joined),
+    )
+
+
+def _joined_links(root: ET.Element) -> set[tuple[str, str]]:
+    """Parent and child link of each joint of a URDF, fixed joints included."""
+    joined = set()
+    for joint in root.findall("joint"):
+        parent, child = joint.find("parent"), joint.find("child")
+        if parent is not None and child is not None:
+            joined.add((str(parent.get("link")), str(child.get("link"))))
+    return joined
+
+
+def _adjacent_bodies(
+    model: pin.Model, geometry: pin.GeometryModel, joined: Collection[tuple[str, str]]
+) -> dict[frozenset[str], str]:
+    """The pairs of bodies on one link, or on the parent and the child link of one joint: these touch by construction."""
+    bodies = [(item.name, str(model.frames[item.parentFrame].name)) for item in geometry.geometryObjects]
+    return {
+        frozenset((first, second)): "one link" if a == b else "parent and child link of one joint"
+        for j, (second, b) in enumerate(bodies)
+        for first, a in bodies[:j]
+        if a == b or (a, b) in joined or (b, a) in joined
+    }
 
 
 def _check_names(file: Path, root: ET.Element) -> None:
@@ -86,11 +134,7 @@ def _check_names(file: Path, root: ET.Element) -> None:
 
 def _check_chain(file: Path, root: ET.Element) -> None:
     """Raise FileFormatError when a chain has more than `DEEPEST` links, or links form a closed loop."""
-    parents = {}
-    for joint in root.findall("joint"):
-        parent, child = joint.find("parent"), joint.find("child")
-        if parent is not None and child is not None:
-            parents[child.get("link")] = parent.get("link")
+    parents = {child: parent for parent, child in _joined_links(root)}
     for first in list(parents):
         link, above = first, 0
         while link in parents:

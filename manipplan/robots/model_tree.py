@@ -119,18 +119,6 @@ def frame_pose(model: pin.Model, name: str, q: Array) -> Array:
     return np.asarray(data.oMf[frame_index(model, name)].homogeneous)
 
 
-def adjacent_pairs(model: pin.Model, geometry: pin.GeometryModel) -> frozenset[frozenset[str]]:
-    """Names of geometry objects whose links are the same or joined by one joint: these touch by construction."""
-    parents = list(model.parents)
-    bodies = [(item.name, item.parentJoint) for item in geometry.geometryObjects]
-    return frozenset(
-        frozenset((first, second))
-        for j, (second, b) in enumerate(bodies)
-        for first, a in bodies[:j]
-        if a == b or parents[a] == b or parents[b] == a
-    )
-
-
 def leaf_bodies(model: pin.Model) -> list[str]:
     """Names of the body frames that carry no further body."""
     bodies = [i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY]

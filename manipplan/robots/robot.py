@@ -52,8 +52,8 @@ class Robot(Pictured):
         locked: the locked joints of the description, with their values [rad or m].
         disabled_pairs: pairs of links that need no self-collision check, from an SRDF, but for those of two arms with a tool
             each; None without an SRDF.
-        adjacent_pairs: pairs of geometry objects (by name) on one link, or on two links that one joint of the description
-            connects.
+        unchecked: pairs of geometry objects (by name) that the description exempts from checks, with the reason: on one link,
+            or on the parent and the child link of one joint.
         planar: True when the arm moves only in the x-y plane.
         states: the SRDF's named postures that give every active joint a value: (n,) by name [rad or m].
         source: what the arm was read from, to build it again; None for an arm that was built by hand.
@@ -71,7 +71,7 @@ class Robot(Pictured):
     neutral: Array
     locked: Mapping[str, float] = field(default_factory=dict)
     disabled_pairs: frozenset[frozenset[str]] | None = None
-    adjacent_pairs: frozenset[frozenset[str]] = frozenset()
+    unchecked: Mapping[frozenset[str], str] = field(default_factory=dict)
     planar: bool = False
     states: Mapping[str, Array] = field(default_factory=NamedStates)
     source: RobotSource | None = None
@@ -194,7 +194,7 @@ class Robot(Pictured):
             neutral=parts.usual_posture(base, neutral),
             locked=held,
             disabled_pairs=disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
-            adjacent_pairs=model_tree.adjacent_pairs(whole, read.geometry),
+            unchecked=read.unchecked,
             states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
         )

@@ -103,7 +103,7 @@ def test_pairs_without_srdf_come_from_sampling(two_link_urdf):
     robot = mp.Robot.from_urdf(two_link_urdf(), tool="tip")
     model = mp.Scene().collision_model(robot)
     assert model.pair_names == ()
-    assert set(model.dropped.values()) == {"adjacent"}
+    assert set(model.dropped.values()) == {"parent and child link of one joint"}
 
 
 def test_yaml_round_trip(tmp_path, panda):
