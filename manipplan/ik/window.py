@@ -4,7 +4,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.ik.geometry import Screws
-from manipplan.robots.arms import lengths_beyond
+from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -43,6 +43,8 @@ def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int)
 @once_per_owner
 def _reach(robot: Robot) -> tuple[Array, Array, float]:
     """Directions (k, 3) of the leading slides, and the ball in which the tool is with them at 0: centre (3,) and radius [m]."""
+    if robot.followers:
+        return np.zeros((0, 3)), *tool_reach(robot, robot.tool)
     screws = Screws.of(robot)
     count = int(np.argmin(np.append(screws.slides, False)))
     if np.linalg.matrix_rank(screws.axes[:count]) < count:
@@ -51,4 +53,4 @@ def _reach(robot: Robot) -> tuple[Array, Array, float]:
         return screws.axes, screws.home[:3, 3], 0.0
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, np.zeros(robot.n))
-    return screws.axes[:count], data.oMi[count + 1].translation.copy(), float(lengths_beyond(robot, robot.tool)[count])
+    return screws.axes[:count], data.oMi[count + 1].translation.copy(), lengths_to(robot, robot.tool)[count][1]

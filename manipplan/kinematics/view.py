@@ -133,12 +133,12 @@ def _dual(b: ca.SX, weights: ca.SX) -> ca.SX:
 
 def _seen_from(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
     """The Jacobian (6, n) along the axes of joint f for the origin of joint `at` (None: the tool), and the tool's rotation."""
-    model, n = chain.model, chain.q.shape[0]
+    tree, n = chain.tree, chain.q.shape[0]
     frames = {f: WORLD}
     for i in range(f + 1, n + 1):
-        frames[i] = frames[i - 1] @ step(model, i, chain.q)
+        frames[i] = frames[i - 1] @ step(tree, i, chain.q)
     for i in range(f - 1, 0, -1):
-        frames[i] = frames[i + 1] @ step(model, i + 1, chain.q).inverse()
+        frames[i] = frames[i + 1] @ step(tree, i + 1, chain.q).inverse()
     end = frames[n] @ constant(chain.frame.placement)
     point = end.origin if at is None else frames[at].origin
-    return ca.sparsify(jacobian_of(model, [frames[i] for i in range(1, n + 1)], point)), end.rotation
+    return ca.sparsify(jacobian_of(tree, [frames[i] for i in range(1, n + 1)], point)), end.rotation

@@ -2,7 +2,7 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -118,6 +118,11 @@ def _first_leader(file: Path, name: str, direct: Mapping[str, Mimic]) -> Mimic:
         offset = mimic.multiplier * above.offset + mimic.offset
         mimic = Mimic(leader=above.leader, multiplier=mimic.multiplier * above.multiplier, offset=offset)
     return mimic
+
+
+def moves_with(mimic: Mimic, joints: Collection[str]) -> bool:
+    """Whether a follower moves: its leader is a joint of the model, not fixed and not the world, and the multiplier not 0."""
+    return mimic.multiplier != 0.0 and mimic.leader in joints
 
 
 def follow(held: Mapping[str, float], given: Mapping[str, float], mimics: Mapping[str, Mimic]) -> dict[str, float]:

@@ -10,13 +10,14 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import attached, description, model_tree
+from manipplan.robots import attached, description, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
 from manipplan.robots.attached import AddedFrame, Part, Solid
 from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
+from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
 from manipplan.robots.table import robot_table
@@ -43,7 +44,7 @@ class Robot(Pictured):
 
     Attributes:
         name: what the arm is called.
-        model: the Pinocchio model of the active joints alone; its nq = nv = n.
+        model: the Pinocchio model of the active joints and of those that follow them as mimic joints; its nq = nv = n.
         geometry: the collision geometry of the description (meshes and shapes), placed on `model`.
         tool: name of the tool frame; of several the first.
         other_tools: names of the further tool frames; `tools` has all.
@@ -103,8 +104,8 @@ class Robot(Pictured):
             file: the URDF or xacro file.
             tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector of the
                 SRDF, or the only leaf.
-            joints: the active joints, from base to tool. Default: all that move a tool. Joints that mimic another follow it;
-                it has to be locked.
+            joints: the active joints, from base to tool. Default: all that move a tool, themselves or by joints that mimic
+                them. A joint that mimics an active one moves with it, one that mimics a locked one is locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
             locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
@@ -117,12 +118,13 @@ class Robot(Pictured):
             arguments: values of a xacro file's arguments, by name.
             trust_file: whether a xacro file may run Python code and read any file and environment variable. Otherwise it
                 gets arithmetic, text, lists and mappings, and files of its own and the other packages.
-            **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.
+            **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's. Without
+                them, position and velocity limits are also such that joints that follow stay within theirs; the log says so.
 
         Raises:
             FileFormatError: a file is missing, not XML, cannot be expanded, or Pinocchio cannot read it.
             UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
-            UnsupportedJointError: an active joint is a mimic, floating or planar joint, or another joint mimics it.
+            UnsupportedJointError: an active joint is a mimic, floating or planar joint.
             MissingExtraError: the file is a xacro file, and the package xacro is not installed.
             InvalidInputError: joints out of order, limits that are not positive, or a folder in `packages` that does not exist.
         """
@@ -172,11 +174,12 @@ class Robot(Pictured):
         whole = read.model
         tools = parts.choose_tools(whole, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
-        active = parts.choose_joints(whole, tools, chain, joints, read.mimics)
+        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
-        model, geometry = model_tree.reduce(whole, read.geometry, active, held)
+        model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
+        base = parts.limits_of_leaders(base, whole, reduced.followers_of(model), active, limits)
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
                 ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
@@ -231,7 +234,12 @@ class Robot(Pictured):
     @property
     def joint_names(self) -> tuple[str, ...]:
         """Names of the active joints, from base to tool; of several arms one after the other."""
-        return tuple(self.model.names)[1:]
+        return model_tree.joint_names(self.model)
+
+    @property
+    def followers(self) -> dict[str, Mimic]:
+        """The joints that move with an active one, by name: position = multiplier * leader's position + offset [rad or m]."""
+        return reduced.followers_of(self.model)
 
     @property
     def joint_types(self) -> tuple[str, ...]:
@@ -389,7 +397,14 @@ class Robot(Pictured):
         write_srdf(self, file, states, group=group)
 
     def __getstate__(self) -> dict[str, Any]:
-        return state_without_memo(self)
+        # Pinocchio writes mimic joints that end the process when they are read
+        model, geometry, followers = reduced.uncoupled(self.model, self.geometry)
+        return state_without_memo(self) | {"model": model, "geometry": geometry, "followers": followers}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        followers = state.pop("followers")
+        state["model"], state["geometry"] = reduced.coupled(state["model"], state["geometry"], followers)
+        vars(self).update(state)
 
     def __repr__(self) -> str:
         tools = f"tool={self.tool!r}" if len(self.tools) == 1 else f"tools={self.tools}"

@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle, Part, PointCloud
+from manipplan.robots.arms import farthest
 from manipplan.robots.hulls import convex_hull, has_hull
+from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -114,7 +116,8 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     middle = np.asarray(model.jointPlacements[1].translation)
     places = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
     lengths = sum(float(np.linalg.norm(each)) for each in places)
-    slides = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"]
+    tree = joint_tree(model)
+    slides = farthest(robot, tree)[tree.slides]
     bodies = 0.0
     for item in robot.geometry.geometryObjects:
         if item.parentJoint > 0:

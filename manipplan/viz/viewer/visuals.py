@@ -2,9 +2,10 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, model_tree
+from manipplan.robots import attached, reduced
 from manipplan.robots.formats import mjcf_bodies
 from manipplan.robots.formats.xml_files import read_xml
+from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import ManipplanError
 
@@ -28,7 +29,8 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             text, folders = source.urdf_files.read(file), source.urdf_files.folders(file)
             whole = pin.buildModelFromXML(text)
             geometry = pin.buildGeomFromUrdfString(whole, text, kind, package_dirs=folders)
-        model, geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)
+        parts = plain_angles(whole), geometry
+        model, geometry = reduced.reduce(*parts, robot.joint_names, robot.locked, robot.followers)
     except (ValueError, RuntimeError, IndexError, ManipplanError) as error:
         return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
     geometry = attached.move_base(model, geometry, pin.SE3(robot.base))[1]
