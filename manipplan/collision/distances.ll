@@ -1,9 +1,9 @@
-; distances.c 3928454bb04df1539e093432d7438726523cc7486f0b6f7b2634011ca2639926: written by make kernel
+; distances.c d080fb881902381446ad8511a3b2977fd79a3b91fb26420349acacc1b9a89262: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
 
@@ -28,364 +28,369 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %8 = alloca %struct.Search, align 8
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Search, align 8
-  %11 = load i64, ptr %0, align 8
-  %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %26, label %46
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %27, label %47
 
-13:                                               ; preds = %26
-  %14 = icmp eq i32 %34, 0
-  br i1 %14, label %15, label %46
+14:                                               ; preds = %27
+  %15 = icmp eq i32 %35, 0
+  br i1 %15, label %16, label %47
 
-15:                                               ; preds = %13
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %17 = icmp eq ptr %3, null
-  br i1 %17, label %245, label %18
+16:                                               ; preds = %14
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %18 = icmp eq ptr %3, null
+  br i1 %18, label %246, label %19
 
-18:                                               ; preds = %15
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  %21 = load i64, ptr %16, align 8
-  %22 = icmp sgt i64 %21, 0
-  br i1 %22, label %23, label %245
+19:                                               ; preds = %16
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %22 = load i64, ptr %17, align 8
+  %23 = icmp sgt i64 %22, 0
+  br i1 %23, label %24, label %246
 
-23:                                               ; preds = %18
-  %24 = load ptr, ptr %19, align 8
+24:                                               ; preds = %19
   %25 = load ptr, ptr %20, align 8
-  br label %37
+  %26 = load ptr, ptr %21, align 8
+  br label %38
 
-26:                                               ; preds = %5, %26
-  %27 = phi i32 [ %34, %26 ], [ 1, %5 ]
-  %28 = phi i64 [ %35, %26 ], [ 0, %5 ]
-  %29 = getelementptr inbounds double, ptr %1, i64 %28
-  %30 = load double, ptr %29, align 8
-  %31 = tail call double @llvm.fabs.f64(double %30) #14
-  %32 = fcmp one double %31, 0x7FF0000000000000
-  %33 = zext i1 %32 to i32
-  %34 = and i32 %27, %33
-  %35 = add nuw nsw i64 %28, 1
-  %36 = icmp eq i64 %35, %11
-  br i1 %36, label %13, label %26
+27:                                               ; preds = %5, %27
+  %28 = phi i32 [ %35, %27 ], [ 1, %5 ]
+  %29 = phi i64 [ %36, %27 ], [ 0, %5 ]
+  %30 = getelementptr inbounds double, ptr %1, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = tail call double @llvm.fabs.f64(double %31) #14
+  %33 = fcmp one double %32, 0x7FF0000000000000
+  %34 = zext i1 %33 to i32
+  %35 = and i32 %28, %34
+  %36 = add nuw nsw i64 %29, 1
+  %37 = icmp eq i64 %36, %12
+  br i1 %37, label %14, label %27
 
-37:                                               ; preds = %23, %37
-  %38 = phi i64 [ %43, %37 ], [ 0, %23 ]
-  %39 = getelementptr inbounds double, ptr %24, i64 %38
-  store double 0x7FF8000000000000, ptr %39, align 8
-  %40 = load i64, ptr %3, align 8
-  %41 = add nsw i64 %40, 1
-  store i64 %41, ptr %3, align 8
-  %42 = getelementptr inbounds i64, ptr %25, i64 %40
-  store i64 %38, ptr %42, align 8
-  %43 = add nuw nsw i64 %38, 1
-  %44 = load i64, ptr %16, align 8
-  %45 = icmp slt i64 %43, %44
-  br i1 %45, label %37, label %245
+38:                                               ; preds = %24, %38
+  %39 = phi i64 [ %44, %38 ], [ 0, %24 ]
+  %40 = getelementptr inbounds double, ptr %25, i64 %39
+  store double 0x7FF8000000000000, ptr %40, align 8
+  %41 = load i64, ptr %3, align 8
+  %42 = add nsw i64 %41, 1
+  store i64 %42, ptr %3, align 8
+  %43 = getelementptr inbounds i64, ptr %26, i64 %41
+  store i64 %39, ptr %43, align 8
+  %44 = add nuw nsw i64 %39, 1
+  %45 = load i64, ptr %17, align 8
+  %46 = icmp slt i64 %44, %45
+  br i1 %46, label %38, label %246
 
-46:                                               ; preds = %5, %13
-  %47 = icmp eq ptr %3, null
-  br i1 %47, label %51, label %48
+47:                                               ; preds = %5, %14
+  %48 = icmp eq ptr %3, null
+  br i1 %48, label %52, label %49
 
-48:                                               ; preds = %46
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %50 = load ptr, ptr %49, align 8
-  br label %51
+49:                                               ; preds = %47
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %51 = load ptr, ptr %50, align 8
+  br label %52
 
-51:                                               ; preds = %46, %48
-  %52 = phi ptr [ %50, %48 ], [ null, %46 ]
+52:                                               ; preds = %47, %49
+  %53 = phi ptr [ %51, %49 ], [ null, %47 ]
   tail call fastcc void @place(ptr noundef nonnull %0, ptr noundef %1)
-  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
-  %54 = load i64, ptr %53, align 8
-  %55 = icmp sgt i64 %54, 0
-  br i1 %55, label %56, label %163
+  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
+  %55 = load i64, ptr %54, align 8
+  %56 = icmp sgt i64 %55, 0
+  br i1 %56, label %57, label %164
 
-56:                                               ; preds = %51
-  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
-  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
-  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %61 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
-  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
-  %63 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
-  %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
-  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %67 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
-  %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
-  %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
-  %70 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 7
-  %71 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 8
-  %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
-  %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
-  %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
-  %75 = icmp ne ptr %52, null
-  br label %76
+57:                                               ; preds = %52
+  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %61 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %62 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
+  %63 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
+  %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
+  %65 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
+  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %67 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
+  %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
+  %70 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
+  %71 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 7
+  %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 8
+  %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
+  %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
+  %75 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
+  %76 = icmp ne ptr %53, null
+  br label %77
 
-76:                                               ; preds = %56, %158
-  %77 = phi i64 [ %54, %56 ], [ %159, %158 ]
-  %78 = phi i32 [ 0, %56 ], [ %160, %158 ]
-  %79 = phi i64 [ 0, %56 ], [ %161, %158 ]
-  %80 = load i64, ptr %57, align 8
-  %81 = icmp sgt i64 %80, -1
-  br i1 %81, label %82, label %163
+77:                                               ; preds = %57, %159
+  %78 = phi i64 [ %55, %57 ], [ %160, %159 ]
+  %79 = phi i32 [ 0, %57 ], [ %161, %159 ]
+  %80 = phi i64 [ 0, %57 ], [ %162, %159 ]
+  %81 = load i64, ptr %58, align 8
+  %82 = icmp sgt i64 %81, -1
+  br i1 %82, label %83, label %164
 
-82:                                               ; preds = %76
-  %83 = load ptr, ptr %58, align 8
-  %84 = mul nsw i64 %79, 3
-  %85 = getelementptr inbounds i64, ptr %83, i64 %84
-  %86 = load ptr, ptr %59, align 8
-  %87 = shl nsw i64 %79, 2
-  %88 = getelementptr inbounds double, ptr %86, i64 %87
+83:                                               ; preds = %77
+  %84 = load ptr, ptr %59, align 8
+  %85 = mul nsw i64 %80, 3
+  %86 = getelementptr inbounds i64, ptr %84, i64 %85
+  %87 = load ptr, ptr %60, align 8
+  %88 = shl nsw i64 %80, 2
+  %89 = getelementptr inbounds double, ptr %87, i64 %88
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %89 = getelementptr inbounds double, ptr %88, i64 3
-  %90 = load double, ptr %89, align 8
-  %91 = load ptr, ptr %60, align 8
-  %92 = load i64, ptr %85, align 8
-  %93 = mul nsw i64 %92, 12
-  %94 = getelementptr inbounds double, ptr %91, i64 %93
-  %95 = getelementptr inbounds double, ptr %88, i64 1
-  %96 = getelementptr inbounds double, ptr %88, i64 2
-  br label %97
+  %90 = getelementptr inbounds double, ptr %89, i64 3
+  %91 = load double, ptr %90, align 8
+  %92 = load ptr, ptr %61, align 8
+  %93 = load i64, ptr %86, align 8
+  %94 = mul nsw i64 %93, 12
+  %95 = getelementptr inbounds double, ptr %92, i64 %94
+  %96 = getelementptr inbounds double, ptr %89, i64 1
+  %97 = getelementptr inbounds double, ptr %89, i64 2
+  br label %98
 
-97:                                               ; preds = %97, %82
-  %98 = phi i64 [ 0, %82 ], [ %121, %97 ]
-  %99 = mul nuw nsw i64 %98, 3
-  %100 = getelementptr inbounds double, ptr %94, i64 %99
-  %101 = load double, ptr %100, align 8
-  %102 = load double, ptr %88, align 8
-  %103 = fmul double %101, %102
-  %104 = add nuw nsw i64 %99, 1
-  %105 = getelementptr inbounds double, ptr %94, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = load double, ptr %95, align 8
-  %108 = fmul double %106, %107
-  %109 = fadd double %103, %108
-  %110 = add nuw nsw i64 %99, 2
-  %111 = getelementptr inbounds double, ptr %94, i64 %110
-  %112 = load double, ptr %111, align 8
-  %113 = load double, ptr %96, align 8
-  %114 = fmul double %112, %113
-  %115 = fadd double %109, %114
-  %116 = add nuw nsw i64 %98, 9
-  %117 = getelementptr inbounds double, ptr %94, i64 %116
-  %118 = load double, ptr %117, align 8
-  %119 = fadd double %118, %115
-  %120 = getelementptr inbounds double, ptr %6, i64 %98
-  store double %119, ptr %120, align 8
-  %121 = add nuw nsw i64 %98, 1
-  %122 = icmp eq i64 %121, 3
-  br i1 %122, label %123, label %97
+98:                                               ; preds = %98, %83
+  %99 = phi i64 [ 0, %83 ], [ %122, %98 ]
+  %100 = mul nuw nsw i64 %99, 3
+  %101 = getelementptr inbounds double, ptr %95, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = load double, ptr %89, align 8
+  %104 = fmul double %102, %103
+  %105 = add nuw nsw i64 %100, 1
+  %106 = getelementptr inbounds double, ptr %95, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = load double, ptr %96, align 8
+  %109 = fmul double %107, %108
+  %110 = fadd double %104, %109
+  %111 = add nuw nsw i64 %100, 2
+  %112 = getelementptr inbounds double, ptr %95, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = load double, ptr %97, align 8
+  %115 = fmul double %113, %114
+  %116 = fadd double %110, %115
+  %117 = add nuw nsw i64 %99, 9
+  %118 = getelementptr inbounds double, ptr %95, i64 %117
+  %119 = load double, ptr %118, align 8
+  %120 = fadd double %119, %116
+  %121 = getelementptr inbounds double, ptr %6, i64 %99
+  store double %120, ptr %121, align 8
+  %122 = add nuw nsw i64 %99, 1
+  %123 = icmp eq i64 %122, 3
+  br i1 %123, label %124, label %98
 
-123:                                              ; preds = %97
-  %124 = fadd double %90, %2
-  %125 = fmul double %124, %124
-  %126 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %6, double noundef %125, i64 noundef %80)
-  %127 = icmp eq i32 %126, 0
-  br i1 %127, label %158, label %128
+124:                                              ; preds = %98
+  %125 = fadd double %91, %2
+  %126 = fmul double %125, %125
+  %127 = call fastcc i32 @is_near(ptr noundef %0, ptr noundef nonnull %6, double noundef %126, i64 noundef %81)
+  %128 = icmp eq i32 %127, 0
+  br i1 %128, label %159, label %129
 
-128:                                              ; preds = %123
-  %129 = getelementptr inbounds i64, ptr %85, i64 1
-  %130 = getelementptr inbounds i64, ptr %85, i64 2
-  %131 = load i64, ptr %130, align 8
-  %132 = icmp sgt i64 %131, 0
-  br i1 %132, label %133, label %158
+129:                                              ; preds = %124
+  %130 = getelementptr inbounds i64, ptr %86, i64 1
+  %131 = getelementptr inbounds i64, ptr %86, i64 2
+  %132 = load i64, ptr %131, align 8
+  %133 = icmp sgt i64 %132, 0
+  br i1 %133, label %134, label %159
 
-133:                                              ; preds = %128
-  %134 = load i64, ptr %129, align 8
-  br label %141
+134:                                              ; preds = %129
+  %135 = load i64, ptr %130, align 8
+  br label %142
 
-135:                                              ; preds = %141
-  %136 = add nsw i64 %143, 1
-  %137 = load i64, ptr %129, align 8
+136:                                              ; preds = %142
+  %137 = add nsw i64 %144, 1
   %138 = load i64, ptr %130, align 8
-  %139 = add nsw i64 %138, %137
-  %140 = icmp slt i64 %136, %139
-  br i1 %140, label %141, label %156
+  %139 = load i64, ptr %131, align 8
+  %140 = add nsw i64 %139, %138
+  %141 = icmp slt i64 %137, %140
+  br i1 %141, label %142, label %157
 
-141:                                              ; preds = %133, %135
-  %142 = phi i32 [ %152, %135 ], [ %78, %133 ]
-  %143 = phi i64 [ %136, %135 ], [ %134, %133 ]
+142:                                              ; preds = %134, %136
+  %143 = phi i32 [ %153, %136 ], [ %79, %134 ]
+  %144 = phi i64 [ %137, %136 ], [ %135, %134 ]
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %8) #15
   store ptr %0, ptr %8, align 8
-  %144 = load ptr, ptr %62, align 8
-  %145 = getelementptr inbounds i64, ptr %144, i64 %143
-  %146 = load i64, ptr %145, align 8
-  store i64 %146, ptr %61, align 8
-  store ptr %7, ptr %63, align 8
-  %147 = load ptr, ptr %65, align 8
-  %148 = load i64, ptr %66, align 8
-  %149 = mul nsw i64 %148, %143
-  %150 = getelementptr inbounds i64, ptr %147, i64 %149
-  store ptr %150, ptr %64, align 8
-  store i64 -1, ptr %67, align 8
-  store double %2, ptr %68, align 8
-  store ptr %52, ptr %69, align 8
-  store ptr %3, ptr %70, align 8
-  store i32 %142, ptr %71, align 8
-  store i64 -1, ptr %72, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %73, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %74, align 8
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %146, ptr noundef nonnull %7)
-  %151 = load i64, ptr %57, align 8
-  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %151)
-  %152 = load i32, ptr %71, align 8
-  %153 = icmp ne i32 %152, 1
-  %154 = select i1 %75, i1 true, i1 %153
+  %145 = load ptr, ptr %63, align 8
+  %146 = getelementptr inbounds i64, ptr %145, i64 %144
+  %147 = load i64, ptr %146, align 8
+  store i64 %147, ptr %62, align 8
+  store ptr %7, ptr %64, align 8
+  %148 = load ptr, ptr %66, align 8
+  %149 = load i64, ptr %67, align 8
+  %150 = mul nsw i64 %149, %144
+  %151 = getelementptr inbounds i64, ptr %148, i64 %150
+  store ptr %151, ptr %65, align 8
+  store i64 -1, ptr %68, align 8
+  store double %2, ptr %69, align 8
+  store ptr %53, ptr %70, align 8
+  store ptr %3, ptr %71, align 8
+  store i32 %143, ptr %72, align 8
+  store i64 -1, ptr %73, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %74, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %75, align 8
+  call fastcc void @core_of(ptr noundef %0, i64 noundef %147, ptr noundef nonnull %7)
+  %152 = load i64, ptr %58, align 8
+  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %152)
+  %153 = load i32, ptr %72, align 8
+  %154 = icmp ne i32 %153, 1
+  %155 = select i1 %76, i1 true, i1 %154
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #15
-  br i1 %154, label %135, label %155
+  br i1 %155, label %136, label %156
 
-155:                                              ; preds = %141
+156:                                              ; preds = %142
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %245
+  br label %246
 
-156:                                              ; preds = %135
-  %157 = load i64, ptr %53, align 8
-  br label %158
+157:                                              ; preds = %136
+  %158 = load i64, ptr %54, align 8
+  br label %159
 
-158:                                              ; preds = %156, %128, %123
-  %159 = phi i64 [ %77, %123 ], [ %77, %128 ], [ %157, %156 ]
-  %160 = phi i32 [ %78, %123 ], [ %78, %128 ], [ %152, %156 ]
+159:                                              ; preds = %157, %129, %124
+  %160 = phi i64 [ %78, %124 ], [ %78, %129 ], [ %158, %157 ]
+  %161 = phi i32 [ %79, %124 ], [ %79, %129 ], [ %153, %157 ]
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %161 = add nuw nsw i64 %79, 1
-  %162 = icmp slt i64 %161, %159
-  br i1 %162, label %76, label %163
+  %162 = add nuw nsw i64 %80, 1
+  %163 = icmp slt i64 %162, %160
+  br i1 %163, label %77, label %164
 
-163:                                              ; preds = %158, %76, %51
-  %164 = phi i32 [ 0, %51 ], [ %78, %76 ], [ %160, %158 ]
-  %165 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
-  %166 = load i64, ptr %165, align 8
-  %167 = icmp sgt i64 %166, 0
-  br i1 %167, label %168, label %245
+164:                                              ; preds = %159, %77, %52
+  %165 = phi i32 [ 0, %52 ], [ %79, %77 ], [ %161, %159 ]
+  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %169, label %246
 
-168:                                              ; preds = %163
-  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
-  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %172 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
-  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  %183 = icmp eq ptr %52, null
-  br label %184
+169:                                              ; preds = %164
+  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
+  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
+  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %184 = icmp eq ptr %53, null
+  br label %185
 
-184:                                              ; preds = %168, %240
-  %185 = phi i64 [ %166, %168 ], [ %241, %240 ]
-  %186 = phi i32 [ %164, %168 ], [ %242, %240 ]
-  %187 = phi i64 [ 0, %168 ], [ %243, %240 ]
-  %188 = load ptr, ptr %169, align 8
-  %189 = mul nuw nsw i64 %187, 3
-  %190 = getelementptr inbounds i64, ptr %188, i64 %189
-  %191 = load i64, ptr %190, align 8
-  %192 = add nuw nsw i64 %189, 1
-  %193 = getelementptr inbounds i64, ptr %188, i64 %192
-  %194 = load i64, ptr %193, align 8
-  %195 = load ptr, ptr %170, align 8
-  %196 = mul nsw i64 %191, 3
-  %197 = getelementptr inbounds double, ptr %195, i64 %196
-  %198 = mul nsw i64 %194, 3
-  %199 = getelementptr inbounds double, ptr %195, i64 %198
-  %200 = load double, ptr %197, align 8
-  %201 = load double, ptr %199, align 8
-  %202 = fsub double %200, %201
-  %203 = getelementptr inbounds double, ptr %197, i64 1
-  %204 = load double, ptr %203, align 8
-  %205 = getelementptr inbounds double, ptr %199, i64 1
-  %206 = load double, ptr %205, align 8
-  %207 = fsub double %204, %206
-  %208 = getelementptr inbounds double, ptr %197, i64 2
-  %209 = load double, ptr %208, align 8
-  %210 = getelementptr inbounds double, ptr %199, i64 2
-  %211 = load double, ptr %210, align 8
-  %212 = fsub double %209, %211
-  %213 = load ptr, ptr %171, align 8
-  %214 = shl nsw i64 %191, 2
-  %215 = or i64 %214, 3
-  %216 = getelementptr inbounds double, ptr %213, i64 %215
-  %217 = load double, ptr %216, align 8
-  %218 = fadd double %217, %2
-  %219 = shl nsw i64 %194, 2
-  %220 = or i64 %219, 3
-  %221 = getelementptr inbounds double, ptr %213, i64 %220
-  %222 = load double, ptr %221, align 8
-  %223 = fadd double %218, %222
-  %224 = fmul double %202, %202
-  %225 = fmul double %207, %207
-  %226 = fadd double %224, %225
-  %227 = fmul double %212, %212
-  %228 = fadd double %226, %227
-  %229 = fmul double %223, %223
-  %230 = fcmp ogt double %228, %229
-  br i1 %230, label %240, label %231
+185:                                              ; preds = %169, %241
+  %186 = phi i64 [ %167, %169 ], [ %242, %241 ]
+  %187 = phi i32 [ %165, %169 ], [ %243, %241 ]
+  %188 = phi i64 [ 0, %169 ], [ %244, %241 ]
+  %189 = load ptr, ptr %170, align 8
+  %190 = mul nuw nsw i64 %188, 3
+  %191 = getelementptr inbounds i64, ptr %189, i64 %190
+  %192 = load i64, ptr %191, align 8
+  %193 = add nuw nsw i64 %190, 1
+  %194 = getelementptr inbounds i64, ptr %189, i64 %193
+  %195 = load i64, ptr %194, align 8
+  %196 = load ptr, ptr %171, align 8
+  %197 = mul nsw i64 %192, 3
+  %198 = getelementptr inbounds double, ptr %196, i64 %197
+  %199 = mul nsw i64 %195, 3
+  %200 = getelementptr inbounds double, ptr %196, i64 %199
+  %201 = load double, ptr %198, align 8
+  %202 = load double, ptr %200, align 8
+  %203 = fsub double %201, %202
+  %204 = getelementptr inbounds double, ptr %198, i64 1
+  %205 = load double, ptr %204, align 8
+  %206 = getelementptr inbounds double, ptr %200, i64 1
+  %207 = load double, ptr %206, align 8
+  %208 = fsub double %205, %207
+  %209 = getelementptr inbounds double, ptr %198, i64 2
+  %210 = load double, ptr %209, align 8
+  %211 = getelementptr inbounds double, ptr %200, i64 2
+  %212 = load double, ptr %211, align 8
+  %213 = fsub double %210, %212
+  %214 = load ptr, ptr %172, align 8
+  %215 = shl nsw i64 %192, 2
+  %216 = or i64 %215, 3
+  %217 = getelementptr inbounds double, ptr %214, i64 %216
+  %218 = load double, ptr %217, align 8
+  %219 = fadd double %218, %2
+  %220 = shl nsw i64 %195, 2
+  %221 = or i64 %220, 3
+  %222 = getelementptr inbounds double, ptr %214, i64 %221
+  %223 = load double, ptr %222, align 8
+  %224 = fadd double %219, %223
+  %225 = fmul double %203, %203
+  %226 = fmul double %208, %208
+  %227 = fadd double %225, %226
+  %228 = fmul double %213, %213
+  %229 = fadd double %227, %228
+  %230 = fmul double %224, %224
+  %231 = fcmp ogt double %229, %230
+  br i1 %231, label %241, label %232
 
-231:                                              ; preds = %184
+232:                                              ; preds = %185
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %191, ptr noundef nonnull %9)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %192, ptr noundef nonnull %9)
   call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
   store ptr %0, ptr %10, align 8
-  store i64 %191, ptr %172, align 8
-  store ptr %9, ptr %173, align 8
-  store ptr null, ptr %174, align 8
-  %232 = add nuw nsw i64 %189, 2
-  %233 = getelementptr inbounds i64, ptr %188, i64 %232
-  %234 = load i64, ptr %233, align 8
-  store i64 %234, ptr %175, align 8
-  store double %2, ptr %176, align 8
-  store ptr %52, ptr %177, align 8
-  store ptr %3, ptr %178, align 8
-  store i32 %186, ptr %179, align 8
-  store i64 -1, ptr %180, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %181, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %182, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %194, ptr noundef null)
-  %235 = load i32, ptr %179, align 8
-  %236 = icmp eq i32 %235, 1
-  %237 = select i1 %183, i1 %236, i1 false
+  store i64 %192, ptr %173, align 8
+  store ptr %9, ptr %174, align 8
+  store ptr null, ptr %175, align 8
+  %233 = add nuw nsw i64 %190, 2
+  %234 = getelementptr inbounds i64, ptr %189, i64 %233
+  %235 = load i64, ptr %234, align 8
+  store i64 %235, ptr %176, align 8
+  store double %2, ptr %177, align 8
+  store ptr %53, ptr %178, align 8
+  store ptr %3, ptr %179, align 8
+  store i32 %187, ptr %180, align 8
+  store i64 -1, ptr %181, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %182, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %183, align 8
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %195, ptr noundef null)
+  %236 = load i32, ptr %180, align 8
+  %237 = icmp eq i32 %236, 1
+  %238 = select i1 %184, i1 %237, i1 false
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br i1 %237, label %245, label %238
+  br i1 %238, label %246, label %239
 
-238:                                              ; preds = %231
-  %239 = load i64, ptr %165, align 8
-  br label %240
+239:                                              ; preds = %232
+  %240 = load i64, ptr %166, align 8
+  br label %241
 
-240:                                              ; preds = %238, %184
-  %241 = phi i64 [ %185, %184 ], [ %239, %238 ]
-  %242 = phi i32 [ %186, %184 ], [ %235, %238 ]
-  %243 = add nuw nsw i64 %187, 1
-  %244 = icmp slt i64 %243, %241
-  br i1 %244, label %184, label %245
+241:                                              ; preds = %239, %185
+  %242 = phi i64 [ %186, %185 ], [ %240, %239 ]
+  %243 = phi i32 [ %187, %185 ], [ %236, %239 ]
+  %244 = add nuw nsw i64 %188, 1
+  %245 = icmp slt i64 %244, %242
+  br i1 %245, label %185, label %246
 
-245:                                              ; preds = %231, %240, %37, %18, %163, %15, %155
-  %246 = phi i32 [ 1, %155 ], [ 2, %15 ], [ %164, %163 ], [ 2, %18 ], [ 2, %37 ], [ 1, %231 ], [ %242, %240 ]
-  ret i32 %246
+246:                                              ; preds = %232, %241, %38, %19, %164, %16, %156
+  %247 = phi i32 [ 1, %156 ], [ 2, %16 ], [ %165, %164 ], [ 2, %19 ], [ 2, %38 ], [ 1, %232 ], [ %243, %241 ]
+  ret i32 %247
 }
 
 define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
   %6 = icmp sgt i64 %2, 0
-  br i1 %6, label %8, label %7
+  br i1 %6, label %7, label %9
 
-7:                                                ; preds = %8, %5
+7:                                                ; preds = %5
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  br label %10
+
+9:                                                ; preds = %10, %5
   ret void
 
-8:                                                ; preds = %5, %8
-  %9 = phi i64 [ %16, %8 ], [ 0, %5 ]
-  %10 = load i64, ptr %0, align 8
-  %11 = mul nsw i64 %10, %9
-  %12 = getelementptr inbounds double, ptr %1, i64 %11
-  %13 = tail call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %12, double noundef %3, ptr noundef null, ptr noundef null)
-  %14 = trunc i32 %13 to i8
-  %15 = getelementptr inbounds i8, ptr %4, i64 %9
-  store i8 %14, ptr %15, align 1
-  %16 = add nuw nsw i64 %9, 1
-  %17 = icmp eq i64 %16, %2
-  br i1 %17, label %7, label %8
+10:                                               ; preds = %7, %10
+  %11 = phi i64 [ 0, %7 ], [ %18, %10 ]
+  %12 = load i64, ptr %8, align 8
+  %13 = mul nsw i64 %12, %11
+  %14 = getelementptr inbounds double, ptr %1, i64 %13
+  %15 = tail call fastcc i32 @examine(ptr noundef %0, ptr noundef %14, double noundef %3, ptr noundef null, ptr noundef null)
+  %16 = trunc i32 %15 to i8
+  %17 = getelementptr inbounds i8, ptr %4, i64 %11
+  store i8 %16, ptr %17, align 1
+  %18 = add nuw nsw i64 %11, 1
+  %19 = icmp eq i64 %18, %2
+  br i1 %19, label %9, label %10
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -398,9 +403,9 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %7, label %15, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %12 = load i64, ptr %11, align 8
   %13 = mul i64 %12, 24
   tail call void @llvm.memset.p0.i64(ptr align 8 %10, i8 0, i64 %13, i1 false)
@@ -409,71 +414,72 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 
 15:                                               ; preds = %5
   %16 = icmp eq i64 %2, 1
-  br i1 %16, label %17, label %22
+  br i1 %16, label %17, label %23
 
 17:                                               ; preds = %8, %15
   %18 = phi ptr [ %14, %8 ], [ null, %15 ]
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  br label %23
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  br label %24
 
-22:                                               ; preds = %46, %15
+23:                                               ; preds = %47, %15
   ret void
 
-23:                                               ; preds = %17, %46
-  %24 = phi i64 [ 0, %17 ], [ %47, %46 ]
-  %25 = phi ptr [ %4, %17 ], [ %48, %46 ]
+24:                                               ; preds = %17, %47
+  %25 = phi i64 [ 0, %17 ], [ %48, %47 ]
+  %26 = phi ptr [ %4, %17 ], [ %49, %47 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
   store i64 0, ptr %6, align 8
-  %26 = load i64, ptr %0, align 8
-  %27 = mul nsw i64 %26, %24
-  %28 = getelementptr inbounds double, ptr %1, i64 %27
-  %29 = getelementptr inbounds double, ptr %3, i64 %24
-  %30 = load double, ptr %29, align 8
-  %31 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %28, double noundef %30, ptr noundef nonnull %6, ptr noundef %18)
-  %32 = load i64, ptr %19, align 8
-  %33 = icmp sgt i64 %32, 0
-  br i1 %33, label %40, label %34
+  %27 = load i64, ptr %19, align 8
+  %28 = mul nsw i64 %27, %25
+  %29 = getelementptr inbounds double, ptr %1, i64 %28
+  %30 = getelementptr inbounds double, ptr %3, i64 %25
+  %31 = load double, ptr %30, align 8
+  %32 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %29, double noundef %31, ptr noundef nonnull %6, ptr noundef %18)
+  %33 = load i64, ptr %20, align 8
+  %34 = icmp sgt i64 %33, 0
+  br i1 %34, label %41, label %35
 
-34:                                               ; preds = %40, %23
-  %35 = load i64, ptr %6, align 8
-  %36 = icmp sgt i64 %35, 0
-  br i1 %36, label %37, label %46
+35:                                               ; preds = %41, %24
+  %36 = load i64, ptr %6, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %38, label %47
 
-37:                                               ; preds = %34
-  %38 = load ptr, ptr %20, align 8
+38:                                               ; preds = %35
   %39 = load ptr, ptr %21, align 8
-  br label %50
+  %40 = load ptr, ptr %22, align 8
+  br label %51
 
-40:                                               ; preds = %23, %40
-  %41 = phi i64 [ %44, %40 ], [ 0, %23 ]
-  %42 = load double, ptr %29, align 8
-  %43 = getelementptr inbounds double, ptr %25, i64 %41
-  store double %42, ptr %43, align 8
-  %44 = add nuw nsw i64 %41, 1
-  %45 = icmp eq i64 %44, %32
-  br i1 %45, label %34, label %40
+41:                                               ; preds = %24, %41
+  %42 = phi i64 [ %45, %41 ], [ 0, %24 ]
+  %43 = load double, ptr %30, align 8
+  %44 = getelementptr inbounds double, ptr %26, i64 %42
+  store double %43, ptr %44, align 8
+  %45 = add nuw nsw i64 %42, 1
+  %46 = icmp eq i64 %45, %33
+  br i1 %46, label %35, label %41
 
-46:                                               ; preds = %50, %34
+47:                                               ; preds = %51, %35
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
-  %47 = add nuw nsw i64 %24, 1
-  %48 = getelementptr inbounds double, ptr %25, i64 %32
-  %49 = icmp eq i64 %47, %2
-  br i1 %49, label %22, label %23
+  %48 = add nuw nsw i64 %25, 1
+  %49 = getelementptr inbounds double, ptr %26, i64 %33
+  %50 = icmp eq i64 %48, %2
+  br i1 %50, label %23, label %24
 
-50:                                               ; preds = %37, %50
-  %51 = phi i64 [ 0, %37 ], [ %57, %50 ]
-  %52 = getelementptr inbounds i64, ptr %39, i64 %51
-  %53 = load i64, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %38, i64 %53
-  %55 = load double, ptr %54, align 8
-  %56 = getelementptr inbounds double, ptr %25, i64 %53
-  store double %55, ptr %56, align 8
-  store double 0x7FF0000000000000, ptr %54, align 8
-  %57 = add nuw nsw i64 %51, 1
-  %58 = icmp eq i64 %57, %35
-  br i1 %58, label %46, label %50
+51:                                               ; preds = %38, %51
+  %52 = phi i64 [ 0, %38 ], [ %58, %51 ]
+  %53 = getelementptr inbounds i64, ptr %40, i64 %52
+  %54 = load i64, ptr %53, align 8
+  %55 = getelementptr inbounds double, ptr %39, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr inbounds double, ptr %26, i64 %54
+  store double %56, ptr %57, align 8
+  store double 0x7FF0000000000000, ptr %55, align 8
+  %58 = add nuw nsw i64 %52, 1
+  %59 = icmp eq i64 %58, %36
+  br i1 %59, label %47, label %51
 }
 
 define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, i64 noundef %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
@@ -482,9 +488,9 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   br i1 %9, label %17, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %14 = load i64, ptr %13, align 8
   %15 = mul i64 %14, 24
   tail call void @llvm.memset.p0.i64(ptr align 8 %12, i8 0, i64 %15, i1 false)
@@ -493,73 +499,74 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 17:                                               ; preds = %7
   %18 = icmp eq i64 %2, 1
-  br i1 %18, label %19, label %24
+  br i1 %18, label %19, label %25
 
 19:                                               ; preds = %10, %17
   %20 = phi ptr [ %16, %10 ], [ null, %17 ]
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  br label %26
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  br label %27
 
-24:                                               ; preds = %40, %17
-  %25 = phi i64 [ 0, %17 ], [ %41, %40 ]
-  ret i64 %25
+25:                                               ; preds = %41, %17
+  %26 = phi i64 [ 0, %17 ], [ %42, %41 ]
+  ret i64 %26
 
-26:                                               ; preds = %19, %40
-  %27 = phi i64 [ 0, %19 ], [ %41, %40 ]
-  %28 = phi i64 [ 0, %19 ], [ %42, %40 ]
+27:                                               ; preds = %19, %41
+  %28 = phi i64 [ 0, %19 ], [ %42, %41 ]
+  %29 = phi i64 [ 0, %19 ], [ %43, %41 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
   store i64 0, ptr %8, align 8
-  %29 = load i64, ptr %0, align 8
-  %30 = mul nsw i64 %29, %28
-  %31 = getelementptr inbounds double, ptr %1, i64 %30
-  %32 = getelementptr inbounds double, ptr %3, i64 %28
-  %33 = load double, ptr %32, align 8
-  %34 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %31, double noundef %33, ptr noundef nonnull %8, ptr noundef %20)
-  %35 = load i64, ptr %8, align 8
-  %36 = icmp sgt i64 %35, 0
-  br i1 %36, label %37, label %40
+  %30 = load i64, ptr %21, align 8
+  %31 = mul nsw i64 %30, %29
+  %32 = getelementptr inbounds double, ptr %1, i64 %31
+  %33 = getelementptr inbounds double, ptr %3, i64 %29
+  %34 = load double, ptr %33, align 8
+  %35 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %32, double noundef %34, ptr noundef nonnull %8, ptr noundef %20)
+  %36 = load i64, ptr %8, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %38, label %41
 
-37:                                               ; preds = %26
-  %38 = load ptr, ptr %21, align 8
-  %39 = load ptr, ptr %23, align 8
-  br label %44
+38:                                               ; preds = %27
+  %39 = load ptr, ptr %22, align 8
+  %40 = load ptr, ptr %24, align 8
+  br label %45
 
-40:                                               ; preds = %58, %26
-  %41 = phi i64 [ %27, %26 ], [ %61, %58 ]
+41:                                               ; preds = %59, %27
+  %42 = phi i64 [ %28, %27 ], [ %62, %59 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
-  %42 = add nuw nsw i64 %28, 1
-  %43 = icmp eq i64 %42, %2
-  br i1 %43, label %24, label %26
+  %43 = add nuw nsw i64 %29, 1
+  %44 = icmp eq i64 %43, %2
+  br i1 %44, label %25, label %27
 
-44:                                               ; preds = %37, %58
-  %45 = phi i64 [ %27, %37 ], [ %61, %58 ]
-  %46 = phi i64 [ 0, %37 ], [ %60, %58 ]
-  %47 = getelementptr inbounds i64, ptr %38, i64 %46
-  %48 = load i64, ptr %47, align 8
-  %49 = icmp slt i64 %45, %4
-  br i1 %49, label %50, label %58
+45:                                               ; preds = %38, %59
+  %46 = phi i64 [ %28, %38 ], [ %62, %59 ]
+  %47 = phi i64 [ 0, %38 ], [ %61, %59 ]
+  %48 = getelementptr inbounds i64, ptr %39, i64 %47
+  %49 = load i64, ptr %48, align 8
+  %50 = icmp slt i64 %46, %4
+  br i1 %50, label %51, label %59
 
-50:                                               ; preds = %44
-  %51 = load i64, ptr %22, align 8
-  %52 = mul nsw i64 %51, %28
-  %53 = add nsw i64 %52, %48
-  %54 = getelementptr inbounds i64, ptr %5, i64 %45
-  store i64 %53, ptr %54, align 8
-  %55 = getelementptr inbounds double, ptr %39, i64 %48
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %6, i64 %45
-  store double %56, ptr %57, align 8
-  br label %58
+51:                                               ; preds = %45
+  %52 = load i64, ptr %23, align 8
+  %53 = mul nsw i64 %52, %29
+  %54 = add nsw i64 %53, %49
+  %55 = getelementptr inbounds i64, ptr %5, i64 %46
+  store i64 %54, ptr %55, align 8
+  %56 = getelementptr inbounds double, ptr %40, i64 %49
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %6, i64 %46
+  store double %57, ptr %58, align 8
+  br label %59
 
-58:                                               ; preds = %50, %44
-  %59 = getelementptr inbounds double, ptr %39, i64 %48
-  store double 0x7FF0000000000000, ptr %59, align 8
-  %60 = add nuw nsw i64 %46, 1
-  %61 = add nsw i64 %45, 1
-  %62 = icmp eq i64 %60, %35
-  br i1 %62, label %40, label %44
+59:                                               ; preds = %51, %45
+  %60 = getelementptr inbounds double, ptr %40, i64 %49
+  store double 0x7FF0000000000000, ptr %60, align 8
+  %61 = add nuw nsw i64 %47, 1
+  %62 = add nsw i64 %46, 1
+  %63 = icmp eq i64 %61, %36
+  br i1 %63, label %41, label %45
 }
 
 define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, i64 noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7) local_unnamed_addr #0 {
@@ -568,123 +575,124 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   store i64 0, ptr %6, align 8
   store i64 -1, ptr %7, align 8
   %10 = icmp sgt i64 %2, 0
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  br label %13
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  br label %14
 
-13:                                               ; preds = %77, %8
-  %14 = phi i1 [ true, %8 ], [ false, %77 ]
-  %15 = phi i32 [ 0, %8 ], [ 1, %77 ]
-  br i1 %10, label %16, label %76
+14:                                               ; preds = %78, %8
+  %15 = phi i1 [ true, %8 ], [ false, %78 ]
+  %16 = phi i32 [ 0, %8 ], [ 1, %78 ]
+  br i1 %10, label %17, label %77
 
-16:                                               ; preds = %13, %69
-  %17 = phi i1 [ %71, %69 ], [ true, %13 ]
-  %18 = phi i64 [ %70, %69 ], [ 0, %13 ]
-  %19 = srem i64 %18, %4
-  %20 = icmp ne i64 %19, 0
-  %21 = zext i1 %20 to i32
-  %22 = icmp eq i32 %15, %21
-  br i1 %22, label %23, label %69
+17:                                               ; preds = %14, %70
+  %18 = phi i1 [ %72, %70 ], [ true, %14 ]
+  %19 = phi i64 [ %71, %70 ], [ 0, %14 ]
+  %20 = srem i64 %19, %4
+  %21 = icmp ne i64 %20, 0
+  %22 = zext i1 %21 to i32
+  %23 = icmp eq i32 %16, %22
+  br i1 %23, label %24, label %70
 
-23:                                               ; preds = %16
+24:                                               ; preds = %17
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #15
   store i64 0, ptr %9, align 8
-  %24 = load double, ptr %5, align 8
-  %25 = load i64, ptr %0, align 8
-  %26 = mul nsw i64 %25, %18
-  %27 = getelementptr inbounds double, ptr %1, i64 %26
-  %28 = fadd double %24, 1.000000e-09
-  %29 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %27, double noundef %28, ptr noundef nonnull %9, ptr noundef null)
-  %30 = load i64, ptr %9, align 8
-  %31 = icmp sgt i64 %30, 0
-  br i1 %31, label %33, label %32
+  %25 = load double, ptr %5, align 8
+  %26 = load i64, ptr %11, align 8
+  %27 = mul nsw i64 %26, %19
+  %28 = getelementptr inbounds double, ptr %1, i64 %27
+  %29 = fadd double %25, 1.000000e-09
+  %30 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %28, double noundef %29, ptr noundef nonnull %9, ptr noundef null)
+  %31 = load i64, ptr %9, align 8
+  %32 = icmp sgt i64 %31, 0
+  br i1 %32, label %34, label %33
 
-32:                                               ; preds = %23
+33:                                               ; preds = %24
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
-  br label %69
+  br label %70
 
-33:                                               ; preds = %23
-  %34 = load ptr, ptr %11, align 8
+34:                                               ; preds = %24
   %35 = load ptr, ptr %12, align 8
-  %36 = load i64, ptr %7, align 8
-  br label %39
+  %36 = load ptr, ptr %13, align 8
+  %37 = load i64, ptr %7, align 8
+  br label %40
 
-37:                                               ; preds = %65
-  %38 = icmp eq i32 %48, 0
+38:                                               ; preds = %66
+  %39 = icmp eq i32 %49, 0
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
-  br i1 %38, label %73, label %69
+  br i1 %39, label %74, label %70
 
-39:                                               ; preds = %33, %65
-  %40 = phi i64 [ %36, %33 ], [ %66, %65 ]
-  %41 = phi i64 [ 0, %33 ], [ %67, %65 ]
-  %42 = phi i32 [ 1, %33 ], [ %48, %65 ]
-  %43 = getelementptr inbounds i64, ptr %34, i64 %41
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr inbounds double, ptr %35, i64 %44
-  %46 = load double, ptr %45, align 8
-  store double 0x7FF0000000000000, ptr %45, align 8
-  %47 = fcmp uno double %46, 0.000000e+00
-  %48 = select i1 %47, i32 0, i32 %42
-  %49 = icmp sgt i64 %40, -1
-  br i1 %49, label %50, label %57
+40:                                               ; preds = %34, %66
+  %41 = phi i64 [ %37, %34 ], [ %67, %66 ]
+  %42 = phi i64 [ 0, %34 ], [ %68, %66 ]
+  %43 = phi i32 [ 1, %34 ], [ %49, %66 ]
+  %44 = getelementptr inbounds i64, ptr %35, i64 %42
+  %45 = load i64, ptr %44, align 8
+  %46 = getelementptr inbounds double, ptr %36, i64 %45
+  %47 = load double, ptr %46, align 8
+  store double 0x7FF0000000000000, ptr %46, align 8
+  %48 = fcmp uno double %47, 0.000000e+00
+  %49 = select i1 %48, i32 0, i32 %43
+  %50 = icmp sgt i64 %41, -1
+  br i1 %50, label %51, label %58
 
-50:                                               ; preds = %39
-  %51 = load i64, ptr %6, align 8
-  %52 = icmp slt i64 %18, %51
-  br i1 %52, label %57, label %53
+51:                                               ; preds = %40
+  %52 = load i64, ptr %6, align 8
+  %53 = icmp slt i64 %19, %52
+  br i1 %53, label %58, label %54
 
-53:                                               ; preds = %50
-  %54 = icmp eq i64 %18, %51
-  %55 = icmp slt i64 %44, %40
-  %56 = select i1 %54, i1 %55, i1 false
-  br label %57
+54:                                               ; preds = %51
+  %55 = icmp eq i64 %19, %52
+  %56 = icmp slt i64 %45, %41
+  %57 = select i1 %55, i1 %56, i1 false
+  br label %58
 
-57:                                               ; preds = %53, %50, %39
-  %58 = phi i1 [ false, %39 ], [ true, %50 ], [ %56, %53 ]
-  %59 = load double, ptr %5, align 8
-  %60 = fcmp olt double %46, %59
-  %61 = fcmp oeq double %46, %59
-  %62 = select i1 %61, i1 %58, i1 false
-  %63 = select i1 %60, i1 true, i1 %62
-  br i1 %63, label %64, label %65
+58:                                               ; preds = %54, %51, %40
+  %59 = phi i1 [ false, %40 ], [ true, %51 ], [ %57, %54 ]
+  %60 = load double, ptr %5, align 8
+  %61 = fcmp olt double %47, %60
+  %62 = fcmp oeq double %47, %60
+  %63 = select i1 %62, i1 %59, i1 false
+  %64 = select i1 %61, i1 true, i1 %63
+  br i1 %64, label %65, label %66
 
-64:                                               ; preds = %57
-  store double %46, ptr %5, align 8
-  store i64 %18, ptr %6, align 8
-  store i64 %44, ptr %7, align 8
-  br label %65
+65:                                               ; preds = %58
+  store double %47, ptr %5, align 8
+  store i64 %19, ptr %6, align 8
+  store i64 %45, ptr %7, align 8
+  br label %66
 
-65:                                               ; preds = %57, %64
-  %66 = phi i64 [ %40, %57 ], [ %44, %64 ]
-  %67 = add nuw nsw i64 %41, 1
-  %68 = icmp eq i64 %67, %30
-  br i1 %68, label %37, label %39
+66:                                               ; preds = %58, %65
+  %67 = phi i64 [ %41, %58 ], [ %45, %65 ]
+  %68 = add nuw nsw i64 %42, 1
+  %69 = icmp eq i64 %68, %31
+  br i1 %69, label %38, label %40
 
-69:                                               ; preds = %32, %37, %16
-  %70 = add nuw nsw i64 %18, 1
-  %71 = icmp slt i64 %70, %2
-  %72 = icmp eq i64 %70, %2
-  br i1 %72, label %76, label %16
+70:                                               ; preds = %33, %38, %17
+  %71 = add nuw nsw i64 %19, 1
+  %72 = icmp slt i64 %71, %2
+  %73 = icmp eq i64 %71, %2
+  br i1 %73, label %77, label %17
 
-73:                                               ; preds = %37
-  %74 = xor i1 %14, true
-  %75 = or i1 %17, %74
-  br i1 %75, label %78, label %77
+74:                                               ; preds = %38
+  %75 = xor i1 %15, true
+  %76 = or i1 %18, %75
+  br i1 %76, label %79, label %78
 
-76:                                               ; preds = %69, %13
-  br i1 %14, label %77, label %81
+77:                                               ; preds = %70, %14
+  br i1 %15, label %78, label %82
 
-77:                                               ; preds = %76, %73
-  br label %13
+78:                                               ; preds = %77, %74
+  br label %14
 
-78:                                               ; preds = %73
-  %79 = xor i1 %17, true
-  %80 = zext i1 %79 to i32
-  br label %81
+79:                                               ; preds = %74
+  %80 = xor i1 %18, true
+  %81 = zext i1 %80 to i32
+  br label %82
 
-81:                                               ; preds = %76, %78
-  %82 = phi i32 [ %80, %78 ], [ 1, %76 ]
-  ret i32 %82
+82:                                               ; preds = %77, %79
+  %83 = phi i32 [ %81, %79 ], [ 1, %77 ]
+  ret i32 %83
 }
 
 define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
@@ -694,142 +702,143 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
   %11 = icmp sgt i64 %2, 0
-  br i1 %11, label %12, label %23
+  br i1 %11, label %12, label %24
 
 12:                                               ; preds = %7
-  %13 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  br label %24
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  br label %25
 
-23:                                               ; preds = %87, %7
+24:                                               ; preds = %88, %7
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   ret void
 
-24:                                               ; preds = %12, %87
-  %25 = phi i64 [ 0, %12 ], [ %88, %87 ]
-  %26 = shl nuw nsw i64 %25, 1
-  %27 = getelementptr inbounds i64, ptr %3, i64 %26
-  %28 = load i64, ptr %27, align 8
-  %29 = or i64 %26, 1
-  %30 = getelementptr inbounds i64, ptr %3, i64 %29
-  %31 = load i64, ptr %30, align 8
-  %32 = icmp eq i64 %25, 0
-  br i1 %32, label %44, label %33
+25:                                               ; preds = %12, %88
+  %26 = phi i64 [ 0, %12 ], [ %89, %88 ]
+  %27 = shl nuw nsw i64 %26, 1
+  %28 = getelementptr inbounds i64, ptr %3, i64 %27
+  %29 = load i64, ptr %28, align 8
+  %30 = or i64 %27, 1
+  %31 = getelementptr inbounds i64, ptr %3, i64 %30
+  %32 = load i64, ptr %31, align 8
+  %33 = icmp eq i64 %26, 0
+  br i1 %33, label %45, label %34
 
-33:                                               ; preds = %24
-  %34 = add nsw i64 %26, -2
-  %35 = getelementptr inbounds i64, ptr %3, i64 %34
-  %36 = load i64, ptr %35, align 8
-  %37 = icmp eq i64 %28, %36
-  br i1 %37, label %38, label %43
+34:                                               ; preds = %25
+  %35 = add nsw i64 %27, -2
+  %36 = getelementptr inbounds i64, ptr %3, i64 %35
+  %37 = load i64, ptr %36, align 8
+  %38 = icmp eq i64 %29, %37
+  br i1 %38, label %39, label %44
 
-38:                                               ; preds = %33
-  %39 = add nsw i64 %26, -1
-  %40 = getelementptr inbounds i64, ptr %3, i64 %39
-  %41 = load i64, ptr %40, align 8
-  %42 = icmp eq i64 %31, %41
-  br i1 %42, label %44, label %43
+39:                                               ; preds = %34
+  %40 = add nsw i64 %27, -1
+  %41 = getelementptr inbounds i64, ptr %3, i64 %40
+  %42 = load i64, ptr %41, align 8
+  %43 = icmp eq i64 %32, %42
+  br i1 %43, label %45, label %44
 
-43:                                               ; preds = %38, %33
+44:                                               ; preds = %39, %34
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  br label %44
+  br label %45
 
-44:                                               ; preds = %43, %38, %24
-  %45 = load i64, ptr %0, align 8
-  %46 = icmp sgt i64 %45, 0
-  br i1 %46, label %47, label %66
+45:                                               ; preds = %44, %39, %25
+  %46 = load i64, ptr %13, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %67
 
-47:                                               ; preds = %44
-  %48 = mul nsw i64 %45, %25
-  br label %54
+48:                                               ; preds = %45
+  %49 = mul nsw i64 %46, %26
+  br label %55
 
-49:                                               ; preds = %54
-  %50 = icmp eq i32 %63, 0
-  br i1 %50, label %51, label %66
+50:                                               ; preds = %55
+  %51 = icmp eq i32 %64, 0
+  br i1 %51, label %52, label %67
 
-51:                                               ; preds = %49
-  %52 = getelementptr inbounds double, ptr %5, i64 %25
-  store double 0x7FF8000000000000, ptr %52, align 8
-  %53 = getelementptr inbounds i64, ptr %6, i64 %25
-  store i64 -1, ptr %53, align 8
-  br label %87
+52:                                               ; preds = %50
+  %53 = getelementptr inbounds double, ptr %5, i64 %26
+  store double 0x7FF8000000000000, ptr %53, align 8
+  %54 = getelementptr inbounds i64, ptr %6, i64 %26
+  store i64 -1, ptr %54, align 8
+  br label %88
 
-54:                                               ; preds = %47, %54
-  %55 = phi i64 [ 0, %47 ], [ %64, %54 ]
-  %56 = phi i32 [ 1, %47 ], [ %63, %54 ]
-  %57 = add nsw i64 %48, %55
-  %58 = getelementptr inbounds double, ptr %1, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = call double @llvm.fabs.f64(double %59) #14
-  %61 = fcmp one double %60, 0x7FF0000000000000
-  %62 = zext i1 %61 to i32
-  %63 = and i32 %56, %62
-  %64 = add nuw nsw i64 %55, 1
-  %65 = icmp eq i64 %64, %45
-  br i1 %65, label %49, label %54
+55:                                               ; preds = %48, %55
+  %56 = phi i64 [ 0, %48 ], [ %65, %55 ]
+  %57 = phi i32 [ 1, %48 ], [ %64, %55 ]
+  %58 = add nsw i64 %49, %56
+  %59 = getelementptr inbounds double, ptr %1, i64 %58
+  %60 = load double, ptr %59, align 8
+  %61 = call double @llvm.fabs.f64(double %60) #14
+  %62 = fcmp one double %61, 0x7FF0000000000000
+  %63 = zext i1 %62 to i32
+  %64 = and i32 %57, %63
+  %65 = add nuw nsw i64 %56, 1
+  %66 = icmp eq i64 %65, %46
+  br i1 %66, label %50, label %55
 
-66:                                               ; preds = %44, %49
-  %67 = getelementptr inbounds double, ptr %4, i64 %25
-  %68 = load double, ptr %67, align 8
-  %69 = getelementptr inbounds double, ptr %5, i64 %25
-  store double %68, ptr %69, align 8
-  %70 = getelementptr inbounds i64, ptr %6, i64 %25
-  store i64 -1, ptr %70, align 8
+67:                                               ; preds = %45, %50
+  %68 = getelementptr inbounds double, ptr %4, i64 %26
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds double, ptr %5, i64 %26
+  store double %69, ptr %70, align 8
+  %71 = getelementptr inbounds i64, ptr %6, i64 %26
+  store i64 -1, ptr %71, align 8
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  br i1 %32, label %81, label %71
+  br i1 %33, label %82, label %72
 
-71:                                               ; preds = %66
-  %72 = load i64, ptr %0, align 8
-  %73 = mul nsw i64 %72, %25
-  %74 = getelementptr inbounds double, ptr %1, i64 %73
-  %75 = add nsw i64 %25, -1
-  %76 = mul nsw i64 %72, %75
-  %77 = getelementptr inbounds double, ptr %1, i64 %76
-  %78 = shl i64 %72, 3
-  %79 = call i32 @bcmp(ptr %74, ptr %77, i64 %78)
-  %80 = icmp eq i32 %79, 0
-  br i1 %80, label %84, label %81
+72:                                               ; preds = %67
+  %73 = load i64, ptr %13, align 8
+  %74 = mul nsw i64 %73, %26
+  %75 = getelementptr inbounds double, ptr %1, i64 %74
+  %76 = add nsw i64 %26, -1
+  %77 = mul nsw i64 %73, %76
+  %78 = getelementptr inbounds double, ptr %1, i64 %77
+  %79 = shl i64 %73, 3
+  %80 = call i32 @bcmp(ptr %75, ptr %78, i64 %79)
+  %81 = icmp eq i32 %80, 0
+  br i1 %81, label %85, label %82
 
-81:                                               ; preds = %66, %71
-  %82 = phi i64 [ %73, %71 ], [ 0, %66 ]
-  %83 = getelementptr inbounds double, ptr %1, i64 %82
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
-  br label %84
+82:                                               ; preds = %67, %72
+  %83 = phi i64 [ %74, %72 ], [ 0, %67 ]
+  %84 = getelementptr inbounds double, ptr %1, i64 %83
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %84)
+  br label %85
 
-84:                                               ; preds = %81, %71
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %28, ptr noundef nonnull %9)
+85:                                               ; preds = %82, %72
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %29, ptr noundef nonnull %9)
   call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
   store ptr %0, ptr %10, align 8
-  store i64 %28, ptr %13, align 8
-  store ptr %9, ptr %14, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %15, i8 0, i64 16, i1 false)
-  %85 = load double, ptr %67, align 8
-  store double %85, ptr %16, align 8
-  store ptr %69, ptr %17, align 8
-  store ptr null, ptr %18, align 8
-  store i32 0, ptr %19, align 8
-  store i64 -1, ptr %20, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %21, i8 0, i64 32, i1 false)
-  store ptr %8, ptr %22, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %31, ptr noundef null)
-  %86 = load i64, ptr %20, align 8
-  store i64 %86, ptr %70, align 8
+  store i64 %29, ptr %14, align 8
+  store ptr %9, ptr %15, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %16, i8 0, i64 16, i1 false)
+  %86 = load double, ptr %68, align 8
+  store double %86, ptr %17, align 8
+  store ptr %70, ptr %18, align 8
+  store ptr null, ptr %19, align 8
+  store i32 0, ptr %20, align 8
+  store i64 -1, ptr %21, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %22, i8 0, i64 32, i1 false)
+  store ptr %8, ptr %23, align 8
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %32, ptr noundef null)
+  %87 = load i64, ptr %21, align 8
+  store i64 %87, ptr %71, align 8
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br label %87
+  br label %88
 
-87:                                               ; preds = %51, %84
-  %88 = add nuw nsw i64 %25, 1
-  %89 = icmp eq i64 %88, %2
-  br i1 %89, label %23, label %24
+88:                                               ; preds = %52, %85
+  %89 = add nuw nsw i64 %26, 1
+  %90 = icmp eq i64 %89, %2
+  br i1 %90, label %24, label %25
 }
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
@@ -839,329 +848,341 @@ declare double @llvm.fabs.f64(double) #3
 define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #4 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %6 = load ptr, ptr %5, align 8
   tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %6, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
   %7 = load i64, ptr %0, align 8
   %8 = icmp sgt i64 %7, 0
-  br i1 %8, label %9, label %29
+  br i1 %8, label %9, label %35
 
 9:                                                ; preds = %2
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
   %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
   %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %3, i64 8
-  %15 = getelementptr inbounds i8, ptr %3, i64 16
-  %16 = getelementptr inbounds i8, ptr %3, i64 24
-  %17 = getelementptr inbounds i8, ptr %3, i64 32
-  %18 = getelementptr inbounds i8, ptr %3, i64 40
-  %19 = getelementptr inbounds i8, ptr %3, i64 48
-  %20 = getelementptr inbounds i8, ptr %3, i64 56
-  %21 = getelementptr inbounds i8, ptr %3, i64 64
-  %22 = getelementptr inbounds i8, ptr %3, i64 72
-  %23 = getelementptr inbounds i8, ptr %3, i64 80
-  %24 = getelementptr inbounds i8, ptr %3, i64 88
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %28 = load ptr, ptr %27, align 8
-  br label %38
+  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %3, i64 8
+  %21 = getelementptr inbounds i8, ptr %3, i64 16
+  %22 = getelementptr inbounds i8, ptr %3, i64 24
+  %23 = getelementptr inbounds i8, ptr %3, i64 32
+  %24 = getelementptr inbounds i8, ptr %3, i64 40
+  %25 = getelementptr inbounds i8, ptr %3, i64 48
+  %26 = getelementptr inbounds i8, ptr %3, i64 56
+  %27 = getelementptr inbounds i8, ptr %3, i64 64
+  %28 = getelementptr inbounds i8, ptr %3, i64 72
+  %29 = getelementptr inbounds i8, ptr %3, i64 80
+  %30 = getelementptr inbounds i8, ptr %3, i64 88
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %34 = load ptr, ptr %33, align 8
+  br label %44
 
-29:                                               ; preds = %198, %2
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %31 = load i64, ptr %30, align 8
-  %32 = icmp sgt i64 %31, 0
-  br i1 %32, label %33, label %200
+35:                                               ; preds = %210, %2
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %37 = load i64, ptr %36, align 8
+  %38 = icmp sgt i64 %37, 0
+  br i1 %38, label %39, label %212
 
-33:                                               ; preds = %29
-  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  br label %201
+39:                                               ; preds = %35
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  br label %213
 
-38:                                               ; preds = %9, %198
-  %39 = phi i64 [ 0, %9 ], [ %149, %198 ]
-  %40 = mul nsw i64 %39, 3
-  %41 = getelementptr inbounds double, ptr %11, i64 %40
+44:                                               ; preds = %9, %210
+  %45 = phi i64 [ 0, %9 ], [ %161, %210 ]
+  %46 = mul nsw i64 %45, 3
+  %47 = getelementptr inbounds double, ptr %11, i64 %46
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
-  %42 = getelementptr inbounds i64, ptr %13, i64 %39
-  %43 = load i64, ptr %42, align 8
-  %44 = icmp eq i64 %43, 0
-  br i1 %44, label %57, label %45
+  %48 = getelementptr inbounds double, ptr %13, i64 %45
+  %49 = load double, ptr %48, align 8
+  %50 = getelementptr inbounds i64, ptr %15, i64 %45
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %1, i64 %51
+  %53 = load double, ptr %52, align 8
+  %54 = fmul double %49, %53
+  %55 = getelementptr inbounds double, ptr %17, i64 %45
+  %56 = load double, ptr %55, align 8
+  %57 = fadd double %54, %56
+  %58 = getelementptr inbounds i64, ptr %19, i64 %45
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %71, label %61
 
-45:                                               ; preds = %38
+61:                                               ; preds = %44
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %3, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
-  %46 = getelementptr inbounds double, ptr %1, i64 %39
-  %47 = load double, ptr %46, align 8
-  br label %48
+  br label %62
 
-48:                                               ; preds = %45, %48
-  %49 = phi i64 [ 0, %45 ], [ %55, %48 ]
-  %50 = getelementptr inbounds double, ptr %41, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = fmul double %47, %51
-  %53 = add nuw nsw i64 %49, 9
-  %54 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %53
-  store double %52, ptr %54, align 8
-  %55 = add nuw nsw i64 %49, 1
-  %56 = icmp eq i64 %55, 3
-  br i1 %56, label %92, label %48
+62:                                               ; preds = %61, %62
+  %63 = phi i64 [ 0, %61 ], [ %69, %62 ]
+  %64 = getelementptr inbounds double, ptr %47, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %57, %65
+  %67 = add nuw nsw i64 %63, 9
+  %68 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %67
+  store double %66, ptr %68, align 8
+  %69 = add nuw nsw i64 %63, 1
+  %70 = icmp eq i64 %69, 3
+  br i1 %70, label %104, label %62
 
-57:                                               ; preds = %38
-  %58 = getelementptr inbounds double, ptr %1, i64 %39
-  %59 = load double, ptr %58, align 8
-  %60 = tail call double @llvm.sin.f64(double %59)
-  %61 = tail call double @llvm.cos.f64(double %59)
-  %62 = fsub double 1.000000e+00, %61
-  %63 = load double, ptr %41, align 8
-  %64 = fmul double %63, %62
-  %65 = fmul double %63, %64
-  %66 = fadd double %61, %65
-  %67 = getelementptr inbounds double, ptr %41, i64 1
-  %68 = load double, ptr %67, align 8
-  %69 = fmul double %68, %64
-  %70 = getelementptr inbounds double, ptr %41, i64 2
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fsub double %69, %72
-  %74 = fmul double %64, %71
-  %75 = fmul double %60, %68
-  %76 = fadd double %75, %74
-  %77 = fmul double %62, %68
-  %78 = fmul double %63, %77
-  %79 = fadd double %78, %72
-  %80 = fmul double %68, %77
-  %81 = fadd double %61, %80
-  %82 = fmul double %77, %71
-  %83 = fmul double %60, %63
-  %84 = fsub double %82, %83
-  %85 = fmul double %62, %71
-  %86 = fmul double %63, %85
-  %87 = fsub double %86, %75
-  %88 = fmul double %68, %85
-  %89 = fadd double %83, %88
-  %90 = fmul double %71, %85
-  %91 = fadd double %61, %90
-  store double %66, ptr %3, align 16
-  store double %73, ptr %14, align 8
-  store double %76, ptr %15, align 16
-  store double %79, ptr %16, align 8
-  store double %81, ptr %17, align 16
-  store double %84, ptr %18, align 8
-  store double %87, ptr %19, align 16
-  store double %89, ptr %20, align 8
-  store double %91, ptr %21, align 16
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %22, i8 0, i64 24, i1 false)
-  br label %92
+71:                                               ; preds = %44
+  %72 = tail call double @llvm.sin.f64(double %57)
+  %73 = tail call double @llvm.cos.f64(double %57)
+  %74 = fsub double 1.000000e+00, %73
+  %75 = load double, ptr %47, align 8
+  %76 = fmul double %74, %75
+  %77 = fmul double %75, %76
+  %78 = fadd double %73, %77
+  %79 = getelementptr inbounds double, ptr %47, i64 1
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %76, %80
+  %82 = getelementptr inbounds double, ptr %47, i64 2
+  %83 = load double, ptr %82, align 8
+  %84 = fmul double %72, %83
+  %85 = fsub double %81, %84
+  %86 = fmul double %76, %83
+  %87 = fmul double %72, %80
+  %88 = fadd double %87, %86
+  %89 = fmul double %74, %80
+  %90 = fmul double %75, %89
+  %91 = fadd double %90, %84
+  %92 = fmul double %80, %89
+  %93 = fadd double %73, %92
+  %94 = fmul double %89, %83
+  %95 = fmul double %72, %75
+  %96 = fsub double %94, %95
+  %97 = fmul double %74, %83
+  %98 = fmul double %75, %97
+  %99 = fsub double %98, %87
+  %100 = fmul double %80, %97
+  %101 = fadd double %95, %100
+  %102 = fmul double %83, %97
+  %103 = fadd double %73, %102
+  store double %78, ptr %3, align 16
+  store double %85, ptr %20, align 8
+  store double %88, ptr %21, align 16
+  store double %91, ptr %22, align 8
+  store double %93, ptr %23, align 16
+  store double %96, ptr %24, align 8
+  store double %99, ptr %25, align 16
+  store double %101, ptr %26, align 8
+  store double %103, ptr %27, align 16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %28, i8 0, i64 24, i1 false)
+  br label %104
 
-92:                                               ; preds = %48, %57
+104:                                              ; preds = %62, %71
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
-  %93 = getelementptr inbounds i64, ptr %26, i64 %39
-  %94 = load i64, ptr %93, align 8
-  %95 = mul nsw i64 %94, 12
-  %96 = getelementptr inbounds double, ptr %6, i64 %95
-  %97 = mul nsw i64 %39, 12
-  %98 = getelementptr inbounds double, ptr %28, i64 %97
-  %99 = getelementptr inbounds double, ptr %98, i64 9
-  %100 = getelementptr inbounds double, ptr %98, i64 10
-  %101 = getelementptr inbounds double, ptr %98, i64 11
-  %102 = load double, ptr %99, align 8
-  %103 = load double, ptr %100, align 8
-  %104 = load double, ptr %101, align 8
-  br label %105
-
-105:                                              ; preds = %116, %92
-  %106 = phi i64 [ 0, %92 ], [ %127, %116 ]
-  %107 = mul nuw nsw i64 %106, 3
-  %108 = getelementptr inbounds double, ptr %96, i64 %107
-  %109 = add nuw nsw i64 %107, 1
-  %110 = getelementptr inbounds double, ptr %96, i64 %109
-  %111 = add nuw nsw i64 %107, 2
-  %112 = getelementptr inbounds double, ptr %96, i64 %111
-  %113 = load double, ptr %108, align 8
-  %114 = load double, ptr %110, align 8
+  %105 = getelementptr inbounds i64, ptr %32, i64 %45
+  %106 = load i64, ptr %105, align 8
+  %107 = mul nsw i64 %106, 12
+  %108 = getelementptr inbounds double, ptr %6, i64 %107
+  %109 = mul nsw i64 %45, 12
+  %110 = getelementptr inbounds double, ptr %34, i64 %109
+  %111 = getelementptr inbounds double, ptr %110, i64 9
+  %112 = getelementptr inbounds double, ptr %110, i64 10
+  %113 = getelementptr inbounds double, ptr %110, i64 11
+  %114 = load double, ptr %111, align 8
   %115 = load double, ptr %112, align 8
-  br label %129
+  %116 = load double, ptr %113, align 8
+  br label %117
 
-116:                                              ; preds = %129
-  %117 = fmul double %113, %102
-  %118 = fmul double %114, %103
-  %119 = fadd double %117, %118
-  %120 = fmul double %115, %104
-  %121 = fadd double %119, %120
-  %122 = add nuw nsw i64 %106, 9
-  %123 = getelementptr inbounds double, ptr %96, i64 %122
-  %124 = load double, ptr %123, align 8
-  %125 = fadd double %124, %121
-  %126 = getelementptr inbounds double, ptr %4, i64 %122
-  store double %125, ptr %126, align 8
-  %127 = add nuw nsw i64 %106, 1
-  %128 = icmp eq i64 %127, 3
-  br i1 %128, label %148, label %105
+117:                                              ; preds = %128, %104
+  %118 = phi i64 [ 0, %104 ], [ %139, %128 ]
+  %119 = mul nuw nsw i64 %118, 3
+  %120 = getelementptr inbounds double, ptr %108, i64 %119
+  %121 = add nuw nsw i64 %119, 1
+  %122 = getelementptr inbounds double, ptr %108, i64 %121
+  %123 = add nuw nsw i64 %119, 2
+  %124 = getelementptr inbounds double, ptr %108, i64 %123
+  %125 = load double, ptr %120, align 8
+  %126 = load double, ptr %122, align 8
+  %127 = load double, ptr %124, align 8
+  br label %141
 
-129:                                              ; preds = %129, %105
-  %130 = phi i64 [ 0, %105 ], [ %146, %129 ]
-  %131 = getelementptr inbounds double, ptr %98, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = fmul double %113, %132
-  %134 = add nuw nsw i64 %130, 3
-  %135 = getelementptr inbounds double, ptr %98, i64 %134
+128:                                              ; preds = %141
+  %129 = fmul double %125, %114
+  %130 = fmul double %126, %115
+  %131 = fadd double %129, %130
+  %132 = fmul double %127, %116
+  %133 = fadd double %131, %132
+  %134 = add nuw nsw i64 %118, 9
+  %135 = getelementptr inbounds double, ptr %108, i64 %134
   %136 = load double, ptr %135, align 8
-  %137 = fmul double %114, %136
-  %138 = fadd double %133, %137
-  %139 = add nuw nsw i64 %130, 6
-  %140 = getelementptr inbounds double, ptr %98, i64 %139
-  %141 = load double, ptr %140, align 8
-  %142 = fmul double %115, %141
-  %143 = fadd double %138, %142
-  %144 = add nuw nsw i64 %130, %107
-  %145 = getelementptr inbounds double, ptr %4, i64 %144
-  store double %143, ptr %145, align 8
-  %146 = add nuw nsw i64 %130, 1
-  %147 = icmp eq i64 %146, 3
-  br i1 %147, label %116, label %129
+  %137 = fadd double %136, %133
+  %138 = getelementptr inbounds double, ptr %4, i64 %134
+  store double %137, ptr %138, align 8
+  %139 = add nuw nsw i64 %118, 1
+  %140 = icmp eq i64 %139, 3
+  br i1 %140, label %160, label %117
 
-148:                                              ; preds = %116
-  %149 = add nuw nsw i64 %39, 1
-  %150 = mul nsw i64 %149, 12
-  %151 = getelementptr inbounds double, ptr %6, i64 %150
-  %152 = load double, ptr %22, align 8
-  %153 = load double, ptr %23, align 16
-  %154 = load double, ptr %24, align 8
-  br label %155
+141:                                              ; preds = %141, %117
+  %142 = phi i64 [ 0, %117 ], [ %158, %141 ]
+  %143 = getelementptr inbounds double, ptr %110, i64 %142
+  %144 = load double, ptr %143, align 8
+  %145 = fmul double %125, %144
+  %146 = add nuw nsw i64 %142, 3
+  %147 = getelementptr inbounds double, ptr %110, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = fmul double %126, %148
+  %150 = fadd double %145, %149
+  %151 = add nuw nsw i64 %142, 6
+  %152 = getelementptr inbounds double, ptr %110, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = fmul double %127, %153
+  %155 = fadd double %150, %154
+  %156 = add nuw nsw i64 %142, %119
+  %157 = getelementptr inbounds double, ptr %4, i64 %156
+  store double %155, ptr %157, align 8
+  %158 = add nuw nsw i64 %142, 1
+  %159 = icmp eq i64 %158, 3
+  br i1 %159, label %128, label %141
 
-155:                                              ; preds = %166, %148
-  %156 = phi i64 [ 0, %148 ], [ %177, %166 ]
-  %157 = mul nuw nsw i64 %156, 3
-  %158 = getelementptr inbounds double, ptr %4, i64 %157
-  %159 = add nuw nsw i64 %157, 1
-  %160 = getelementptr inbounds double, ptr %4, i64 %159
-  %161 = add nuw nsw i64 %157, 2
-  %162 = getelementptr inbounds double, ptr %4, i64 %161
-  %163 = load double, ptr %158, align 8
-  %164 = load double, ptr %160, align 8
-  %165 = load double, ptr %162, align 8
-  br label %179
+160:                                              ; preds = %128
+  %161 = add nuw nsw i64 %45, 1
+  %162 = mul nsw i64 %161, 12
+  %163 = getelementptr inbounds double, ptr %6, i64 %162
+  %164 = load double, ptr %28, align 8
+  %165 = load double, ptr %29, align 16
+  %166 = load double, ptr %30, align 8
+  br label %167
 
-166:                                              ; preds = %179
-  %167 = fmul double %163, %152
-  %168 = fmul double %164, %153
-  %169 = fadd double %167, %168
-  %170 = fmul double %165, %154
-  %171 = fadd double %169, %170
-  %172 = add nuw nsw i64 %156, 9
-  %173 = getelementptr inbounds double, ptr %4, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = fadd double %174, %171
-  %176 = getelementptr inbounds double, ptr %151, i64 %172
-  store double %175, ptr %176, align 8
-  %177 = add nuw nsw i64 %156, 1
-  %178 = icmp eq i64 %177, 3
-  br i1 %178, label %198, label %155
+167:                                              ; preds = %178, %160
+  %168 = phi i64 [ 0, %160 ], [ %189, %178 ]
+  %169 = mul nuw nsw i64 %168, 3
+  %170 = getelementptr inbounds double, ptr %4, i64 %169
+  %171 = add nuw nsw i64 %169, 1
+  %172 = getelementptr inbounds double, ptr %4, i64 %171
+  %173 = add nuw nsw i64 %169, 2
+  %174 = getelementptr inbounds double, ptr %4, i64 %173
+  %175 = load double, ptr %170, align 8
+  %176 = load double, ptr %172, align 8
+  %177 = load double, ptr %174, align 8
+  br label %191
 
-179:                                              ; preds = %179, %155
-  %180 = phi i64 [ 0, %155 ], [ %196, %179 ]
-  %181 = getelementptr inbounds double, ptr %3, i64 %180
-  %182 = load double, ptr %181, align 8
-  %183 = fmul double %163, %182
-  %184 = add nuw nsw i64 %180, 3
-  %185 = getelementptr inbounds double, ptr %3, i64 %184
+178:                                              ; preds = %191
+  %179 = fmul double %175, %164
+  %180 = fmul double %176, %165
+  %181 = fadd double %179, %180
+  %182 = fmul double %177, %166
+  %183 = fadd double %181, %182
+  %184 = add nuw nsw i64 %168, 9
+  %185 = getelementptr inbounds double, ptr %4, i64 %184
   %186 = load double, ptr %185, align 8
-  %187 = fmul double %164, %186
-  %188 = fadd double %183, %187
-  %189 = add nuw nsw i64 %180, 6
-  %190 = getelementptr inbounds double, ptr %3, i64 %189
-  %191 = load double, ptr %190, align 8
-  %192 = fmul double %165, %191
-  %193 = fadd double %188, %192
-  %194 = add nuw nsw i64 %180, %157
-  %195 = getelementptr inbounds double, ptr %151, i64 %194
-  store double %193, ptr %195, align 8
-  %196 = add nuw nsw i64 %180, 1
-  %197 = icmp eq i64 %196, 3
-  br i1 %197, label %166, label %179
+  %187 = fadd double %186, %183
+  %188 = getelementptr inbounds double, ptr %163, i64 %184
+  store double %187, ptr %188, align 8
+  %189 = add nuw nsw i64 %168, 1
+  %190 = icmp eq i64 %189, 3
+  br i1 %190, label %210, label %167
 
-198:                                              ; preds = %166
+191:                                              ; preds = %191, %167
+  %192 = phi i64 [ 0, %167 ], [ %208, %191 ]
+  %193 = getelementptr inbounds double, ptr %3, i64 %192
+  %194 = load double, ptr %193, align 8
+  %195 = fmul double %175, %194
+  %196 = add nuw nsw i64 %192, 3
+  %197 = getelementptr inbounds double, ptr %3, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = fmul double %176, %198
+  %200 = fadd double %195, %199
+  %201 = add nuw nsw i64 %192, 6
+  %202 = getelementptr inbounds double, ptr %3, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = fmul double %177, %203
+  %205 = fadd double %200, %204
+  %206 = add nuw nsw i64 %192, %169
+  %207 = getelementptr inbounds double, ptr %163, i64 %206
+  store double %205, ptr %207, align 8
+  %208 = add nuw nsw i64 %192, 1
+  %209 = icmp eq i64 %208, 3
+  br i1 %209, label %178, label %191
+
+210:                                              ; preds = %178
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
-  %199 = icmp eq i64 %149, %7
-  br i1 %199, label %29, label %38
+  %211 = icmp eq i64 %161, %7
+  br i1 %211, label %35, label %44
 
-200:                                              ; preds = %243, %29
+212:                                              ; preds = %255, %35
   ret void
 
-201:                                              ; preds = %33, %243
-  %202 = phi i64 [ 0, %33 ], [ %244, %243 ]
-  %203 = getelementptr inbounds i64, ptr %35, i64 %202
-  %204 = load i64, ptr %203, align 8
-  %205 = icmp sgt i64 %204, 0
-  br i1 %205, label %206, label %243
+213:                                              ; preds = %39, %255
+  %214 = phi i64 [ 0, %39 ], [ %256, %255 ]
+  %215 = getelementptr inbounds i64, ptr %41, i64 %214
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp sgt i64 %216, 0
+  br i1 %217, label %218, label %255
 
-206:                                              ; preds = %201
-  %207 = mul nsw i64 %204, 12
-  %208 = getelementptr inbounds double, ptr %6, i64 %207
-  %209 = load ptr, ptr %36, align 8
-  %210 = shl nsw i64 %202, 2
-  %211 = getelementptr inbounds double, ptr %209, i64 %210
-  %212 = load ptr, ptr %37, align 8
-  %213 = mul nsw i64 %202, 3
-  %214 = getelementptr inbounds double, ptr %212, i64 %213
-  %215 = getelementptr inbounds double, ptr %211, i64 1
-  %216 = getelementptr inbounds double, ptr %211, i64 2
-  br label %217
+218:                                              ; preds = %213
+  %219 = mul nsw i64 %216, 12
+  %220 = getelementptr inbounds double, ptr %6, i64 %219
+  %221 = load ptr, ptr %42, align 8
+  %222 = shl nsw i64 %214, 2
+  %223 = getelementptr inbounds double, ptr %221, i64 %222
+  %224 = load ptr, ptr %43, align 8
+  %225 = mul nsw i64 %214, 3
+  %226 = getelementptr inbounds double, ptr %224, i64 %225
+  %227 = getelementptr inbounds double, ptr %223, i64 1
+  %228 = getelementptr inbounds double, ptr %223, i64 2
+  br label %229
 
-217:                                              ; preds = %217, %206
-  %218 = phi i64 [ 0, %206 ], [ %241, %217 ]
-  %219 = mul nuw nsw i64 %218, 3
-  %220 = getelementptr inbounds double, ptr %208, i64 %219
-  %221 = load double, ptr %220, align 8
-  %222 = load double, ptr %211, align 8
-  %223 = fmul double %221, %222
-  %224 = add nuw nsw i64 %219, 1
-  %225 = getelementptr inbounds double, ptr %208, i64 %224
-  %226 = load double, ptr %225, align 8
-  %227 = load double, ptr %215, align 8
-  %228 = fmul double %226, %227
-  %229 = fadd double %223, %228
-  %230 = add nuw nsw i64 %219, 2
-  %231 = getelementptr inbounds double, ptr %208, i64 %230
-  %232 = load double, ptr %231, align 8
-  %233 = load double, ptr %216, align 8
-  %234 = fmul double %232, %233
-  %235 = fadd double %229, %234
-  %236 = add nuw nsw i64 %218, 9
-  %237 = getelementptr inbounds double, ptr %208, i64 %236
+229:                                              ; preds = %229, %218
+  %230 = phi i64 [ 0, %218 ], [ %253, %229 ]
+  %231 = mul nuw nsw i64 %230, 3
+  %232 = getelementptr inbounds double, ptr %220, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = load double, ptr %223, align 8
+  %235 = fmul double %233, %234
+  %236 = add nuw nsw i64 %231, 1
+  %237 = getelementptr inbounds double, ptr %220, i64 %236
   %238 = load double, ptr %237, align 8
-  %239 = fadd double %238, %235
-  %240 = getelementptr inbounds double, ptr %214, i64 %218
-  store double %239, ptr %240, align 8
-  %241 = add nuw nsw i64 %218, 1
-  %242 = icmp eq i64 %241, 3
-  br i1 %242, label %243, label %217
+  %239 = load double, ptr %227, align 8
+  %240 = fmul double %238, %239
+  %241 = fadd double %235, %240
+  %242 = add nuw nsw i64 %231, 2
+  %243 = getelementptr inbounds double, ptr %220, i64 %242
+  %244 = load double, ptr %243, align 8
+  %245 = load double, ptr %228, align 8
+  %246 = fmul double %244, %245
+  %247 = fadd double %241, %246
+  %248 = add nuw nsw i64 %230, 9
+  %249 = getelementptr inbounds double, ptr %220, i64 %248
+  %250 = load double, ptr %249, align 8
+  %251 = fadd double %250, %247
+  %252 = getelementptr inbounds double, ptr %226, i64 %230
+  store double %251, ptr %252, align 8
+  %253 = add nuw nsw i64 %230, 1
+  %254 = icmp eq i64 %253, 3
+  br i1 %254, label %255, label %229
 
-243:                                              ; preds = %217, %201
-  %244 = add nuw nsw i64 %202, 1
-  %245 = icmp eq i64 %244, %31
-  br i1 %245, label %200, label %201
+255:                                              ; preds = %229, %213
+  %256 = add nuw nsw i64 %214, 1
+  %257 = icmp eq i64 %256, %37
+  br i1 %257, label %212, label %213
 }
 
 define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i64, ptr %7, i64 %1
   %9 = load i64, ptr %8, align 8
   %10 = mul nsw i64 %9, 12
   %11 = getelementptr inbounds double, ptr %5, i64 %10
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %13 = load ptr, ptr %12, align 8
   %14 = getelementptr inbounds i64, ptr %13, i64 %1
   %15 = load i64, ptr %14, align 8
   store i64 %15, ptr %2, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
   %17 = load ptr, ptr %16, align 8
   %18 = mul nsw i64 %1, 3
   %19 = getelementptr inbounds double, ptr %17, i64 %18
@@ -1171,27 +1192,27 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br i1 %21, label %22, label %44
 
 22:                                               ; preds = %3
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
   %24 = load ptr, ptr %23, align 8
   %25 = getelementptr inbounds i64, ptr %24, i64 %1
   %26 = load i64, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds i64, ptr %28, i64 %1
   %30 = load i64, ptr %29, align 8
   %31 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
   store i64 %30, ptr %31, align 8
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
   %33 = load ptr, ptr %32, align 8
   %34 = getelementptr inbounds double, ptr %33, i64 %26
   %35 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
   store ptr %34, ptr %35, align 8
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 21
   %37 = load ptr, ptr %36, align 8
   %38 = getelementptr inbounds double, ptr %37, i64 %26
   %39 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
   store ptr %38, ptr %39, align 8
-  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
   %41 = load ptr, ptr %40, align 8
   %42 = getelementptr inbounds double, ptr %41, i64 %26
   %43 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
@@ -1199,7 +1220,7 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br label %102
 
 44:                                               ; preds = %3
-  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %46 = load ptr, ptr %45, align 8
   %47 = mul nsw i64 %1, 12
   %48 = getelementptr inbounds double, ptr %46, i64 %47
@@ -1313,7 +1334,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %33, label %308, label %34
 
 34:                                               ; preds = %26, %30
-  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 8
+  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 12
   %36 = load ptr, ptr %35, align 8
   %37 = getelementptr inbounds i64, ptr %36, i64 %1
   %38 = load i64, ptr %37, align 8
@@ -1354,7 +1375,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %60, label %61, label %67
 
 61:                                               ; preds = %55
-  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 36
+  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 40
   %63 = load ptr, ptr %62, align 8
   %64 = load i64, ptr %57, align 8
   %65 = add nsw i64 %64, 1
@@ -1430,9 +1451,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
   %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
-  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 29
+  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 33
   %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 31
+  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 35
   %104 = load ptr, ptr %103, align 8
   %105 = getelementptr inbounds i64, ptr %104, i64 %1
   %106 = load i64, ptr %105, align 8
@@ -1446,7 +1467,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %110 = getelementptr inbounds i64, ptr %109, i64 %1
   %111 = load i64, ptr %110, align 8
   call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %111, ptr noundef nonnull %6)
-  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 13
+  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 17
   %113 = load ptr, ptr %112, align 8
   %114 = mul nsw i64 %1, 3
   %115 = getelementptr inbounds double, ptr %113, i64 %114
@@ -1517,7 +1538,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 152:                                              ; preds = %143, %149
   %153 = phi double [ 0xFFF0000000000000, %143 ], [ %151, %149 ]
   %154 = phi double [ %148, %143 ], [ %151, %149 ]
-  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 34
+  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 38
   %156 = load ptr, ptr %155, align 8
   %157 = mul nsw i64 %42, 3
   %158 = getelementptr inbounds double, ptr %156, i64 %157
@@ -1526,7 +1547,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br label %186
 
 161:                                              ; preds = %186
-  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 14
+  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 18
   %163 = load ptr, ptr %162, align 8
   %164 = shl nsw i64 %42, 2
   %165 = or i64 %164, 3
@@ -1701,7 +1722,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 284:                                              ; preds = %280
   %285 = load double, ptr %12, align 8
   %286 = fneg double %285
-  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
+  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 15
   %288 = load ptr, ptr %287, align 8
   %289 = load i64, ptr %41, align 8
   %290 = getelementptr inbounds double, ptr %288, i64 %289
@@ -1765,395 +1786,396 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
   %22 = icmp sgt i64 %3, 0
-  br i1 %22, label %23, label %39
+  br i1 %22, label %23, label %40
 
 23:                                               ; preds = %9
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %27 = getelementptr inbounds double, ptr %10, i64 1
-  %28 = getelementptr inbounds double, ptr %10, i64 2
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %32 = getelementptr inbounds double, ptr %14, i64 1
-  %33 = getelementptr inbounds double, ptr %18, i64 1
-  %34 = getelementptr inbounds double, ptr %14, i64 2
-  %35 = getelementptr inbounds double, ptr %18, i64 2
-  %36 = getelementptr inbounds double, ptr %17, i64 1
-  %37 = getelementptr inbounds double, ptr %17, i64 2
-  %38 = getelementptr inbounds i8, ptr %19, i64 72
-  br label %40
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %28 = getelementptr inbounds double, ptr %10, i64 1
+  %29 = getelementptr inbounds double, ptr %10, i64 2
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %33 = getelementptr inbounds double, ptr %14, i64 1
+  %34 = getelementptr inbounds double, ptr %18, i64 1
+  %35 = getelementptr inbounds double, ptr %14, i64 2
+  %36 = getelementptr inbounds double, ptr %18, i64 2
+  %37 = getelementptr inbounds double, ptr %17, i64 1
+  %38 = getelementptr inbounds double, ptr %17, i64 2
+  %39 = getelementptr inbounds i8, ptr %19, i64 72
+  br label %41
 
-39:                                               ; preds = %298, %9
+40:                                               ; preds = %299, %9
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
   ret void
 
-40:                                               ; preds = %23, %298
-  %41 = phi ptr [ %2, %23 ], [ %301, %298 ]
-  %42 = phi i64 [ 0, %23 ], [ %299, %298 ]
-  %43 = shl nuw nsw i64 %42, 1
-  %44 = getelementptr inbounds i64, ptr %4, i64 %43
-  %45 = load i64, ptr %44, align 8
-  %46 = or i64 %43, 1
-  %47 = getelementptr inbounds i64, ptr %4, i64 %46
-  %48 = load i64, ptr %47, align 8
+41:                                               ; preds = %23, %299
+  %42 = phi ptr [ %2, %23 ], [ %302, %299 ]
+  %43 = phi i64 [ 0, %23 ], [ %300, %299 ]
+  %44 = shl nuw nsw i64 %43, 1
+  %45 = getelementptr inbounds i64, ptr %4, i64 %44
+  %46 = load i64, ptr %45, align 8
+  %47 = or i64 %44, 1
+  %48 = getelementptr inbounds i64, ptr %4, i64 %47
+  %49 = load i64, ptr %48, align 8
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #15
-  %49 = icmp eq i64 %42, 0
-  br i1 %49, label %61, label %50
+  %50 = icmp eq i64 %43, 0
+  br i1 %50, label %62, label %51
 
-50:                                               ; preds = %40
-  %51 = add nsw i64 %43, -2
-  %52 = getelementptr inbounds i64, ptr %4, i64 %51
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp eq i64 %45, %53
-  br i1 %54, label %55, label %60
+51:                                               ; preds = %41
+  %52 = add nsw i64 %44, -2
+  %53 = getelementptr inbounds i64, ptr %4, i64 %52
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp eq i64 %46, %54
+  br i1 %55, label %56, label %61
 
-55:                                               ; preds = %50
-  %56 = add nsw i64 %43, -1
-  %57 = getelementptr inbounds i64, ptr %4, i64 %56
-  %58 = load i64, ptr %57, align 8
-  %59 = icmp eq i64 %48, %58
-  br i1 %59, label %62, label %60
+56:                                               ; preds = %51
+  %57 = add nsw i64 %44, -1
+  %58 = getelementptr inbounds i64, ptr %4, i64 %57
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp eq i64 %49, %59
+  br i1 %60, label %63, label %61
 
-60:                                               ; preds = %55, %50
+61:                                               ; preds = %56, %51
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %62
+  br label %63
 
-61:                                               ; preds = %40
+62:                                               ; preds = %41
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %72
+  br label %73
 
-62:                                               ; preds = %55, %60
-  %63 = load i64, ptr %0, align 8
-  %64 = mul nsw i64 %63, %42
-  %65 = getelementptr inbounds double, ptr %1, i64 %64
-  %66 = add nsw i64 %42, -1
-  %67 = mul nsw i64 %63, %66
-  %68 = getelementptr inbounds double, ptr %1, i64 %67
-  %69 = shl i64 %63, 3
-  %70 = call i32 @bcmp(ptr %65, ptr %68, i64 %69)
-  %71 = icmp eq i32 %70, 0
-  br i1 %71, label %75, label %72
+63:                                               ; preds = %56, %61
+  %64 = load i64, ptr %24, align 8
+  %65 = mul nsw i64 %64, %43
+  %66 = getelementptr inbounds double, ptr %1, i64 %65
+  %67 = add nsw i64 %43, -1
+  %68 = mul nsw i64 %64, %67
+  %69 = getelementptr inbounds double, ptr %1, i64 %68
+  %70 = shl i64 %64, 3
+  %71 = call i32 @bcmp(ptr %66, ptr %69, i64 %70)
+  %72 = icmp eq i32 %71, 0
+  br i1 %72, label %76, label %73
 
-72:                                               ; preds = %61, %62
-  %73 = phi i64 [ 0, %61 ], [ %64, %62 ]
-  %74 = getelementptr inbounds double, ptr %1, i64 %73
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %74)
-  br label %75
+73:                                               ; preds = %62, %63
+  %74 = phi i64 [ 0, %62 ], [ %65, %63 ]
+  %75 = getelementptr inbounds double, ptr %1, i64 %74
+  call fastcc void @place(ptr noundef %0, ptr noundef %75)
+  br label %76
 
-75:                                               ; preds = %72, %62
-  %76 = getelementptr inbounds double, ptr %8, i64 %42
-  store double 0xFFF0000000000000, ptr %76, align 8
-  %77 = load ptr, ptr %24, align 8
-  %78 = getelementptr inbounds i64, ptr %77, i64 %48
-  %79 = load i64, ptr %78, align 8
-  %80 = icmp eq i64 %79, 3
-  br i1 %80, label %81, label %88
+76:                                               ; preds = %73, %63
+  %77 = getelementptr inbounds double, ptr %8, i64 %43
+  store double 0xFFF0000000000000, ptr %77, align 8
+  %78 = load ptr, ptr %25, align 8
+  %79 = getelementptr inbounds i64, ptr %78, i64 %49
+  %80 = load i64, ptr %79, align 8
+  %81 = icmp eq i64 %80, 3
+  br i1 %81, label %82, label %89
 
-81:                                               ; preds = %75
-  %82 = load ptr, ptr %25, align 8
-  %83 = getelementptr inbounds i64, ptr %82, i64 %45
-  %84 = load i64, ptr %83, align 8
-  %85 = getelementptr inbounds i64, ptr %82, i64 %48
-  %86 = load i64, ptr %85, align 8
-  %87 = icmp slt i64 %84, %86
-  br label %88
+82:                                               ; preds = %76
+  %83 = load ptr, ptr %26, align 8
+  %84 = getelementptr inbounds i64, ptr %83, i64 %46
+  %85 = load i64, ptr %84, align 8
+  %86 = getelementptr inbounds i64, ptr %83, i64 %49
+  %87 = load i64, ptr %86, align 8
+  %88 = icmp slt i64 %85, %87
+  br label %89
 
-88:                                               ; preds = %81, %75
-  %89 = phi i1 [ false, %75 ], [ %87, %81 ]
-  %90 = getelementptr inbounds i64, ptr %77, i64 %45
-  %91 = load i64, ptr %90, align 8
-  %92 = icmp sgt i64 %91, 2
-  %93 = icmp sgt i64 %79, 3
-  %94 = select i1 %92, i1 true, i1 %93
-  %95 = select i1 %94, i1 true, i1 %89
-  br i1 %95, label %101, label %96
+89:                                               ; preds = %82, %76
+  %90 = phi i1 [ false, %76 ], [ %88, %82 ]
+  %91 = getelementptr inbounds i64, ptr %78, i64 %46
+  %92 = load i64, ptr %91, align 8
+  %93 = icmp sgt i64 %92, 2
+  %94 = icmp sgt i64 %80, 3
+  %95 = select i1 %93, i1 true, i1 %94
+  %96 = select i1 %95, i1 true, i1 %90
+  br i1 %96, label %102, label %97
 
-96:                                               ; preds = %88
-  %97 = getelementptr inbounds double, ptr %6, i64 %42
-  %98 = load double, ptr %97, align 8
-  %99 = call double @llvm.fabs.f64(double %98) #14
-  %100 = fcmp ueq double %99, 0x7FF0000000000000
-  br i1 %100, label %101, label %107
+97:                                               ; preds = %89
+  %98 = getelementptr inbounds double, ptr %6, i64 %43
+  %99 = load double, ptr %98, align 8
+  %100 = call double @llvm.fabs.f64(double %99) #14
+  %101 = fcmp ueq double %100, 0x7FF0000000000000
+  br i1 %101, label %102, label %108
 
-101:                                              ; preds = %96, %88
-  %102 = load i64, ptr %0, align 8
-  %103 = mul nsw i64 %102, %42
-  %104 = getelementptr inbounds double, ptr %1, i64 %103
-  %105 = getelementptr inbounds double, ptr %5, i64 %42
-  %106 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %104, i64 noundef 1, ptr noundef nonnull %44, ptr noundef %105, ptr noundef %106, ptr noundef nonnull %11)
-  br label %298
+102:                                              ; preds = %97, %89
+  %103 = load i64, ptr %24, align 8
+  %104 = mul nsw i64 %103, %43
+  %105 = getelementptr inbounds double, ptr %1, i64 %104
+  %106 = getelementptr inbounds double, ptr %5, i64 %43
+  %107 = getelementptr inbounds double, ptr %7, i64 %43
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %105, i64 noundef 1, ptr noundef nonnull %45, ptr noundef %106, ptr noundef %107, ptr noundef nonnull %11)
+  br label %299
 
-107:                                              ; preds = %96
+108:                                              ; preds = %97
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %16) #15
-  %108 = load ptr, ptr %26, align 8
-  %109 = getelementptr inbounds double, ptr %108, i64 %45
-  %110 = load double, ptr %109, align 8
-  %111 = getelementptr inbounds double, ptr %108, i64 %48
-  %112 = load double, ptr %111, align 8
-  %113 = fadd double %110, %112
+  %109 = load ptr, ptr %27, align 8
+  %110 = getelementptr inbounds double, ptr %109, i64 %46
+  %111 = load double, ptr %110, align 8
+  %112 = getelementptr inbounds double, ptr %109, i64 %49
+  %113 = load double, ptr %112, align 8
+  %114 = fadd double %111, %113
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %45, ptr noundef nonnull %12)
-  %114 = load i64, ptr %78, align 8
-  %115 = icmp eq i64 %114, 3
-  br i1 %115, label %116, label %187
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %46, ptr noundef nonnull %12)
+  %115 = load i64, ptr %79, align 8
+  %116 = icmp eq i64 %115, 3
+  br i1 %116, label %117, label %188
 
-116:                                              ; preds = %107
+117:                                              ; preds = %108
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #15
-  %117 = load ptr, ptr %30, align 8
-  %118 = load ptr, ptr %25, align 8
-  %119 = getelementptr inbounds i64, ptr %118, i64 %48
-  %120 = load i64, ptr %119, align 8
-  %121 = mul nsw i64 %120, 12
-  %122 = getelementptr inbounds double, ptr %117, i64 %121
-  %123 = load ptr, ptr %31, align 8
-  %124 = mul nsw i64 %48, 12
-  %125 = getelementptr inbounds double, ptr %123, i64 %124
-  %126 = getelementptr inbounds double, ptr %125, i64 9
-  %127 = getelementptr inbounds double, ptr %125, i64 10
-  %128 = getelementptr inbounds double, ptr %125, i64 11
-  %129 = load double, ptr %126, align 8
+  %118 = load ptr, ptr %31, align 8
+  %119 = load ptr, ptr %26, align 8
+  %120 = getelementptr inbounds i64, ptr %119, i64 %49
+  %121 = load i64, ptr %120, align 8
+  %122 = mul nsw i64 %121, 12
+  %123 = getelementptr inbounds double, ptr %118, i64 %122
+  %124 = load ptr, ptr %32, align 8
+  %125 = mul nsw i64 %49, 12
+  %126 = getelementptr inbounds double, ptr %124, i64 %125
+  %127 = getelementptr inbounds double, ptr %126, i64 9
+  %128 = getelementptr inbounds double, ptr %126, i64 10
+  %129 = getelementptr inbounds double, ptr %126, i64 11
   %130 = load double, ptr %127, align 8
   %131 = load double, ptr %128, align 8
-  br label %132
+  %132 = load double, ptr %129, align 8
+  br label %133
 
-132:                                              ; preds = %143, %116
-  %133 = phi i64 [ 0, %116 ], [ %154, %143 ]
-  %134 = mul nuw nsw i64 %133, 3
-  %135 = getelementptr inbounds double, ptr %122, i64 %134
-  %136 = add nuw nsw i64 %134, 1
-  %137 = getelementptr inbounds double, ptr %122, i64 %136
-  %138 = add nuw nsw i64 %134, 2
-  %139 = getelementptr inbounds double, ptr %122, i64 %138
-  %140 = load double, ptr %135, align 8
-  %141 = load double, ptr %137, align 8
-  %142 = load double, ptr %139, align 8
-  br label %157
+133:                                              ; preds = %144, %117
+  %134 = phi i64 [ 0, %117 ], [ %155, %144 ]
+  %135 = mul nuw nsw i64 %134, 3
+  %136 = getelementptr inbounds double, ptr %123, i64 %135
+  %137 = add nuw nsw i64 %135, 1
+  %138 = getelementptr inbounds double, ptr %123, i64 %137
+  %139 = add nuw nsw i64 %135, 2
+  %140 = getelementptr inbounds double, ptr %123, i64 %139
+  %141 = load double, ptr %136, align 8
+  %142 = load double, ptr %138, align 8
+  %143 = load double, ptr %140, align 8
+  br label %158
 
-143:                                              ; preds = %157
-  %144 = fmul double %140, %129
+144:                                              ; preds = %158
   %145 = fmul double %141, %130
-  %146 = fadd double %144, %145
-  %147 = fmul double %142, %131
-  %148 = fadd double %146, %147
-  %149 = add nuw nsw i64 %133, 9
-  %150 = getelementptr inbounds double, ptr %122, i64 %149
-  %151 = load double, ptr %150, align 8
-  %152 = fadd double %151, %148
-  %153 = getelementptr inbounds double, ptr %19, i64 %149
-  store double %152, ptr %153, align 8
-  %154 = add nuw nsw i64 %133, 1
-  %155 = icmp eq i64 %154, 3
-  br i1 %155, label %156, label %132
+  %146 = fmul double %142, %131
+  %147 = fadd double %145, %146
+  %148 = fmul double %143, %132
+  %149 = fadd double %147, %148
+  %150 = add nuw nsw i64 %134, 9
+  %151 = getelementptr inbounds double, ptr %123, i64 %150
+  %152 = load double, ptr %151, align 8
+  %153 = fadd double %152, %149
+  %154 = getelementptr inbounds double, ptr %19, i64 %150
+  store double %153, ptr %154, align 8
+  %155 = add nuw nsw i64 %134, 1
+  %156 = icmp eq i64 %155, 3
+  br i1 %156, label %157, label %133
 
-156:                                              ; preds = %143
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
-  br label %178
+157:                                              ; preds = %144
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %39, i64 24, i1 false)
+  br label %179
 
-157:                                              ; preds = %157, %132
-  %158 = phi i64 [ 0, %132 ], [ %174, %157 ]
-  %159 = getelementptr inbounds double, ptr %125, i64 %158
-  %160 = load double, ptr %159, align 8
-  %161 = fmul double %140, %160
-  %162 = add nuw nsw i64 %158, 3
-  %163 = getelementptr inbounds double, ptr %125, i64 %162
-  %164 = load double, ptr %163, align 8
-  %165 = fmul double %141, %164
-  %166 = fadd double %161, %165
-  %167 = add nuw nsw i64 %158, 6
-  %168 = getelementptr inbounds double, ptr %125, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %142, %169
-  %171 = fadd double %166, %170
-  %172 = add nuw nsw i64 %158, %134
-  %173 = getelementptr inbounds double, ptr %19, i64 %172
-  store double %171, ptr %173, align 8
-  %174 = add nuw nsw i64 %158, 1
-  %175 = icmp eq i64 %174, 3
-  br i1 %175, label %143, label %157
+158:                                              ; preds = %158, %133
+  %159 = phi i64 [ 0, %133 ], [ %175, %158 ]
+  %160 = getelementptr inbounds double, ptr %126, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = fmul double %141, %161
+  %163 = add nuw nsw i64 %159, 3
+  %164 = getelementptr inbounds double, ptr %126, i64 %163
+  %165 = load double, ptr %164, align 8
+  %166 = fmul double %142, %165
+  %167 = fadd double %162, %166
+  %168 = add nuw nsw i64 %159, 6
+  %169 = getelementptr inbounds double, ptr %126, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = fmul double %143, %170
+  %172 = fadd double %167, %171
+  %173 = add nuw nsw i64 %159, %135
+  %174 = getelementptr inbounds double, ptr %19, i64 %173
+  store double %172, ptr %174, align 8
+  %175 = add nuw nsw i64 %159, 1
+  %176 = icmp eq i64 %175, 3
+  br i1 %176, label %144, label %158
 
-176:                                              ; preds = %178
-  %177 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %45, ptr noundef nonnull %12, i64 noundef %48)
+177:                                              ; preds = %179
+  %178 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %46, ptr noundef nonnull %12, i64 noundef %49)
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
-  br label %233
+  br label %234
 
-178:                                              ; preds = %156, %178
-  %179 = phi i64 [ 0, %156 ], [ %185, %178 ]
-  %180 = mul nuw nsw i64 %179, 3
-  %181 = add nuw nsw i64 %180, 2
-  %182 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %181
-  %183 = load double, ptr %182, align 8
-  %184 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %179
-  store double %183, ptr %184, align 8
-  %185 = add nuw nsw i64 %179, 1
-  %186 = icmp eq i64 %185, 3
-  br i1 %186, label %176, label %178
+179:                                              ; preds = %157, %179
+  %180 = phi i64 [ 0, %157 ], [ %186, %179 ]
+  %181 = mul nuw nsw i64 %180, 3
+  %182 = add nuw nsw i64 %181, 2
+  %183 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %182
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %180
+  store double %184, ptr %185, align 8
+  %186 = add nuw nsw i64 %180, 1
+  %187 = icmp eq i64 %186, 3
+  br i1 %187, label %177, label %179
 
-187:                                              ; preds = %107
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %48, ptr noundef nonnull %13)
-  %188 = load double, ptr %10, align 16
-  %189 = fmul double %188, %188
-  %190 = load double, ptr %27, align 8
-  %191 = fmul double %190, %190
-  %192 = fadd double %189, %191
-  %193 = load double, ptr %28, align 16
-  %194 = fmul double %193, %193
-  %195 = fadd double %192, %194
-  %196 = fcmp ogt double %195, 0.000000e+00
-  br i1 %196, label %213, label %197
+188:                                              ; preds = %108
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %49, ptr noundef nonnull %13)
+  %189 = load double, ptr %10, align 16
+  %190 = fmul double %189, %189
+  %191 = load double, ptr %28, align 8
+  %192 = fmul double %191, %191
+  %193 = fadd double %190, %192
+  %194 = load double, ptr %29, align 16
+  %195 = fmul double %194, %194
+  %196 = fadd double %193, %195
+  %197 = fcmp ogt double %196, 0.000000e+00
+  br i1 %197, label %214, label %198
 
-197:                                              ; preds = %187
-  %198 = load ptr, ptr %29, align 8
-  %199 = mul nsw i64 %45, 3
-  %200 = mul nsw i64 %48, 3
-  br label %201
+198:                                              ; preds = %188
+  %199 = load ptr, ptr %30, align 8
+  %200 = mul nsw i64 %46, 3
+  %201 = mul nsw i64 %49, 3
+  br label %202
 
-201:                                              ; preds = %197, %201
-  %202 = phi i64 [ 0, %197 ], [ %211, %201 ]
-  %203 = add nsw i64 %199, %202
-  %204 = getelementptr inbounds double, ptr %198, i64 %203
-  %205 = load double, ptr %204, align 8
-  %206 = add nsw i64 %200, %202
-  %207 = getelementptr inbounds double, ptr %198, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = fsub double %205, %208
-  %210 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %202
-  store double %209, ptr %210, align 8
-  %211 = add nuw nsw i64 %202, 1
-  %212 = icmp eq i64 %211, 3
-  br i1 %212, label %213, label %201
+202:                                              ; preds = %198, %202
+  %203 = phi i64 [ 0, %198 ], [ %212, %202 ]
+  %204 = add nsw i64 %200, %203
+  %205 = getelementptr inbounds double, ptr %199, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = add nsw i64 %201, %203
+  %208 = getelementptr inbounds double, ptr %199, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %206, %209
+  %211 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %203
+  store double %210, ptr %211, align 8
+  %212 = add nuw nsw i64 %203, 1
+  %213 = icmp eq i64 %212, 3
+  br i1 %213, label %214, label %202
 
-213:                                              ; preds = %201, %187
-  %214 = getelementptr inbounds double, ptr %5, i64 %42
-  %215 = load double, ptr %214, align 8
-  %216 = load double, ptr %109, align 8
-  %217 = load double, ptr %111, align 8
-  %218 = fadd double %216, %217
-  %219 = fadd double %215, %218
-  %220 = fadd double %218, 0xFFF0000000000000
-  %221 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %219, double noundef %220, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
-  %222 = icmp eq i32 %221, 0
-  br i1 %222, label %223, label %228
+214:                                              ; preds = %202, %188
+  %215 = getelementptr inbounds double, ptr %5, i64 %43
+  %216 = load double, ptr %215, align 8
+  %217 = load double, ptr %110, align 8
+  %218 = load double, ptr %112, align 8
+  %219 = fadd double %217, %218
+  %220 = fadd double %216, %219
+  %221 = fadd double %219, 0xFFF0000000000000
+  %222 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %220, double noundef %221, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
+  %223 = icmp eq i32 %222, 0
+  br i1 %223, label %224, label %229
 
-223:                                              ; preds = %213
-  %224 = load i64, ptr %0, align 8
-  %225 = mul nsw i64 %224, %42
-  %226 = getelementptr inbounds double, ptr %1, i64 %225
-  %227 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %226, i64 noundef 1, ptr noundef nonnull %44, ptr noundef nonnull %214, ptr noundef %227, ptr noundef nonnull %11)
-  br label %297
+224:                                              ; preds = %214
+  %225 = load i64, ptr %24, align 8
+  %226 = mul nsw i64 %225, %43
+  %227 = getelementptr inbounds double, ptr %1, i64 %226
+  %228 = getelementptr inbounds double, ptr %7, i64 %43
+  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %227, i64 noundef 1, ptr noundef nonnull %45, ptr noundef nonnull %215, ptr noundef %228, ptr noundef nonnull %11)
+  br label %298
 
-228:                                              ; preds = %213
-  %229 = load double, ptr %16, align 8
-  %230 = fsub double %229, %218
-  %231 = load double, ptr %15, align 8
-  %232 = fsub double %231, %218
+229:                                              ; preds = %214
+  %230 = load double, ptr %16, align 8
+  %231 = fsub double %230, %219
+  %232 = load double, ptr %15, align 8
+  %233 = fsub double %232, %219
   call fastcc void @support(ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef nonnull %18)
-  br label %233
+  br label %234
 
-233:                                              ; preds = %228, %176
-  %234 = phi double [ %230, %228 ], [ %177, %176 ]
-  %235 = phi double [ %232, %228 ], [ %177, %176 ]
-  %236 = getelementptr inbounds double, ptr %5, i64 %42
-  %237 = load double, ptr %236, align 8
-  %238 = fcmp ogt double %235, %237
-  br i1 %238, label %244, label %239
+234:                                              ; preds = %229, %177
+  %235 = phi double [ %231, %229 ], [ %178, %177 ]
+  %236 = phi double [ %233, %229 ], [ %178, %177 ]
+  %237 = getelementptr inbounds double, ptr %5, i64 %43
+  %238 = load double, ptr %237, align 8
+  %239 = fcmp ogt double %236, %238
+  br i1 %239, label %245, label %240
 
-239:                                              ; preds = %233
-  %240 = fsub double %234, %235
-  %241 = fcmp ugt double %240, 1.000000e-08
-  br i1 %241, label %242, label %244
+240:                                              ; preds = %234
+  %241 = fsub double %235, %236
+  %242 = fcmp ugt double %241, 1.000000e-08
+  br i1 %242, label %243, label %245
 
-242:                                              ; preds = %239
-  %243 = getelementptr inbounds double, ptr %7, i64 %42
-  store double 0x7FF8000000000000, ptr %243, align 8
-  br label %297
+243:                                              ; preds = %240
+  %244 = getelementptr inbounds double, ptr %7, i64 %43
+  store double 0x7FF8000000000000, ptr %244, align 8
+  br label %298
 
-244:                                              ; preds = %239, %233
-  %245 = phi double [ %237, %233 ], [ %234, %239 ]
-  %246 = getelementptr inbounds double, ptr %7, i64 %42
-  store double %245, ptr %246, align 8
-  %247 = fcmp uno double %245, 0.000000e+00
-  br i1 %247, label %297, label %248
+245:                                              ; preds = %240, %234
+  %246 = phi double [ %238, %234 ], [ %235, %240 ]
+  %247 = getelementptr inbounds double, ptr %7, i64 %43
+  store double %246, ptr %247, align 8
+  %248 = fcmp uno double %246, 0.000000e+00
+  br i1 %248, label %298, label %249
 
-248:                                              ; preds = %244
-  %249 = load double, ptr %236, align 8
-  %250 = fcmp ult double %245, %249
-  br i1 %250, label %251, label %297
+249:                                              ; preds = %245
+  %250 = load double, ptr %237, align 8
+  %251 = fcmp ult double %246, %250
+  br i1 %251, label %252, label %298
 
-251:                                              ; preds = %248
+252:                                              ; preds = %249
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  %252 = load ptr, ptr %25, align 8
-  %253 = getelementptr inbounds i64, ptr %252, i64 %45
-  %254 = load i64, ptr %253, align 8
-  %255 = getelementptr inbounds i64, ptr %252, i64 %48
-  %256 = load i64, ptr %255, align 8
-  %257 = icmp slt i64 %254, %256
-  br i1 %257, label %284, label %258
+  %253 = load ptr, ptr %26, align 8
+  %254 = getelementptr inbounds i64, ptr %253, i64 %46
+  %255 = load i64, ptr %254, align 8
+  %256 = getelementptr inbounds i64, ptr %253, i64 %49
+  %257 = load i64, ptr %256, align 8
+  %258 = icmp slt i64 %255, %257
+  br i1 %258, label %285, label %259
 
-258:                                              ; preds = %251
-  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %256, i64 noundef %254, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %259 = load double, ptr %14, align 8
-  %260 = load double, ptr %18, align 16
-  %261 = fmul double %259, %260
-  %262 = load double, ptr %32, align 8
+259:                                              ; preds = %252
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %257, i64 noundef %255, ptr noundef %42, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %260 = load double, ptr %14, align 8
+  %261 = load double, ptr %18, align 16
+  %262 = fmul double %260, %261
   %263 = load double, ptr %33, align 8
-  %264 = fmul double %262, %263
-  %265 = fadd double %261, %264
-  %266 = load double, ptr %34, align 8
-  %267 = load double, ptr %35, align 16
-  %268 = fmul double %266, %267
-  %269 = fadd double %265, %268
-  %270 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %269, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %292
+  %264 = load double, ptr %34, align 8
+  %265 = fmul double %263, %264
+  %266 = fadd double %262, %265
+  %267 = load double, ptr %35, align 8
+  %268 = load double, ptr %36, align 16
+  %269 = fmul double %267, %268
+  %270 = fadd double %266, %269
+  %271 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %270, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %293
 
-271:                                              ; preds = %284
+272:                                              ; preds = %285
   call fastcc void @support(ptr noundef nonnull %12, ptr noundef nonnull %17, ptr noundef nonnull %18)
-  call fastcc void @twist_of(ptr noundef %0, i64 noundef %254, i64 noundef %256, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %272 = load double, ptr %17, align 16
-  %273 = load double, ptr %18, align 16
-  %274 = fmul double %272, %273
-  %275 = load double, ptr %36, align 8
-  %276 = load double, ptr %33, align 8
-  %277 = fmul double %275, %276
-  %278 = fadd double %274, %277
-  %279 = load double, ptr %37, align 16
-  %280 = load double, ptr %35, align 16
-  %281 = fmul double %279, %280
-  %282 = fadd double %278, %281
-  %283 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %282, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %292
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %255, i64 noundef %257, ptr noundef %42, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  %273 = load double, ptr %17, align 16
+  %274 = load double, ptr %18, align 16
+  %275 = fmul double %273, %274
+  %276 = load double, ptr %37, align 8
+  %277 = load double, ptr %34, align 8
+  %278 = fmul double %276, %277
+  %279 = fadd double %275, %278
+  %280 = load double, ptr %38, align 16
+  %281 = load double, ptr %36, align 16
+  %282 = fmul double %280, %281
+  %283 = fadd double %279, %282
+  %284 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %283, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
+  br label %293
 
-284:                                              ; preds = %251, %284
-  %285 = phi i64 [ %290, %284 ], [ 0, %251 ]
-  %286 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %285
-  %287 = load double, ptr %286, align 8
-  %288 = fneg double %287
-  %289 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %285
-  store double %288, ptr %289, align 8
-  %290 = add nuw nsw i64 %285, 1
-  %291 = icmp eq i64 %290, 3
-  br i1 %291, label %271, label %284
+285:                                              ; preds = %252, %285
+  %286 = phi i64 [ %291, %285 ], [ 0, %252 ]
+  %287 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %286
+  %288 = load double, ptr %287, align 8
+  %289 = fneg double %288
+  %290 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %286
+  store double %289, ptr %290, align 8
+  %291 = add nuw nsw i64 %286, 1
+  %292 = icmp eq i64 %291, 3
+  br i1 %292, label %272, label %285
 
-292:                                              ; preds = %271, %258
-  %293 = phi double [ %283, %271 ], [ %270, %258 ]
-  %294 = fsub double %293, %113
-  %295 = load double, ptr %97, align 8
-  %296 = fsub double %294, %295
-  store double %296, ptr %76, align 8
+293:                                              ; preds = %272, %259
+  %294 = phi double [ %284, %272 ], [ %271, %259 ]
+  %295 = fsub double %294, %114
+  %296 = load double, ptr %98, align 8
+  %297 = fsub double %295, %296
+  store double %297, ptr %77, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %297
+  br label %298
 
-297:                                              ; preds = %242, %244, %248, %292, %223
+298:                                              ; preds = %243, %245, %249, %293, %224
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %16) #15
@@ -2161,15 +2183,15 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #15
-  br label %298
+  br label %299
 
-298:                                              ; preds = %297, %101
+299:                                              ; preds = %298, %102
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #15
-  %299 = add nuw nsw i64 %42, 1
-  %300 = load i64, ptr %0, align 8
-  %301 = getelementptr inbounds double, ptr %41, i64 %300
-  %302 = icmp eq i64 %299, %3
-  br i1 %302, label %39, label %40
+  %300 = add nuw nsw i64 %43, 1
+  %301 = load i64, ptr %24, align 8
+  %302 = getelementptr inbounds double, ptr %42, i64 %301
+  %303 = icmp eq i64 %300, %3
+  br i1 %303, label %40, label %41
 }
 
 define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #6 {
@@ -2179,15 +2201,15 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %11 = load ptr, ptr %10, align 8
   %12 = getelementptr inbounds i64, ptr %11, i64 %3
   %13 = load i64, ptr %12, align 8
   %14 = mul nsw i64 %13, 12
   %15 = getelementptr inbounds double, ptr %9, i64 %14
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %17 = load ptr, ptr %16, align 8
   %18 = mul nsw i64 %3, 12
   %19 = getelementptr inbounds double, ptr %17, i64 %18
@@ -2268,7 +2290,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   br i1 %79, label %69, label %70
 
 80:                                               ; preds = %89
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds double, ptr %82, i64 %1
   %84 = load double, ptr %83, align 8
@@ -2300,7 +2322,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
 }
 
 define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %1
   %16 = load double, ptr %15, align 8
@@ -2619,10 +2641,10 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #6 {
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  br label %23
+  br label %25
 
-9:                                                ; preds = %23
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+9:                                                ; preds = %25
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %0, align 8
   %13 = add i64 %12, 1
@@ -2631,153 +2653,160 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   %16 = mul nsw i64 %13, %2
   %17 = getelementptr inbounds i64, ptr %11, i64 %16
   %18 = icmp slt i64 %12, 1
-  br i1 %18, label %29, label %19
+  br i1 %18, label %31, label %19
 
 19:                                               ; preds = %9
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  br label %30
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  br label %32
 
-23:                                               ; preds = %6, %23
-  %24 = phi i64 [ 0, %6 ], [ %27, %23 ]
-  %25 = getelementptr inbounds double, ptr %5, i64 %24
-  store double 0.000000e+00, ptr %25, align 8
-  %26 = getelementptr inbounds double, ptr %4, i64 %24
-  store double 0.000000e+00, ptr %26, align 8
-  %27 = add nuw nsw i64 %24, 1
-  %28 = icmp eq i64 %27, 3
-  br i1 %28, label %9, label %23
+25:                                               ; preds = %6, %25
+  %26 = phi i64 [ 0, %6 ], [ %29, %25 ]
+  %27 = getelementptr inbounds double, ptr %5, i64 %26
+  store double 0.000000e+00, ptr %27, align 8
+  %28 = getelementptr inbounds double, ptr %4, i64 %26
+  store double 0.000000e+00, ptr %28, align 8
+  %29 = add nuw nsw i64 %26, 1
+  %30 = icmp eq i64 %29, 3
+  br i1 %30, label %9, label %25
 
-29:                                               ; preds = %124, %9
+31:                                               ; preds = %131, %9
   ret void
 
-30:                                               ; preds = %19, %124
-  %31 = phi i64 [ 1, %19 ], [ %125, %124 ]
-  %32 = getelementptr inbounds i64, ptr %15, i64 %31
-  %33 = load i64, ptr %32, align 8
-  %34 = getelementptr inbounds i64, ptr %17, i64 %31
+32:                                               ; preds = %19, %131
+  %33 = phi i64 [ 1, %19 ], [ %132, %131 ]
+  %34 = getelementptr inbounds i64, ptr %15, i64 %33
   %35 = load i64, ptr %34, align 8
-  %36 = icmp eq i64 %33, %35
-  br i1 %36, label %124, label %37
+  %36 = getelementptr inbounds i64, ptr %17, i64 %33
+  %37 = load i64, ptr %36, align 8
+  %38 = icmp eq i64 %35, %37
+  br i1 %38, label %131, label %39
 
-37:                                               ; preds = %30
-  %38 = load ptr, ptr %20, align 8
-  %39 = mul nsw i64 %31, 12
-  %40 = getelementptr inbounds double, ptr %38, i64 %39
-  %41 = icmp eq i64 %35, 0
-  %42 = add nsw i64 %31, -1
-  %43 = getelementptr inbounds double, ptr %3, i64 %42
-  %44 = load double, ptr %43, align 8
-  %45 = fneg double %44
-  %46 = select i1 %41, double %45, double %44
+39:                                               ; preds = %32
+  %40 = load ptr, ptr %20, align 8
+  %41 = mul nsw i64 %33, 12
+  %42 = getelementptr inbounds double, ptr %40, i64 %41
+  %43 = load ptr, ptr %21, align 8
+  %44 = add nsw i64 %33, -1
+  %45 = getelementptr inbounds double, ptr %43, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = load ptr, ptr %22, align 8
+  %48 = getelementptr inbounds i64, ptr %47, i64 %44
+  %49 = load i64, ptr %48, align 8
+  %50 = getelementptr inbounds double, ptr %3, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = fmul double %46, %51
+  %53 = icmp eq i64 %37, 0
+  %54 = fneg double %52
+  %55 = select i1 %53, double %54, double %52
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  %47 = load ptr, ptr %21, align 8
-  %48 = mul i64 %31, 3
-  %49 = add i64 %48, -3
-  %50 = getelementptr inbounds double, ptr %47, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds double, ptr %50, i64 1
-  %53 = load double, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %50, i64 2
-  %55 = load double, ptr %54, align 8
-  br label %88
+  %56 = load ptr, ptr %23, align 8
+  %57 = mul nsw i64 %44, 3
+  %58 = getelementptr inbounds double, ptr %56, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds double, ptr %58, i64 1
+  %61 = load double, ptr %60, align 8
+  %62 = getelementptr inbounds double, ptr %58, i64 2
+  %63 = load double, ptr %62, align 8
+  br label %95
 
-56:                                               ; preds = %88
-  %57 = getelementptr inbounds double, ptr %40, i64 9
-  br label %58
+64:                                               ; preds = %95
+  %65 = getelementptr inbounds double, ptr %42, i64 9
+  br label %66
 
-58:                                               ; preds = %58, %56
-  %59 = phi i64 [ 0, %56 ], [ %60, %58 ]
-  %60 = add nuw nsw i64 %59, 1
-  %61 = icmp ult i64 %59, 2
-  %62 = add nuw nsw i64 %59, 4294967294
-  %63 = select i1 %61, i64 %60, i64 %62
-  %64 = and i64 %63, 4294967295
-  %65 = getelementptr inbounds double, ptr %57, i64 %64
-  %66 = load double, ptr %65, align 8
-  %67 = icmp eq i64 %59, 0
-  %68 = add nuw nsw i64 %59, 4294967295
-  %69 = and i64 %68, 4294967295
-  %70 = select i1 %67, i64 2, i64 %69
-  %71 = getelementptr inbounds double, ptr %7, i64 %70
-  %72 = load double, ptr %71, align 8
-  %73 = fmul double %66, %72
-  %74 = getelementptr inbounds double, ptr %57, i64 %70
-  %75 = load double, ptr %74, align 8
-  %76 = getelementptr inbounds double, ptr %7, i64 %64
-  %77 = load double, ptr %76, align 8
-  %78 = fmul double %75, %77
-  %79 = fsub double %73, %78
-  %80 = getelementptr inbounds double, ptr %8, i64 %59
-  store double %79, ptr %80, align 8
-  %81 = icmp eq i64 %60, 3
-  br i1 %81, label %82, label %58
+66:                                               ; preds = %66, %64
+  %67 = phi i64 [ 0, %64 ], [ %68, %66 ]
+  %68 = add nuw nsw i64 %67, 1
+  %69 = icmp ult i64 %67, 2
+  %70 = add nuw nsw i64 %67, 4294967294
+  %71 = select i1 %69, i64 %68, i64 %70
+  %72 = and i64 %71, 4294967295
+  %73 = getelementptr inbounds double, ptr %65, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = icmp eq i64 %67, 0
+  %76 = add nuw nsw i64 %67, 4294967295
+  %77 = and i64 %76, 4294967295
+  %78 = select i1 %75, i64 2, i64 %77
+  %79 = getelementptr inbounds double, ptr %7, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %74, %80
+  %82 = getelementptr inbounds double, ptr %65, i64 %78
+  %83 = load double, ptr %82, align 8
+  %84 = getelementptr inbounds double, ptr %7, i64 %72
+  %85 = load double, ptr %84, align 8
+  %86 = fmul double %83, %85
+  %87 = fsub double %81, %86
+  %88 = getelementptr inbounds double, ptr %8, i64 %67
+  store double %87, ptr %88, align 8
+  %89 = icmp eq i64 %68, 3
+  br i1 %89, label %90, label %66
 
-82:                                               ; preds = %58
-  %83 = load ptr, ptr %22, align 8
-  %84 = add nsw i64 %31, -1
-  %85 = getelementptr inbounds i64, ptr %83, i64 %84
-  %86 = load i64, ptr %85, align 8
-  %87 = icmp eq i64 %86, 0
-  br label %107
+90:                                               ; preds = %66
+  %91 = load ptr, ptr %24, align 8
+  %92 = getelementptr inbounds i64, ptr %91, i64 %44
+  %93 = load i64, ptr %92, align 8
+  %94 = icmp eq i64 %93, 0
+  br label %114
 
-88:                                               ; preds = %37, %88
-  %89 = phi i64 [ 0, %37 ], [ %104, %88 ]
-  %90 = mul nuw nsw i64 %89, 3
-  %91 = getelementptr inbounds double, ptr %40, i64 %90
-  %92 = load double, ptr %91, align 8
-  %93 = fmul double %92, %51
-  %94 = getelementptr inbounds double, ptr %91, i64 1
-  %95 = load double, ptr %94, align 8
-  %96 = fmul double %95, %53
-  %97 = fadd double %93, %96
-  %98 = getelementptr inbounds double, ptr %91, i64 2
+95:                                               ; preds = %39, %95
+  %96 = phi i64 [ 0, %39 ], [ %111, %95 ]
+  %97 = mul nuw nsw i64 %96, 3
+  %98 = getelementptr inbounds double, ptr %42, i64 %97
   %99 = load double, ptr %98, align 8
-  %100 = fmul double %99, %55
-  %101 = fadd double %97, %100
-  %102 = fmul double %46, %101
-  %103 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %89
-  store double %102, ptr %103, align 8
-  %104 = add nuw nsw i64 %89, 1
-  %105 = icmp eq i64 %104, 3
-  br i1 %105, label %56, label %88
+  %100 = fmul double %99, %59
+  %101 = getelementptr inbounds double, ptr %98, i64 1
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %102, %61
+  %104 = fadd double %100, %103
+  %105 = getelementptr inbounds double, ptr %98, i64 2
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %106, %63
+  %108 = fadd double %104, %107
+  %109 = fmul double %55, %108
+  %110 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %96
+  store double %109, ptr %110, align 8
+  %111 = add nuw nsw i64 %96, 1
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %64, label %95
 
-106:                                              ; preds = %117
+113:                                              ; preds = %124
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  br label %131
+
+114:                                              ; preds = %90, %124
+  %115 = phi i64 [ 0, %90 ], [ %129, %124 ]
+  %116 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %115
+  %117 = load double, ptr %116, align 8
+  br i1 %94, label %118, label %124
+
+118:                                              ; preds = %114
+  %119 = getelementptr inbounds double, ptr %4, i64 %115
+  %120 = load double, ptr %119, align 8
+  %121 = fadd double %117, %120
+  store double %121, ptr %119, align 8
+  %122 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %115
+  %123 = load double, ptr %122, align 8
   br label %124
 
-107:                                              ; preds = %82, %117
-  %108 = phi i64 [ 0, %82 ], [ %122, %117 ]
-  %109 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %108
-  %110 = load double, ptr %109, align 8
-  br i1 %87, label %111, label %117
+124:                                              ; preds = %114, %118
+  %125 = phi double [ %123, %118 ], [ %117, %114 ]
+  %126 = getelementptr inbounds double, ptr %5, i64 %115
+  %127 = load double, ptr %126, align 8
+  %128 = fadd double %125, %127
+  store double %128, ptr %126, align 8
+  %129 = add nuw nsw i64 %115, 1
+  %130 = icmp eq i64 %129, 3
+  br i1 %130, label %113, label %114
 
-111:                                              ; preds = %107
-  %112 = getelementptr inbounds double, ptr %4, i64 %108
-  %113 = load double, ptr %112, align 8
-  %114 = fadd double %110, %113
-  store double %114, ptr %112, align 8
-  %115 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %108
-  %116 = load double, ptr %115, align 8
-  br label %117
-
-117:                                              ; preds = %107, %111
-  %118 = phi double [ %116, %111 ], [ %110, %107 ]
-  %119 = getelementptr inbounds double, ptr %5, i64 %108
-  %120 = load double, ptr %119, align 8
-  %121 = fadd double %118, %120
-  store double %121, ptr %119, align 8
-  %122 = add nuw nsw i64 %108, 1
-  %123 = icmp eq i64 %122, 3
-  br i1 %123, label %106, label %107
-
-124:                                              ; preds = %30, %106
-  %125 = add nuw i64 %31, 1
-  %126 = icmp eq i64 %31, %12
-  br i1 %126, label %29, label %30
+131:                                              ; preds = %32, %113
+  %132 = add nuw i64 %33, 1
+  %133 = icmp eq i64 %33, %12
+  br i1 %133, label %31, label %32
 }
 
 define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
@@ -2887,7 +2916,7 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   br i1 %87, label %48, label %76
 }
 
-define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
+define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4) local_unnamed_addr #0 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
@@ -2912,244 +2941,247 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %27 = alloca [3 x double], align 16
   %28 = alloca [3 x double], align 16
   %29 = icmp sgt i64 %2, 0
-  br i1 %29, label %30, label %80
+  br i1 %29, label %30, label %83
 
 30:                                               ; preds = %5
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
-  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
-  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
-  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
-  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
-  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
-  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
-  %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
-  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  %46 = getelementptr inbounds double, ptr %13, i64 3
-  %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  %48 = getelementptr inbounds double, ptr %13, i64 6
-  %49 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %53 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
-  %54 = getelementptr inbounds double, ptr %7, i64 1
-  %55 = getelementptr inbounds double, ptr %7, i64 2
-  %56 = getelementptr inbounds double, ptr %8, i64 1
-  %57 = getelementptr inbounds double, ptr %8, i64 2
-  %58 = getelementptr inbounds double, ptr %9, i64 1
-  %59 = getelementptr inbounds double, ptr %9, i64 2
-  %60 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %61 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
-  %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
-  %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %66 = getelementptr inbounds double, ptr %24, i64 1
-  %67 = getelementptr inbounds double, ptr %24, i64 2
-  %68 = getelementptr inbounds double, ptr %25, i64 1
-  %69 = getelementptr inbounds double, ptr %25, i64 2
-  %70 = getelementptr inbounds double, ptr %21, i64 1
-  %71 = getelementptr inbounds double, ptr %21, i64 2
-  %72 = getelementptr inbounds double, ptr %22, i64 1
-  %73 = getelementptr inbounds double, ptr %22, i64 2
-  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %76 = getelementptr inbounds double, ptr %27, i64 1
-  %77 = getelementptr inbounds double, ptr %27, i64 2
-  %78 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %79 = load i64, ptr %0, align 8
-  br label %81
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
+  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
+  %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
+  %42 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
+  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  %46 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  %47 = getelementptr inbounds double, ptr %13, i64 3
+  %48 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  %49 = getelementptr inbounds double, ptr %13, i64 6
+  %50 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %54 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
+  %55 = getelementptr inbounds double, ptr %7, i64 1
+  %56 = getelementptr inbounds double, ptr %7, i64 2
+  %57 = getelementptr inbounds double, ptr %8, i64 1
+  %58 = getelementptr inbounds double, ptr %8, i64 2
+  %59 = getelementptr inbounds double, ptr %9, i64 1
+  %60 = getelementptr inbounds double, ptr %9, i64 2
+  %61 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %62 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
+  %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
+  %65 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
+  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %67 = getelementptr inbounds double, ptr %24, i64 1
+  %68 = getelementptr inbounds double, ptr %24, i64 2
+  %69 = getelementptr inbounds double, ptr %25, i64 1
+  %70 = getelementptr inbounds double, ptr %25, i64 2
+  %71 = getelementptr inbounds double, ptr %21, i64 1
+  %72 = getelementptr inbounds double, ptr %21, i64 2
+  %73 = getelementptr inbounds double, ptr %22, i64 1
+  %74 = getelementptr inbounds double, ptr %22, i64 2
+  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %76 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %77 = getelementptr inbounds double, ptr %27, i64 1
+  %78 = getelementptr inbounds double, ptr %27, i64 2
+  %79 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %80 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %82 = load i64, ptr %32, align 8
+  br label %84
 
-80:                                               ; preds = %694, %5
+83:                                               ; preds = %710, %5
   ret void
 
-81:                                               ; preds = %30, %694
-  %82 = phi i64 [ %79, %30 ], [ %695, %694 ]
-  %83 = phi ptr [ %1, %30 ], [ %697, %694 ]
-  %84 = phi ptr [ %4, %30 ], [ %699, %694 ]
-  %85 = phi i64 [ 0, %30 ], [ %696, %694 ]
-  %86 = shl nuw nsw i64 %85, 1
-  %87 = getelementptr inbounds i64, ptr %3, i64 %86
-  %88 = load i64, ptr %87, align 8
-  %89 = or i64 %86, 1
+84:                                               ; preds = %30, %710
+  %85 = phi i64 [ %82, %30 ], [ %712, %710 ]
+  %86 = phi ptr [ %1, %30 ], [ %713, %710 ]
+  %87 = phi ptr [ %4, %30 ], [ %715, %710 ]
+  %88 = phi i64 [ 0, %30 ], [ %711, %710 ]
+  %89 = shl nuw nsw i64 %88, 1
   %90 = getelementptr inbounds i64, ptr %3, i64 %89
   %91 = load i64, ptr %90, align 8
-  %92 = load ptr, ptr %31, align 8
-  %93 = getelementptr inbounds i64, ptr %92, i64 %88
+  %92 = or i64 %89, 1
+  %93 = getelementptr inbounds i64, ptr %3, i64 %92
   %94 = load i64, ptr %93, align 8
-  %95 = getelementptr inbounds i64, ptr %92, i64 %91
-  %96 = load i64, ptr %95, align 8
+  %95 = load ptr, ptr %31, align 8
+  %96 = getelementptr inbounds i64, ptr %95, i64 %91
+  %97 = load i64, ptr %96, align 8
+  %98 = getelementptr inbounds i64, ptr %95, i64 %94
+  %99 = load i64, ptr %98, align 8
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  %97 = icmp sgt i64 %82, 0
-  br i1 %97, label %100, label %111
+  %100 = icmp sgt i64 %85, 0
+  br i1 %100, label %103, label %114
 
-98:                                               ; preds = %100
-  %99 = icmp eq i32 %108, 0
-  br i1 %99, label %439, label %111
+101:                                              ; preds = %103
+  %102 = icmp eq i32 %111, 0
+  br i1 %102, label %442, label %114
 
-100:                                              ; preds = %81, %100
-  %101 = phi i32 [ %108, %100 ], [ 1, %81 ]
-  %102 = phi i64 [ %109, %100 ], [ 0, %81 ]
-  %103 = getelementptr inbounds double, ptr %83, i64 %102
-  %104 = load double, ptr %103, align 8
-  %105 = call double @llvm.fabs.f64(double %104) #14
-  %106 = fcmp one double %105, 0x7FF0000000000000
-  %107 = zext i1 %106 to i32
-  %108 = and i32 %101, %107
-  %109 = add nuw nsw i64 %102, 1
-  %110 = icmp eq i64 %109, %82
-  br i1 %110, label %98, label %100
+103:                                              ; preds = %84, %103
+  %104 = phi i32 [ %111, %103 ], [ 1, %84 ]
+  %105 = phi i64 [ %112, %103 ], [ 0, %84 ]
+  %106 = getelementptr inbounds double, ptr %86, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = call double @llvm.fabs.f64(double %107) #14
+  %109 = fcmp one double %108, 0x7FF0000000000000
+  %110 = zext i1 %109 to i32
+  %111 = and i32 %104, %110
+  %112 = add nuw nsw i64 %105, 1
+  %113 = icmp eq i64 %112, %85
+  br i1 %113, label %101, label %103
 
-111:                                              ; preds = %81, %98
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
-  %112 = load ptr, ptr %32, align 8
-  %113 = getelementptr inbounds i64, ptr %112, i64 %88
-  %114 = load i64, ptr %113, align 8
-  %115 = icmp sgt i64 %114, 2
-  br i1 %115, label %439, label %116
+114:                                              ; preds = %84, %101
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %86)
+  %115 = load ptr, ptr %33, align 8
+  %116 = getelementptr inbounds i64, ptr %115, i64 %91
+  %117 = load i64, ptr %116, align 8
+  %118 = icmp sgt i64 %117, 2
+  br i1 %118, label %442, label %119
 
-116:                                              ; preds = %111
-  %117 = getelementptr inbounds i64, ptr %112, i64 %91
-  %118 = load i64, ptr %117, align 8
-  %119 = icmp eq i64 %118, 5
-  br i1 %119, label %439, label %120
+119:                                              ; preds = %114
+  %120 = getelementptr inbounds i64, ptr %115, i64 %94
+  %121 = load i64, ptr %120, align 8
+  %122 = icmp eq i64 %121, 5
+  br i1 %122, label %442, label %123
 
-120:                                              ; preds = %116
+123:                                              ; preds = %119
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %88, ptr noundef nonnull %10)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %91, ptr noundef nonnull %10)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  %121 = load i64, ptr %117, align 8
-  switch i64 %121, label %270 [
-    i64 3, label %122
-    i64 4, label %221
+  %124 = load i64, ptr %120, align 8
+  switch i64 %124, label %273 [
+    i64 3, label %125
+    i64 4, label %224
   ]
 
-122:                                              ; preds = %120
+125:                                              ; preds = %123
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  %123 = load ptr, ptr %50, align 8
-  %124 = load ptr, ptr %31, align 8
-  %125 = getelementptr inbounds i64, ptr %124, i64 %91
-  %126 = load i64, ptr %125, align 8
-  %127 = mul nsw i64 %126, 12
-  %128 = getelementptr inbounds double, ptr %123, i64 %127
-  %129 = load ptr, ptr %51, align 8
-  %130 = mul nsw i64 %91, 12
-  %131 = getelementptr inbounds double, ptr %129, i64 %130
-  %132 = getelementptr inbounds double, ptr %131, i64 9
-  %133 = getelementptr inbounds double, ptr %131, i64 10
-  %134 = getelementptr inbounds double, ptr %131, i64 11
-  %135 = load double, ptr %132, align 8
-  %136 = load double, ptr %133, align 8
-  %137 = load double, ptr %134, align 8
-  br label %138
+  %126 = load ptr, ptr %51, align 8
+  %127 = load ptr, ptr %31, align 8
+  %128 = getelementptr inbounds i64, ptr %127, i64 %94
+  %129 = load i64, ptr %128, align 8
+  %130 = mul nsw i64 %129, 12
+  %131 = getelementptr inbounds double, ptr %126, i64 %130
+  %132 = load ptr, ptr %52, align 8
+  %133 = mul nsw i64 %94, 12
+  %134 = getelementptr inbounds double, ptr %132, i64 %133
+  %135 = getelementptr inbounds double, ptr %134, i64 9
+  %136 = getelementptr inbounds double, ptr %134, i64 10
+  %137 = getelementptr inbounds double, ptr %134, i64 11
+  %138 = load double, ptr %135, align 8
+  %139 = load double, ptr %136, align 8
+  %140 = load double, ptr %137, align 8
+  br label %141
 
-138:                                              ; preds = %149, %122
-  %139 = phi i64 [ 0, %122 ], [ %160, %149 ]
-  %140 = mul nuw nsw i64 %139, 3
-  %141 = getelementptr inbounds double, ptr %128, i64 %140
-  %142 = add nuw nsw i64 %140, 1
-  %143 = getelementptr inbounds double, ptr %128, i64 %142
-  %144 = add nuw nsw i64 %140, 2
-  %145 = getelementptr inbounds double, ptr %128, i64 %144
-  %146 = load double, ptr %141, align 8
-  %147 = load double, ptr %143, align 8
-  %148 = load double, ptr %145, align 8
-  br label %162
+141:                                              ; preds = %152, %125
+  %142 = phi i64 [ 0, %125 ], [ %163, %152 ]
+  %143 = mul nuw nsw i64 %142, 3
+  %144 = getelementptr inbounds double, ptr %131, i64 %143
+  %145 = add nuw nsw i64 %143, 1
+  %146 = getelementptr inbounds double, ptr %131, i64 %145
+  %147 = add nuw nsw i64 %143, 2
+  %148 = getelementptr inbounds double, ptr %131, i64 %147
+  %149 = load double, ptr %144, align 8
+  %150 = load double, ptr %146, align 8
+  %151 = load double, ptr %148, align 8
+  br label %165
 
-149:                                              ; preds = %162
-  %150 = fmul double %135, %146
-  %151 = fmul double %136, %147
-  %152 = fadd double %150, %151
-  %153 = fmul double %137, %148
-  %154 = fadd double %152, %153
-  %155 = add nuw nsw i64 %139, 9
-  %156 = getelementptr inbounds double, ptr %128, i64 %155
-  %157 = load double, ptr %156, align 8
-  %158 = fadd double %154, %157
-  %159 = getelementptr inbounds double, ptr %16, i64 %155
-  store double %158, ptr %159, align 8
-  %160 = add nuw nsw i64 %139, 1
-  %161 = icmp eq i64 %160, 3
-  br i1 %161, label %182, label %138
+152:                                              ; preds = %165
+  %153 = fmul double %138, %149
+  %154 = fmul double %139, %150
+  %155 = fadd double %153, %154
+  %156 = fmul double %140, %151
+  %157 = fadd double %155, %156
+  %158 = add nuw nsw i64 %142, 9
+  %159 = getelementptr inbounds double, ptr %131, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fadd double %157, %160
+  %162 = getelementptr inbounds double, ptr %16, i64 %158
+  store double %161, ptr %162, align 8
+  %163 = add nuw nsw i64 %142, 1
+  %164 = icmp eq i64 %163, 3
+  br i1 %164, label %185, label %141
 
-162:                                              ; preds = %162, %138
-  %163 = phi i64 [ 0, %138 ], [ %179, %162 ]
-  %164 = getelementptr inbounds double, ptr %131, i64 %163
-  %165 = load double, ptr %164, align 8
-  %166 = fmul double %146, %165
-  %167 = add nuw nsw i64 %163, 3
-  %168 = getelementptr inbounds double, ptr %131, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %147, %169
-  %171 = fadd double %166, %170
-  %172 = add nuw nsw i64 %163, 6
-  %173 = getelementptr inbounds double, ptr %131, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = fmul double %148, %174
-  %176 = fadd double %171, %175
-  %177 = add nuw nsw i64 %163, %140
-  %178 = getelementptr inbounds double, ptr %16, i64 %177
-  store double %176, ptr %178, align 8
-  %179 = add nuw nsw i64 %163, 1
-  %180 = icmp eq i64 %179, 3
-  br i1 %180, label %149, label %162
+165:                                              ; preds = %165, %141
+  %166 = phi i64 [ 0, %141 ], [ %182, %165 ]
+  %167 = getelementptr inbounds double, ptr %134, i64 %166
+  %168 = load double, ptr %167, align 8
+  %169 = fmul double %149, %168
+  %170 = add nuw nsw i64 %166, 3
+  %171 = getelementptr inbounds double, ptr %134, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = fmul double %150, %172
+  %174 = fadd double %169, %173
+  %175 = add nuw nsw i64 %166, 6
+  %176 = getelementptr inbounds double, ptr %134, i64 %175
+  %177 = load double, ptr %176, align 8
+  %178 = fmul double %151, %177
+  %179 = fadd double %174, %178
+  %180 = add nuw nsw i64 %166, %143
+  %181 = getelementptr inbounds double, ptr %16, i64 %180
+  store double %179, ptr %181, align 8
+  %182 = add nuw nsw i64 %166, 1
+  %183 = icmp eq i64 %182, 3
+  br i1 %183, label %152, label %165
 
-181:                                              ; preds = %182
+184:                                              ; preds = %185
   call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %193
+  br label %196
 
-182:                                              ; preds = %149, %182
-  %183 = phi i64 [ %191, %182 ], [ 0, %149 ]
-  %184 = mul nuw nsw i64 %183, 3
-  %185 = add nuw nsw i64 %184, 2
-  %186 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = getelementptr inbounds double, ptr %24, i64 %183
-  store double %187, ptr %188, align 8
-  %189 = fneg double %187
-  %190 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %183
-  store double %189, ptr %190, align 8
-  %191 = add nuw nsw i64 %183, 1
-  %192 = icmp eq i64 %191, 3
-  br i1 %192, label %181, label %182
+185:                                              ; preds = %152, %185
+  %186 = phi i64 [ %194, %185 ], [ 0, %152 ]
+  %187 = mul nuw nsw i64 %186, 3
+  %188 = add nuw nsw i64 %187, 2
+  %189 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %188
+  %190 = load double, ptr %189, align 8
+  %191 = getelementptr inbounds double, ptr %24, i64 %186
+  store double %190, ptr %191, align 8
+  %192 = fneg double %190
+  %193 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %186
+  store double %192, ptr %193, align 8
+  %194 = add nuw nsw i64 %186, 1
+  %195 = icmp eq i64 %194, 3
+  br i1 %195, label %184, label %185
 
-193:                                              ; preds = %193, %181
-  %194 = phi i64 [ 0, %181 ], [ %206, %193 ]
-  %195 = phi double [ 0.000000e+00, %181 ], [ %205, %193 ]
-  %196 = getelementptr inbounds double, ptr %24, i64 %194
-  %197 = load double, ptr %196, align 8
-  %198 = getelementptr inbounds double, ptr %21, i64 %194
-  %199 = load double, ptr %198, align 8
-  %200 = add nuw nsw i64 %194, 9
-  %201 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %200
+196:                                              ; preds = %196, %184
+  %197 = phi i64 [ 0, %184 ], [ %209, %196 ]
+  %198 = phi double [ 0.000000e+00, %184 ], [ %208, %196 ]
+  %199 = getelementptr inbounds double, ptr %24, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr inbounds double, ptr %21, i64 %197
   %202 = load double, ptr %201, align 8
-  %203 = fsub double %199, %202
-  %204 = fmul double %197, %203
-  %205 = fadd double %195, %204
-  %206 = add nuw nsw i64 %194, 1
-  %207 = icmp eq i64 %206, 3
-  br i1 %207, label %208, label %193
+  %203 = add nuw nsw i64 %197, 9
+  %204 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %203
+  %205 = load double, ptr %204, align 8
+  %206 = fsub double %202, %205
+  %207 = fmul double %200, %206
+  %208 = fadd double %198, %207
+  %209 = add nuw nsw i64 %197, 1
+  %210 = icmp eq i64 %209, 3
+  br i1 %210, label %211, label %196
 
-208:                                              ; preds = %193
-  store double %205, ptr %23, align 8
-  br label %210
+211:                                              ; preds = %196
+  store double %208, ptr %23, align 8
+  br label %213
 
-209:                                              ; preds = %210
+212:                                              ; preds = %213
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -3158,357 +3190,357 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %450
+  br label %453
 
-210:                                              ; preds = %208, %210
-  %211 = phi i64 [ %219, %210 ], [ 0, %208 ]
-  %212 = getelementptr inbounds double, ptr %21, i64 %211
-  %213 = load double, ptr %212, align 8
-  %214 = getelementptr inbounds double, ptr %24, i64 %211
-  %215 = load double, ptr %214, align 8
-  %216 = fmul double %205, %215
-  %217 = fsub double %213, %216
-  %218 = getelementptr inbounds double, ptr %22, i64 %211
-  store double %217, ptr %218, align 8
-  %219 = add nuw nsw i64 %211, 1
-  %220 = icmp eq i64 %219, 3
-  br i1 %220, label %209, label %210
+213:                                              ; preds = %211, %213
+  %214 = phi i64 [ %222, %213 ], [ 0, %211 ]
+  %215 = getelementptr inbounds double, ptr %21, i64 %214
+  %216 = load double, ptr %215, align 8
+  %217 = getelementptr inbounds double, ptr %24, i64 %214
+  %218 = load double, ptr %217, align 8
+  %219 = fmul double %208, %218
+  %220 = fsub double %216, %219
+  %221 = getelementptr inbounds double, ptr %22, i64 %214
+  store double %220, ptr %221, align 8
+  %222 = add nuw nsw i64 %214, 1
+  %223 = icmp eq i64 %222, 3
+  br i1 %223, label %212, label %213
 
-221:                                              ; preds = %120
+224:                                              ; preds = %123
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
   store double 0x7FF0000000000000, ptr %18, align 8
   call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %19) #15
   store ptr %0, ptr %19, align 8
-  store i64 %88, ptr %33, align 8
-  store ptr %10, ptr %34, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %35, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %36, align 8
-  store ptr %18, ptr %37, align 8
-  store ptr null, ptr %38, align 8
-  store i32 0, ptr %39, align 8
-  store i64 -1, ptr %40, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %41, i8 0, i64 40, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %91, ptr noundef null)
-  %222 = load double, ptr %18, align 8
-  %223 = fcmp ord double %222, 0.000000e+00
-  %224 = load i64, ptr %40, align 8
-  %225 = icmp sgt i64 %224, -1
-  %226 = select i1 %223, i1 %225, i1 false
-  br i1 %226, label %227, label %434
+  store i64 %91, ptr %34, align 8
+  store ptr %10, ptr %35, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %36, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %37, align 8
+  store ptr %18, ptr %38, align 8
+  store ptr null, ptr %39, align 8
+  store i32 0, ptr %40, align 8
+  store i64 -1, ptr %41, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %42, i8 0, i64 40, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %94, ptr noundef null)
+  %225 = load double, ptr %18, align 8
+  %226 = fcmp ord double %225, 0.000000e+00
+  %227 = load i64, ptr %41, align 8
+  %228 = icmp sgt i64 %227, -1
+  %229 = select i1 %226, i1 %228, i1 false
+  br i1 %229, label %230, label %437
 
-227:                                              ; preds = %221
-  %228 = load ptr, ptr %42, align 8
-  %229 = mul nsw i64 %224, 9
-  %230 = getelementptr inbounds double, ptr %228, i64 %229
-  br label %231
+230:                                              ; preds = %224
+  %231 = load ptr, ptr %43, align 8
+  %232 = mul nsw i64 %227, 9
+  %233 = getelementptr inbounds double, ptr %231, i64 %232
+  br label %234
 
-231:                                              ; preds = %261, %227
-  %232 = phi i64 [ 0, %227 ], [ %265, %261 ]
-  %233 = phi i32 [ 1, %227 ], [ %264, %261 ]
-  %234 = mul nuw nsw i64 %232, 3
-  br label %244
+234:                                              ; preds = %264, %230
+  %235 = phi i64 [ 0, %230 ], [ %268, %264 ]
+  %236 = phi i32 [ 1, %230 ], [ %267, %264 ]
+  %237 = mul nuw nsw i64 %235, 3
+  br label %247
 
-235:                                              ; preds = %244
-  %236 = add nuw nsw i64 %232, 3
-  %237 = getelementptr inbounds double, ptr %230, i64 %236
-  %238 = load double, ptr %237, align 8
-  %239 = getelementptr inbounds double, ptr %230, i64 %232
-  %240 = load double, ptr %239, align 8
-  %241 = fsub double %238, %240
-  %242 = call double @llvm.fabs.f64(double %241)
-  %243 = fcmp olt double %242, 3.000000e-07
-  br i1 %243, label %254, label %261
+238:                                              ; preds = %247
+  %239 = add nuw nsw i64 %235, 3
+  %240 = getelementptr inbounds double, ptr %233, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = getelementptr inbounds double, ptr %233, i64 %235
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %241, %243
+  %245 = call double @llvm.fabs.f64(double %244)
+  %246 = fcmp olt double %245, 3.000000e-07
+  br i1 %246, label %257, label %264
 
-244:                                              ; preds = %244, %231
-  %245 = phi i64 [ 0, %231 ], [ %252, %244 ]
-  %246 = mul nuw nsw i64 %245, 3
-  %247 = add nuw nsw i64 %246, %232
-  %248 = getelementptr inbounds double, ptr %230, i64 %247
-  %249 = load double, ptr %248, align 8
-  %250 = add nuw nsw i64 %245, %234
-  %251 = getelementptr inbounds double, ptr %13, i64 %250
-  store double %249, ptr %251, align 8
-  %252 = add nuw nsw i64 %245, 1
-  %253 = icmp eq i64 %252, 3
-  br i1 %253, label %235, label %244
+247:                                              ; preds = %247, %234
+  %248 = phi i64 [ 0, %234 ], [ %255, %247 ]
+  %249 = mul nuw nsw i64 %248, 3
+  %250 = add nuw nsw i64 %249, %235
+  %251 = getelementptr inbounds double, ptr %233, i64 %250
+  %252 = load double, ptr %251, align 8
+  %253 = add nuw nsw i64 %248, %237
+  %254 = getelementptr inbounds double, ptr %13, i64 %253
+  store double %252, ptr %254, align 8
+  %255 = add nuw nsw i64 %248, 1
+  %256 = icmp eq i64 %255, 3
+  br i1 %256, label %238, label %247
 
-254:                                              ; preds = %235
-  %255 = add nuw nsw i64 %232, 6
-  %256 = getelementptr inbounds double, ptr %230, i64 %255
-  %257 = load double, ptr %256, align 8
-  %258 = fsub double %257, %240
-  %259 = call double @llvm.fabs.f64(double %258)
-  %260 = fcmp olt double %259, 3.000000e-07
-  br label %261
+257:                                              ; preds = %238
+  %258 = add nuw nsw i64 %235, 6
+  %259 = getelementptr inbounds double, ptr %233, i64 %258
+  %260 = load double, ptr %259, align 8
+  %261 = fsub double %260, %243
+  %262 = call double @llvm.fabs.f64(double %261)
+  %263 = fcmp olt double %262, 3.000000e-07
+  br label %264
 
-261:                                              ; preds = %254, %235
-  %262 = phi i1 [ false, %235 ], [ %260, %254 ]
-  %263 = zext i1 %262 to i32
-  %264 = and i32 %233, %263
-  %265 = add nuw nsw i64 %232, 1
-  %266 = icmp eq i64 %265, 3
-  br i1 %266, label %267, label %231
+264:                                              ; preds = %257, %238
+  %265 = phi i1 [ false, %238 ], [ %263, %257 ]
+  %266 = zext i1 %265 to i32
+  %267 = and i32 %236, %266
+  %268 = add nuw nsw i64 %235, 1
+  %269 = icmp eq i64 %268, 3
+  br i1 %269, label %270, label %234
 
-267:                                              ; preds = %261
+270:                                              ; preds = %264
   store i64 0, ptr %11, align 8
-  %268 = icmp eq i32 %264, 0
-  %269 = select i1 %268, i64 3, i64 1
-  store i64 %269, ptr %43, align 8
-  store ptr @place.still, ptr %44, align 8
-  store ptr %13, ptr %45, align 8
-  store ptr %46, ptr %47, align 8
-  store ptr %48, ptr %49, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %41, i64 24, i1 false)
+  %271 = icmp eq i32 %267, 0
+  %272 = select i1 %271, i64 3, i64 1
+  store i64 %272, ptr %44, align 8
+  store ptr @place.still, ptr %45, align 8
+  store ptr %13, ptr %46, align 8
+  store ptr %47, ptr %48, align 8
+  store ptr %49, ptr %50, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %42, i64 24, i1 false)
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  br label %286
+  br label %289
 
-270:                                              ; preds = %120
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %91, ptr noundef nonnull %11)
-  %271 = load ptr, ptr %52, align 8
-  %272 = mul nsw i64 %88, 3
-  %273 = mul nsw i64 %91, 3
-  br label %274
+273:                                              ; preds = %123
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %94, ptr noundef nonnull %11)
+  %274 = load ptr, ptr %53, align 8
+  %275 = mul nsw i64 %91, 3
+  %276 = mul nsw i64 %94, 3
+  br label %277
 
-274:                                              ; preds = %274, %270
-  %275 = phi i64 [ 0, %270 ], [ %284, %274 ]
-  %276 = add nsw i64 %275, %272
-  %277 = getelementptr inbounds double, ptr %271, i64 %276
-  %278 = load double, ptr %277, align 8
-  %279 = add nsw i64 %275, %273
-  %280 = getelementptr inbounds double, ptr %271, i64 %279
+277:                                              ; preds = %277, %273
+  %278 = phi i64 [ 0, %273 ], [ %287, %277 ]
+  %279 = add nsw i64 %278, %275
+  %280 = getelementptr inbounds double, ptr %274, i64 %279
   %281 = load double, ptr %280, align 8
-  %282 = fsub double %278, %281
-  %283 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %275
-  store double %282, ptr %283, align 8
-  %284 = add nuw nsw i64 %275, 1
-  %285 = icmp eq i64 %284, 3
-  br i1 %285, label %286, label %274
+  %282 = add nsw i64 %278, %276
+  %283 = getelementptr inbounds double, ptr %274, i64 %282
+  %284 = load double, ptr %283, align 8
+  %285 = fsub double %281, %284
+  %286 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %278
+  store double %285, ptr %286, align 8
+  %287 = add nuw nsw i64 %278, 1
+  %288 = icmp eq i64 %287, 3
+  br i1 %288, label %289, label %277
 
-286:                                              ; preds = %274, %267
+289:                                              ; preds = %277, %270
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
-  %287 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %288 = icmp eq i32 %287, 0
-  br i1 %288, label %289, label %300
+  %290 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
+  %291 = icmp eq i32 %290, 0
+  br i1 %291, label %292, label %303
 
-289:                                              ; preds = %286
-  %290 = load ptr, ptr %32, align 8
-  %291 = getelementptr inbounds i64, ptr %290, i64 %91
-  %292 = load i64, ptr %291, align 8
-  %293 = icmp eq i64 %292, 4
-  br i1 %293, label %435, label %294
+292:                                              ; preds = %289
+  %293 = load ptr, ptr %33, align 8
+  %294 = getelementptr inbounds i64, ptr %293, i64 %94
+  %295 = load i64, ptr %294, align 8
+  %296 = icmp eq i64 %295, 4
+  br i1 %296, label %438, label %297
 
-294:                                              ; preds = %289
-  %295 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
-  %296 = icmp eq i32 %295, 0
-  br i1 %296, label %435, label %297
+297:                                              ; preds = %292
+  %298 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
+  %299 = icmp eq i32 %298, 0
+  br i1 %299, label %438, label %300
 
-297:                                              ; preds = %294
-  %298 = load double, ptr %23, align 8
-  %299 = fneg double %298
-  store double %299, ptr %23, align 8
-  br label %436
+300:                                              ; preds = %297
+  %301 = load double, ptr %23, align 8
+  %302 = fneg double %301
+  store double %302, ptr %23, align 8
+  br label %439
 
-300:                                              ; preds = %286
-  %301 = load double, ptr %15, align 8
-  %302 = load double, ptr %14, align 8
-  %303 = fsub double %301, %302
-  %304 = fcmp ogt double %303, 1.000000e-08
-  %305 = fcmp olt double %301, 0x3EB0C6F7A0B5ED8D
-  %306 = or i1 %305, %304
-  br i1 %306, label %435, label %307
+303:                                              ; preds = %289
+  %304 = load double, ptr %15, align 8
+  %305 = load double, ptr %14, align 8
+  %306 = fsub double %304, %305
+  %307 = fcmp ogt double %306, 1.000000e-08
+  %308 = fcmp olt double %304, 0x3EB0C6F7A0B5ED8D
+  %309 = or i1 %308, %307
+  br i1 %309, label %438, label %310
 
-307:                                              ; preds = %300
+310:                                              ; preds = %303
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %308 = load i32, ptr %53, align 8
-  %309 = add i32 %308, -4
-  %310 = icmp ult i32 %309, -3
-  br i1 %310, label %415, label %311
+  %311 = load i32, ptr %54, align 8
+  %312 = add i32 %311, -4
+  %313 = icmp ult i32 %312, -3
+  br i1 %313, label %418, label %314
 
-311:                                              ; preds = %307
-  %312 = icmp ugt i32 %308, 1
-  br i1 %312, label %313, label %388
+314:                                              ; preds = %310
+  %315 = icmp ugt i32 %311, 1
+  br i1 %315, label %316, label %391
 
-313:                                              ; preds = %311
+316:                                              ; preds = %314
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %314 = icmp eq i32 %308, 3
-  br label %332
+  %317 = icmp eq i32 %311, 3
+  br label %335
 
-315:                                              ; preds = %349
-  %316 = load double, ptr %7, align 16
-  %317 = fmul double %316, %316
-  %318 = load double, ptr %54, align 8
-  %319 = fmul double %318, %318
-  %320 = fadd double %317, %319
-  %321 = load double, ptr %55, align 16
+318:                                              ; preds = %352
+  %319 = load double, ptr %7, align 16
+  %320 = fmul double %319, %319
+  %321 = load double, ptr %55, align 8
   %322 = fmul double %321, %321
   %323 = fadd double %320, %322
-  %324 = load double, ptr %8, align 16
-  %325 = fmul double %316, %324
-  %326 = load double, ptr %56, align 8
-  %327 = fmul double %318, %326
-  %328 = fadd double %325, %327
-  %329 = load double, ptr %57, align 16
+  %324 = load double, ptr %56, align 16
+  %325 = fmul double %324, %324
+  %326 = fadd double %323, %325
+  %327 = load double, ptr %8, align 16
+  %328 = fmul double %319, %327
+  %329 = load double, ptr %57, align 8
   %330 = fmul double %321, %329
   %331 = fadd double %328, %330
-  br i1 %314, label %352, label %358
+  %332 = load double, ptr %58, align 16
+  %333 = fmul double %324, %332
+  %334 = fadd double %331, %333
+  br i1 %317, label %355, label %361
 
-332:                                              ; preds = %349, %313
-  %333 = phi i64 [ 0, %313 ], [ %350, %349 ]
-  %334 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %333
-  %335 = load double, ptr %334, align 8
-  %336 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %333
-  %337 = load double, ptr %336, align 8
-  %338 = fsub double %335, %337
-  %339 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %333
-  store double %338, ptr %339, align 8
-  %340 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %333
-  %341 = load double, ptr %340, align 8
-  %342 = fsub double %341, %337
-  %343 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %333
-  store double %342, ptr %343, align 8
-  br i1 %314, label %344, label %349
+335:                                              ; preds = %352, %316
+  %336 = phi i64 [ 0, %316 ], [ %353, %352 ]
+  %337 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %336
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %336
+  %340 = load double, ptr %339, align 8
+  %341 = fsub double %338, %340
+  %342 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %336
+  store double %341, ptr %342, align 8
+  %343 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %336
+  %344 = load double, ptr %343, align 8
+  %345 = fsub double %344, %340
+  %346 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %336
+  store double %345, ptr %346, align 8
+  br i1 %317, label %347, label %352
 
-344:                                              ; preds = %332
-  %345 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %333
-  %346 = load double, ptr %345, align 8
-  %347 = fsub double %346, %337
-  %348 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %333
-  store double %347, ptr %348, align 8
-  br label %349
+347:                                              ; preds = %335
+  %348 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %336
+  %349 = load double, ptr %348, align 8
+  %350 = fsub double %349, %340
+  %351 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %336
+  store double %350, ptr %351, align 8
+  br label %352
 
-349:                                              ; preds = %344, %332
-  %350 = add nuw nsw i64 %333, 1
-  %351 = icmp eq i64 %350, 3
-  br i1 %351, label %315, label %332
+352:                                              ; preds = %347, %335
+  %353 = add nuw nsw i64 %336, 1
+  %354 = icmp eq i64 %353, 3
+  br i1 %354, label %318, label %335
 
-352:                                              ; preds = %315
-  %353 = fmul double %324, %324
-  %354 = fmul double %326, %326
-  %355 = fadd double %353, %354
-  %356 = fmul double %329, %329
-  %357 = fadd double %355, %356
-  br label %358
+355:                                              ; preds = %318
+  %356 = fmul double %327, %327
+  %357 = fmul double %329, %329
+  %358 = fadd double %356, %357
+  %359 = fmul double %332, %332
+  %360 = fadd double %358, %359
+  br label %361
 
-358:                                              ; preds = %352, %315
-  %359 = phi double [ %357, %352 ], [ 1.000000e+00, %315 ]
-  %360 = fmul double %323, %359
-  %361 = fmul double %331, %331
-  %362 = fsub double %360, %361
-  %363 = fcmp ogt double %362, 0.000000e+00
-  br i1 %363, label %364, label %414
+361:                                              ; preds = %355, %318
+  %362 = phi double [ %360, %355 ], [ 1.000000e+00, %318 ]
+  %363 = fmul double %326, %362
+  %364 = fmul double %334, %334
+  %365 = fsub double %363, %364
+  %366 = fcmp ogt double %365, 0.000000e+00
+  br i1 %366, label %367, label %417
 
-364:                                              ; preds = %358
-  %365 = load double, ptr %9, align 16
-  %366 = fmul double %316, %365
-  %367 = load double, ptr %58, align 8
-  %368 = fmul double %318, %367
-  %369 = fadd double %366, %368
-  %370 = load double, ptr %59, align 16
+367:                                              ; preds = %361
+  %368 = load double, ptr %9, align 16
+  %369 = fmul double %319, %368
+  %370 = load double, ptr %59, align 8
   %371 = fmul double %321, %370
   %372 = fadd double %369, %371
-  %373 = fmul double %359, %372
-  %374 = fmul double %324, %365
-  %375 = fmul double %326, %367
-  %376 = fadd double %374, %375
-  %377 = fmul double %329, %370
-  %378 = fadd double %376, %377
-  %379 = fmul double %331, %378
-  %380 = fsub double %373, %379
-  %381 = fdiv double %380, %362
-  store double %381, ptr %60, align 8
-  %382 = fmul double %323, %378
-  %383 = fmul double %331, %372
-  %384 = fsub double %382, %383
-  %385 = fdiv double %384, %362
-  store double %385, ptr %61, align 16
-  %386 = fsub double 1.000000e+00, %381
-  %387 = fsub double %386, %385
-  store double %387, ptr %6, align 16
+  %373 = load double, ptr %60, align 16
+  %374 = fmul double %324, %373
+  %375 = fadd double %372, %374
+  %376 = fmul double %362, %375
+  %377 = fmul double %327, %368
+  %378 = fmul double %329, %370
+  %379 = fadd double %377, %378
+  %380 = fmul double %332, %373
+  %381 = fadd double %379, %380
+  %382 = fmul double %334, %381
+  %383 = fsub double %376, %382
+  %384 = fdiv double %383, %365
+  store double %384, ptr %61, align 8
+  %385 = fmul double %326, %381
+  %386 = fmul double %334, %375
+  %387 = fsub double %385, %386
+  %388 = fdiv double %387, %365
+  store double %388, ptr %62, align 16
+  %389 = fsub double 1.000000e+00, %384
+  %390 = fsub double %389, %388
+  store double %390, ptr %6, align 16
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %388
-
-388:                                              ; preds = %364, %311
-  %389 = icmp sgt i32 %308, 0
-  %390 = zext i32 %308 to i64
   br label %391
 
-391:                                              ; preds = %395, %388
-  %392 = phi i64 [ 0, %388 ], [ %401, %395 ]
-  %393 = getelementptr inbounds double, ptr %21, i64 %392
-  store double 0.000000e+00, ptr %393, align 8
-  br i1 %389, label %403, label %395
+391:                                              ; preds = %367, %314
+  %392 = icmp sgt i32 %311, 0
+  %393 = zext i32 %311 to i64
+  br label %394
 
-394:                                              ; preds = %403
-  store double %411, ptr %393, align 8
-  br label %395
+394:                                              ; preds = %398, %391
+  %395 = phi i64 [ 0, %391 ], [ %404, %398 ]
+  %396 = getelementptr inbounds double, ptr %21, i64 %395
+  store double 0.000000e+00, ptr %396, align 8
+  br i1 %392, label %406, label %398
 
-395:                                              ; preds = %394, %391
-  %396 = phi double [ 0.000000e+00, %391 ], [ %411, %394 ]
-  %397 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %392
-  %398 = load double, ptr %397, align 8
-  %399 = fsub double %396, %398
-  %400 = getelementptr inbounds double, ptr %22, i64 %392
-  store double %399, ptr %400, align 8
-  %401 = add nuw nsw i64 %392, 1
-  %402 = icmp eq i64 %401, 3
-  br i1 %402, label %416, label %391
+397:                                              ; preds = %406
+  store double %414, ptr %396, align 8
+  br label %398
 
-403:                                              ; preds = %391, %403
-  %404 = phi i64 [ %412, %403 ], [ 0, %391 ]
-  %405 = phi double [ %411, %403 ], [ 0.000000e+00, %391 ]
-  %406 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %404
-  %407 = load double, ptr %406, align 8
-  %408 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %404, i64 %392
-  %409 = load double, ptr %408, align 8
-  %410 = fmul double %407, %409
-  %411 = fadd double %405, %410
-  %412 = add nuw nsw i64 %404, 1
-  %413 = icmp eq i64 %412, %390
-  br i1 %413, label %394, label %403
+398:                                              ; preds = %397, %394
+  %399 = phi double [ 0.000000e+00, %394 ], [ %414, %397 ]
+  %400 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %395
+  %401 = load double, ptr %400, align 8
+  %402 = fsub double %399, %401
+  %403 = getelementptr inbounds double, ptr %22, i64 %395
+  store double %402, ptr %403, align 8
+  %404 = add nuw nsw i64 %395, 1
+  %405 = icmp eq i64 %404, 3
+  br i1 %405, label %419, label %394
 
-414:                                              ; preds = %358
+406:                                              ; preds = %394, %406
+  %407 = phi i64 [ %415, %406 ], [ 0, %394 ]
+  %408 = phi double [ %414, %406 ], [ 0.000000e+00, %394 ]
+  %409 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %407
+  %410 = load double, ptr %409, align 8
+  %411 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %407, i64 %395
+  %412 = load double, ptr %411, align 8
+  %413 = fmul double %410, %412
+  %414 = fadd double %408, %413
+  %415 = add nuw nsw i64 %407, 1
+  %416 = icmp eq i64 %415, %393
+  br i1 %416, label %397, label %406
+
+417:                                              ; preds = %361
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %415
+  br label %418
 
-415:                                              ; preds = %414, %307
+418:                                              ; preds = %417, %310
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %435
+  br label %438
 
-416:                                              ; preds = %395
+419:                                              ; preds = %398
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %417 = load double, ptr %62, align 8
-  %418 = fmul double %417, %417
-  %419 = load double, ptr %63, align 8
-  %420 = fmul double %419, %419
-  %421 = fadd double %418, %420
+  %420 = load double, ptr %63, align 8
+  %421 = fmul double %420, %420
   %422 = load double, ptr %64, align 8
   %423 = fmul double %422, %422
   %424 = fadd double %421, %423
-  %425 = call double @llvm.sqrt.f64(double %424)
-  store double %425, ptr %23, align 8
-  br label %426
+  %425 = load double, ptr %65, align 8
+  %426 = fmul double %425, %425
+  %427 = fadd double %424, %426
+  %428 = call double @llvm.sqrt.f64(double %427)
+  store double %428, ptr %23, align 8
+  br label %429
 
-426:                                              ; preds = %426, %416
-  %427 = phi i64 [ 0, %416 ], [ %432, %426 ]
-  %428 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %427
-  %429 = load double, ptr %428, align 8
-  %430 = fdiv double %429, %425
-  %431 = getelementptr inbounds double, ptr %24, i64 %427
-  store double %430, ptr %431, align 8
-  %432 = add nuw nsw i64 %427, 1
-  %433 = icmp eq i64 %432, 3
-  br i1 %433, label %436, label %426
+429:                                              ; preds = %429, %419
+  %430 = phi i64 [ 0, %419 ], [ %435, %429 ]
+  %431 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %430
+  %432 = load double, ptr %431, align 8
+  %433 = fdiv double %432, %428
+  %434 = getelementptr inbounds double, ptr %24, i64 %430
+  store double %433, ptr %434, align 8
+  %435 = add nuw nsw i64 %430, 1
+  %436 = icmp eq i64 %435, 3
+  br i1 %436, label %439, label %429
 
-434:                                              ; preds = %221
+437:                                              ; preds = %224
   call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
@@ -3517,9 +3549,9 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %439
+  br label %442
 
-435:                                              ; preds = %294, %289, %300, %415
+438:                                              ; preds = %297, %292, %303, %418
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -3527,10 +3559,10 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %439
+  br label %442
 
-436:                                              ; preds = %426, %297
-  %437 = phi double [ %299, %297 ], [ %425, %426 ]
+439:                                              ; preds = %429, %300
+  %440 = phi double [ %302, %300 ], [ %428, %429 ]
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
@@ -3538,344 +3570,358 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  %438 = load ptr, ptr %50, align 8
-  br label %450
+  %441 = load ptr, ptr %51, align 8
+  br label %453
 
-439:                                              ; preds = %111, %116, %435, %434, %98
-  %440 = load i64, ptr %0, align 8
-  %441 = icmp sgt i64 %440, -13
-  br i1 %441, label %442, label %694
+442:                                              ; preds = %114, %119, %438, %437, %101
+  %443 = load i64, ptr %32, align 8
+  %444 = icmp sgt i64 %443, -13
+  br i1 %444, label %445, label %710
 
-442:                                              ; preds = %439
-  %443 = add i64 %440, 12
-  %444 = call i64 @llvm.smax.i64(i64 %443, i64 0)
-  br label %445
+445:                                              ; preds = %442
+  %446 = add i64 %443, 12
+  %447 = call i64 @llvm.smax.i64(i64 %446, i64 0)
+  br label %448
 
-445:                                              ; preds = %442, %445
-  %446 = phi i64 [ %448, %445 ], [ 0, %442 ]
-  %447 = getelementptr inbounds double, ptr %84, i64 %446
-  store double 0x7FF8000000000000, ptr %447, align 8
-  %448 = add nuw i64 %446, 1
-  %449 = icmp eq i64 %446, %444
-  br i1 %449, label %694, label %445
+448:                                              ; preds = %445, %448
+  %449 = phi i64 [ %451, %448 ], [ 0, %445 ]
+  %450 = getelementptr inbounds double, ptr %87, i64 %449
+  store double 0x7FF8000000000000, ptr %450, align 8
+  %451 = add nuw i64 %449, 1
+  %452 = icmp eq i64 %449, %447
+  br i1 %452, label %710, label %448
 
-450:                                              ; preds = %436, %209
-  %451 = phi double [ %437, %436 ], [ %205, %209 ]
-  %452 = phi ptr [ %438, %436 ], [ %123, %209 ]
-  %453 = mul nsw i64 %94, 12
-  %454 = mul nsw i64 %96, 12
-  br label %581
+453:                                              ; preds = %439, %212
+  %454 = phi double [ %440, %439 ], [ %208, %212 ]
+  %455 = phi ptr [ %441, %439 ], [ %126, %212 ]
+  %456 = mul nsw i64 %97, 12
+  %457 = mul nsw i64 %99, 12
+  br label %590
 
-455:                                              ; preds = %581
-  %456 = getelementptr inbounds double, ptr %452, i64 %454
-  %457 = load ptr, ptr %65, align 8
-  %458 = getelementptr inbounds double, ptr %457, i64 %88
-  %459 = load double, ptr %458, align 8
-  %460 = fsub double %451, %459
-  %461 = getelementptr inbounds double, ptr %457, i64 %91
+458:                                              ; preds = %590
+  %459 = getelementptr inbounds double, ptr %455, i64 %457
+  %460 = load ptr, ptr %66, align 8
+  %461 = getelementptr inbounds double, ptr %460, i64 %91
   %462 = load double, ptr %461, align 8
-  %463 = fsub double %460, %462
-  store double %463, ptr %84, align 8
-  %464 = getelementptr inbounds double, ptr %84, i64 1
-  %465 = load double, ptr %24, align 16
-  %466 = load double, ptr %66, align 8
-  %467 = load double, ptr %67, align 16
-  br label %468
+  %463 = fsub double %454, %462
+  %464 = getelementptr inbounds double, ptr %460, i64 %94
+  %465 = load double, ptr %464, align 8
+  %466 = fsub double %463, %465
+  store double %466, ptr %87, align 8
+  %467 = getelementptr inbounds double, ptr %87, i64 1
+  %468 = load double, ptr %24, align 16
+  %469 = load double, ptr %67, align 8
+  %470 = load double, ptr %68, align 16
+  br label %471
 
-468:                                              ; preds = %468, %455
-  %469 = phi i64 [ 0, %455 ], [ %484, %468 ]
-  %470 = getelementptr inbounds double, ptr %456, i64 %469
-  %471 = load double, ptr %470, align 8
-  %472 = fmul double %471, %465
-  %473 = add nuw nsw i64 %469, 3
-  %474 = getelementptr inbounds double, ptr %456, i64 %473
-  %475 = load double, ptr %474, align 8
-  %476 = fmul double %475, %466
-  %477 = fadd double %472, %476
-  %478 = add nuw nsw i64 %469, 6
-  %479 = getelementptr inbounds double, ptr %456, i64 %478
-  %480 = load double, ptr %479, align 8
-  %481 = fmul double %480, %467
-  %482 = fadd double %477, %481
-  %483 = getelementptr inbounds double, ptr %464, i64 %469
-  store double %482, ptr %483, align 8
-  %484 = add nuw nsw i64 %469, 1
-  %485 = icmp eq i64 %484, 3
-  br i1 %485, label %486, label %468
+471:                                              ; preds = %471, %458
+  %472 = phi i64 [ 0, %458 ], [ %487, %471 ]
+  %473 = getelementptr inbounds double, ptr %459, i64 %472
+  %474 = load double, ptr %473, align 8
+  %475 = fmul double %474, %468
+  %476 = add nuw nsw i64 %472, 3
+  %477 = getelementptr inbounds double, ptr %459, i64 %476
+  %478 = load double, ptr %477, align 8
+  %479 = fmul double %478, %469
+  %480 = fadd double %475, %479
+  %481 = add nuw nsw i64 %472, 6
+  %482 = getelementptr inbounds double, ptr %459, i64 %481
+  %483 = load double, ptr %482, align 8
+  %484 = fmul double %483, %470
+  %485 = fadd double %480, %484
+  %486 = getelementptr inbounds double, ptr %467, i64 %472
+  store double %485, ptr %486, align 8
+  %487 = add nuw nsw i64 %472, 1
+  %488 = icmp eq i64 %487, 3
+  br i1 %488, label %489, label %471
 
-486:                                              ; preds = %468
-  %487 = getelementptr inbounds double, ptr %452, i64 %453
-  %488 = getelementptr inbounds double, ptr %84, i64 4
-  %489 = load double, ptr %25, align 16
-  %490 = load double, ptr %68, align 8
-  %491 = load double, ptr %69, align 16
-  br label %492
+489:                                              ; preds = %471
+  %490 = getelementptr inbounds double, ptr %455, i64 %456
+  %491 = getelementptr inbounds double, ptr %87, i64 4
+  %492 = load double, ptr %25, align 16
+  %493 = load double, ptr %69, align 8
+  %494 = load double, ptr %70, align 16
+  br label %495
 
-492:                                              ; preds = %492, %486
-  %493 = phi i64 [ 0, %486 ], [ %508, %492 ]
-  %494 = getelementptr inbounds double, ptr %487, i64 %493
-  %495 = load double, ptr %494, align 8
-  %496 = fmul double %495, %489
-  %497 = add nuw nsw i64 %493, 3
-  %498 = getelementptr inbounds double, ptr %487, i64 %497
-  %499 = load double, ptr %498, align 8
-  %500 = fmul double %499, %490
-  %501 = fadd double %496, %500
-  %502 = add nuw nsw i64 %493, 6
-  %503 = getelementptr inbounds double, ptr %487, i64 %502
-  %504 = load double, ptr %503, align 8
-  %505 = fmul double %504, %491
-  %506 = fadd double %501, %505
-  %507 = getelementptr inbounds double, ptr %488, i64 %493
-  store double %506, ptr %507, align 8
-  %508 = add nuw nsw i64 %493, 1
-  %509 = icmp eq i64 %508, 3
-  br i1 %509, label %510, label %492
+495:                                              ; preds = %495, %489
+  %496 = phi i64 [ 0, %489 ], [ %511, %495 ]
+  %497 = getelementptr inbounds double, ptr %490, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fmul double %498, %492
+  %500 = add nuw nsw i64 %496, 3
+  %501 = getelementptr inbounds double, ptr %490, i64 %500
+  %502 = load double, ptr %501, align 8
+  %503 = fmul double %502, %493
+  %504 = fadd double %499, %503
+  %505 = add nuw nsw i64 %496, 6
+  %506 = getelementptr inbounds double, ptr %490, i64 %505
+  %507 = load double, ptr %506, align 8
+  %508 = fmul double %507, %494
+  %509 = fadd double %504, %508
+  %510 = getelementptr inbounds double, ptr %491, i64 %496
+  store double %509, ptr %510, align 8
+  %511 = add nuw nsw i64 %496, 1
+  %512 = icmp eq i64 %511, 3
+  br i1 %512, label %513, label %495
 
-510:                                              ; preds = %492
-  %511 = getelementptr inbounds double, ptr %84, i64 7
-  %512 = load double, ptr %21, align 16
-  %513 = getelementptr inbounds double, ptr %487, i64 9
-  %514 = load double, ptr %513, align 8
-  %515 = fsub double %512, %514
-  %516 = load double, ptr %70, align 8
-  %517 = getelementptr inbounds double, ptr %487, i64 10
-  %518 = load double, ptr %517, align 8
-  %519 = fsub double %516, %518
-  %520 = load double, ptr %71, align 16
-  %521 = getelementptr inbounds double, ptr %487, i64 11
-  %522 = load double, ptr %521, align 8
-  %523 = fsub double %520, %522
-  br label %524
+513:                                              ; preds = %495
+  %514 = getelementptr inbounds double, ptr %87, i64 7
+  %515 = load double, ptr %21, align 16
+  %516 = getelementptr inbounds double, ptr %490, i64 9
+  %517 = load double, ptr %516, align 8
+  %518 = fsub double %515, %517
+  %519 = load double, ptr %71, align 8
+  %520 = getelementptr inbounds double, ptr %490, i64 10
+  %521 = load double, ptr %520, align 8
+  %522 = fsub double %519, %521
+  %523 = load double, ptr %72, align 16
+  %524 = getelementptr inbounds double, ptr %490, i64 11
+  %525 = load double, ptr %524, align 8
+  %526 = fsub double %523, %525
+  br label %527
 
-524:                                              ; preds = %524, %510
-  %525 = phi i64 [ 0, %510 ], [ %540, %524 ]
-  %526 = getelementptr inbounds double, ptr %487, i64 %525
-  %527 = load double, ptr %526, align 8
-  %528 = fmul double %515, %527
-  %529 = add nuw nsw i64 %525, 3
-  %530 = getelementptr inbounds double, ptr %487, i64 %529
-  %531 = load double, ptr %530, align 8
-  %532 = fmul double %519, %531
-  %533 = fadd double %528, %532
-  %534 = add nuw nsw i64 %525, 6
-  %535 = getelementptr inbounds double, ptr %487, i64 %534
-  %536 = load double, ptr %535, align 8
-  %537 = fmul double %523, %536
-  %538 = fadd double %533, %537
-  %539 = getelementptr inbounds double, ptr %511, i64 %525
-  store double %538, ptr %539, align 8
-  %540 = add nuw nsw i64 %525, 1
-  %541 = icmp eq i64 %540, 3
-  br i1 %541, label %542, label %524
+527:                                              ; preds = %527, %513
+  %528 = phi i64 [ 0, %513 ], [ %543, %527 ]
+  %529 = getelementptr inbounds double, ptr %490, i64 %528
+  %530 = load double, ptr %529, align 8
+  %531 = fmul double %518, %530
+  %532 = add nuw nsw i64 %528, 3
+  %533 = getelementptr inbounds double, ptr %490, i64 %532
+  %534 = load double, ptr %533, align 8
+  %535 = fmul double %522, %534
+  %536 = fadd double %531, %535
+  %537 = add nuw nsw i64 %528, 6
+  %538 = getelementptr inbounds double, ptr %490, i64 %537
+  %539 = load double, ptr %538, align 8
+  %540 = fmul double %526, %539
+  %541 = fadd double %536, %540
+  %542 = getelementptr inbounds double, ptr %514, i64 %528
+  store double %541, ptr %542, align 8
+  %543 = add nuw nsw i64 %528, 1
+  %544 = icmp eq i64 %543, 3
+  br i1 %544, label %545, label %527
 
-542:                                              ; preds = %524
-  %543 = getelementptr inbounds double, ptr %84, i64 10
-  %544 = load double, ptr %22, align 16
-  %545 = getelementptr inbounds double, ptr %456, i64 9
-  %546 = load double, ptr %545, align 8
-  %547 = fsub double %544, %546
-  %548 = load double, ptr %72, align 8
-  %549 = getelementptr inbounds double, ptr %456, i64 10
-  %550 = load double, ptr %549, align 8
-  %551 = fsub double %548, %550
-  %552 = load double, ptr %73, align 16
-  %553 = getelementptr inbounds double, ptr %456, i64 11
-  %554 = load double, ptr %553, align 8
-  %555 = fsub double %552, %554
-  br label %556
+545:                                              ; preds = %527
+  %546 = getelementptr inbounds double, ptr %87, i64 10
+  %547 = load double, ptr %22, align 16
+  %548 = getelementptr inbounds double, ptr %459, i64 9
+  %549 = load double, ptr %548, align 8
+  %550 = fsub double %547, %549
+  %551 = load double, ptr %73, align 8
+  %552 = getelementptr inbounds double, ptr %459, i64 10
+  %553 = load double, ptr %552, align 8
+  %554 = fsub double %551, %553
+  %555 = load double, ptr %74, align 16
+  %556 = getelementptr inbounds double, ptr %459, i64 11
+  %557 = load double, ptr %556, align 8
+  %558 = fsub double %555, %557
+  br label %559
 
-556:                                              ; preds = %556, %542
-  %557 = phi i64 [ 0, %542 ], [ %572, %556 ]
-  %558 = getelementptr inbounds double, ptr %456, i64 %557
-  %559 = load double, ptr %558, align 8
-  %560 = fmul double %547, %559
-  %561 = add nuw nsw i64 %557, 3
-  %562 = getelementptr inbounds double, ptr %456, i64 %561
-  %563 = load double, ptr %562, align 8
-  %564 = fmul double %551, %563
-  %565 = fadd double %560, %564
-  %566 = add nuw nsw i64 %557, 6
-  %567 = getelementptr inbounds double, ptr %456, i64 %566
-  %568 = load double, ptr %567, align 8
-  %569 = fmul double %555, %568
-  %570 = fadd double %565, %569
-  %571 = getelementptr inbounds double, ptr %543, i64 %557
-  store double %570, ptr %571, align 8
-  %572 = add nuw nsw i64 %557, 1
-  %573 = icmp eq i64 %572, 3
-  br i1 %573, label %574, label %556
+559:                                              ; preds = %559, %545
+  %560 = phi i64 [ 0, %545 ], [ %575, %559 ]
+  %561 = getelementptr inbounds double, ptr %459, i64 %560
+  %562 = load double, ptr %561, align 8
+  %563 = fmul double %550, %562
+  %564 = add nuw nsw i64 %560, 3
+  %565 = getelementptr inbounds double, ptr %459, i64 %564
+  %566 = load double, ptr %565, align 8
+  %567 = fmul double %554, %566
+  %568 = fadd double %563, %567
+  %569 = add nuw nsw i64 %560, 6
+  %570 = getelementptr inbounds double, ptr %459, i64 %569
+  %571 = load double, ptr %570, align 8
+  %572 = fmul double %558, %571
+  %573 = fadd double %568, %572
+  %574 = getelementptr inbounds double, ptr %546, i64 %560
+  store double %573, ptr %574, align 8
+  %575 = add nuw nsw i64 %560, 1
+  %576 = icmp eq i64 %575, 3
+  br i1 %576, label %577, label %559
 
-574:                                              ; preds = %556
-  %575 = load i64, ptr %0, align 8
-  %576 = icmp slt i64 %575, 1
-  br i1 %576, label %694, label %577
+577:                                              ; preds = %559
+  %578 = getelementptr inbounds double, ptr %87, i64 13
+  %579 = load i64, ptr %32, align 8
+  %580 = shl i64 %579, 3
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 %578, i8 0, i64 %580, i1 false)
+  %581 = load i64, ptr %0, align 8
+  %582 = icmp slt i64 %581, 1
+  br i1 %582, label %710, label %583
 
-577:                                              ; preds = %574
-  %578 = load ptr, ptr %74, align 8
-  %579 = load ptr, ptr %75, align 8
-  %580 = add nuw i64 %575, 1
-  br label %589
+583:                                              ; preds = %577
+  %584 = load ptr, ptr %51, align 8
+  %585 = load ptr, ptr %75, align 8
+  %586 = load ptr, ptr %76, align 8
+  %587 = add nuw i64 %581, 1
+  %588 = load ptr, ptr %80, align 8
+  %589 = load ptr, ptr %81, align 8
+  br label %598
 
-581:                                              ; preds = %450, %581
-  %582 = phi i64 [ 0, %450 ], [ %587, %581 ]
-  %583 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %582
-  %584 = load double, ptr %583, align 8
-  %585 = fneg double %584
-  %586 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %582
-  store double %585, ptr %586, align 8
-  %587 = add nuw nsw i64 %582, 1
-  %588 = icmp eq i64 %587, 3
-  br i1 %588, label %455, label %581
+590:                                              ; preds = %453, %590
+  %591 = phi i64 [ 0, %453 ], [ %596, %590 ]
+  %592 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %591
+  %593 = load double, ptr %592, align 8
+  %594 = fneg double %593
+  %595 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %591
+  store double %594, ptr %595, align 8
+  %596 = add nuw nsw i64 %591, 1
+  %597 = icmp eq i64 %596, 3
+  br i1 %597, label %458, label %590
 
-589:                                              ; preds = %577, %623
-  %590 = phi i64 [ 1, %577 ], [ %626, %623 ]
-  %591 = mul nuw nsw i64 %590, 12
-  %592 = getelementptr inbounds double, ptr %452, i64 %591
-  %593 = add nsw i64 %590, -1
-  %594 = mul nuw nsw i64 %593, 3
-  %595 = getelementptr inbounds double, ptr %578, i64 %594
+598:                                              ; preds = %583, %632
+  %599 = phi i64 [ 1, %583 ], [ %642, %632 ]
+  %600 = mul nuw nsw i64 %599, 12
+  %601 = getelementptr inbounds double, ptr %584, i64 %600
+  %602 = add nsw i64 %599, -1
+  %603 = mul nuw nsw i64 %602, 3
+  %604 = getelementptr inbounds double, ptr %585, i64 %603
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %596 = load double, ptr %595, align 8
-  %597 = getelementptr inbounds double, ptr %595, i64 1
-  %598 = load double, ptr %597, align 8
-  %599 = getelementptr inbounds double, ptr %595, i64 2
-  %600 = load double, ptr %599, align 8
-  br label %606
+  %605 = load double, ptr %604, align 8
+  %606 = getelementptr inbounds double, ptr %604, i64 1
+  %607 = load double, ptr %606, align 8
+  %608 = getelementptr inbounds double, ptr %604, i64 2
+  %609 = load double, ptr %608, align 8
+  br label %615
 
-601:                                              ; preds = %606
-  %602 = getelementptr inbounds double, ptr %592, i64 9
-  %603 = getelementptr inbounds double, ptr %592, i64 10
-  %604 = getelementptr inbounds double, ptr %592, i64 11
-  %605 = load double, ptr %26, align 16
-  br label %628
+610:                                              ; preds = %615
+  %611 = getelementptr inbounds double, ptr %601, i64 9
+  %612 = getelementptr inbounds double, ptr %601, i64 10
+  %613 = getelementptr inbounds double, ptr %601, i64 11
+  %614 = load double, ptr %26, align 16
+  br label %644
 
-606:                                              ; preds = %589, %606
-  %607 = phi i64 [ 0, %589 ], [ %621, %606 ]
-  %608 = mul nuw nsw i64 %607, 3
-  %609 = getelementptr inbounds double, ptr %592, i64 %608
-  %610 = load double, ptr %609, align 8
-  %611 = fmul double %610, %596
-  %612 = getelementptr inbounds double, ptr %609, i64 1
-  %613 = load double, ptr %612, align 8
-  %614 = fmul double %613, %598
-  %615 = fadd double %611, %614
-  %616 = getelementptr inbounds double, ptr %609, i64 2
-  %617 = load double, ptr %616, align 8
-  %618 = fmul double %617, %600
-  %619 = fadd double %615, %618
-  %620 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %607
-  store double %619, ptr %620, align 8
-  %621 = add nuw nsw i64 %607, 1
-  %622 = icmp eq i64 %621, 3
-  br i1 %622, label %601, label %606
+615:                                              ; preds = %598, %615
+  %616 = phi i64 [ 0, %598 ], [ %630, %615 ]
+  %617 = mul nuw nsw i64 %616, 3
+  %618 = getelementptr inbounds double, ptr %601, i64 %617
+  %619 = load double, ptr %618, align 8
+  %620 = fmul double %619, %605
+  %621 = getelementptr inbounds double, ptr %618, i64 1
+  %622 = load double, ptr %621, align 8
+  %623 = fmul double %622, %607
+  %624 = fadd double %620, %623
+  %625 = getelementptr inbounds double, ptr %618, i64 2
+  %626 = load double, ptr %625, align 8
+  %627 = fmul double %626, %609
+  %628 = fadd double %624, %627
+  %629 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %616
+  store double %628, ptr %629, align 8
+  %630 = add nuw nsw i64 %616, 1
+  %631 = icmp eq i64 %630, 3
+  br i1 %631, label %610, label %615
 
-623:                                              ; preds = %692
-  %624 = add nuw nsw i64 %590, 12
-  %625 = getelementptr inbounds double, ptr %84, i64 %624
-  store double %693, ptr %625, align 8
+632:                                              ; preds = %708
+  %633 = getelementptr inbounds double, ptr %588, i64 %602
+  %634 = load double, ptr %633, align 8
+  %635 = fmul double %709, %634
+  %636 = getelementptr inbounds i64, ptr %589, i64 %602
+  %637 = load i64, ptr %636, align 8
+  %638 = add nsw i64 %637, 13
+  %639 = getelementptr inbounds double, ptr %87, i64 %638
+  %640 = load double, ptr %639, align 8
+  %641 = fadd double %635, %640
+  store double %641, ptr %639, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  %626 = add nuw i64 %590, 1
-  %627 = icmp eq i64 %590, %575
-  br i1 %627, label %694, label %589
+  %642 = add nuw i64 %599, 1
+  %643 = icmp eq i64 %599, %581
+  br i1 %643, label %710, label %598
 
-628:                                              ; preds = %601, %692
-  %629 = phi i1 [ true, %601 ], [ false, %692 ]
-  %630 = phi double [ 0.000000e+00, %601 ], [ %693, %692 ]
-  %631 = select i1 %629, i64 %94, i64 %96
-  %632 = mul nsw i64 %631, %580
-  %633 = add nsw i64 %632, %590
-  %634 = getelementptr inbounds i64, ptr %579, i64 %633
-  %635 = load i64, ptr %634, align 8
-  %636 = icmp eq i64 %635, 0
-  br i1 %636, label %692, label %637
+644:                                              ; preds = %610, %708
+  %645 = phi i1 [ true, %610 ], [ false, %708 ]
+  %646 = phi double [ 0.000000e+00, %610 ], [ %709, %708 ]
+  %647 = select i1 %645, i64 %97, i64 %99
+  %648 = mul nsw i64 %647, %587
+  %649 = add nsw i64 %648, %599
+  %650 = getelementptr inbounds i64, ptr %586, i64 %649
+  %651 = load i64, ptr %650, align 8
+  %652 = icmp eq i64 %651, 0
+  br i1 %652, label %708, label %653
 
-637:                                              ; preds = %628
+653:                                              ; preds = %644
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
-  %638 = select i1 %629, double %512, double %544
-  %639 = load double, ptr %602, align 8
-  %640 = fsub double %638, %639
-  store double %640, ptr %27, align 16
-  %641 = select i1 %629, double %516, double %548
-  %642 = load double, ptr %603, align 8
-  %643 = fsub double %641, %642
-  store double %643, ptr %76, align 8
-  %644 = select i1 %629, double %520, double %552
-  %645 = load double, ptr %604, align 8
-  %646 = fsub double %644, %645
-  store double %646, ptr %77, align 16
+  %654 = select i1 %645, double %515, double %547
+  %655 = load double, ptr %611, align 8
+  %656 = fsub double %654, %655
+  store double %656, ptr %27, align 16
+  %657 = select i1 %645, double %519, double %551
+  %658 = load double, ptr %612, align 8
+  %659 = fsub double %657, %658
+  store double %659, ptr %77, align 8
+  %660 = select i1 %645, double %523, double %555
+  %661 = load double, ptr %613, align 8
+  %662 = fsub double %660, %661
+  store double %662, ptr %78, align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #15
-  br label %647
+  br label %663
 
-647:                                              ; preds = %647, %637
-  %648 = phi i64 [ 0, %637 ], [ %649, %647 ]
-  %649 = add nuw nsw i64 %648, 1
-  %650 = icmp ult i64 %648, 2
-  %651 = add nuw nsw i64 %648, 4294967294
-  %652 = select i1 %650, i64 %649, i64 %651
-  %653 = and i64 %652, 4294967295
-  %654 = getelementptr inbounds double, ptr %26, i64 %653
-  %655 = load double, ptr %654, align 8
-  %656 = icmp eq i64 %648, 0
-  %657 = add nuw nsw i64 %648, 4294967295
-  %658 = and i64 %657, 4294967295
-  %659 = select i1 %656, i64 2, i64 %658
-  %660 = getelementptr inbounds double, ptr %27, i64 %659
-  %661 = load double, ptr %660, align 8
-  %662 = fmul double %655, %661
-  %663 = getelementptr inbounds double, ptr %26, i64 %659
-  %664 = load double, ptr %663, align 8
-  %665 = getelementptr inbounds double, ptr %27, i64 %653
-  %666 = load double, ptr %665, align 8
-  %667 = fmul double %664, %666
-  %668 = fsub double %662, %667
-  %669 = getelementptr inbounds double, ptr %28, i64 %648
-  store double %668, ptr %669, align 8
-  %670 = icmp eq i64 %649, 3
-  br i1 %670, label %671, label %647
+663:                                              ; preds = %663, %653
+  %664 = phi i64 [ 0, %653 ], [ %665, %663 ]
+  %665 = add nuw nsw i64 %664, 1
+  %666 = icmp ult i64 %664, 2
+  %667 = add nuw nsw i64 %664, 4294967294
+  %668 = select i1 %666, i64 %665, i64 %667
+  %669 = and i64 %668, 4294967295
+  %670 = getelementptr inbounds double, ptr %26, i64 %669
+  %671 = load double, ptr %670, align 8
+  %672 = icmp eq i64 %664, 0
+  %673 = add nuw nsw i64 %664, 4294967295
+  %674 = and i64 %673, 4294967295
+  %675 = select i1 %672, i64 2, i64 %674
+  %676 = getelementptr inbounds double, ptr %27, i64 %675
+  %677 = load double, ptr %676, align 8
+  %678 = fmul double %671, %677
+  %679 = getelementptr inbounds double, ptr %26, i64 %675
+  %680 = load double, ptr %679, align 8
+  %681 = getelementptr inbounds double, ptr %27, i64 %669
+  %682 = load double, ptr %681, align 8
+  %683 = fmul double %680, %682
+  %684 = fsub double %678, %683
+  %685 = getelementptr inbounds double, ptr %28, i64 %664
+  store double %684, ptr %685, align 8
+  %686 = icmp eq i64 %665, 3
+  br i1 %686, label %687, label %663
 
-671:                                              ; preds = %647
-  %672 = load ptr, ptr %78, align 8
-  %673 = getelementptr inbounds i64, ptr %672, i64 %593
-  %674 = load i64, ptr %673, align 8
-  %675 = icmp eq i64 %674, 0
-  %676 = load double, ptr %28, align 16
-  %677 = select i1 %675, double %676, double %605
-  %678 = fmul double %465, %677
-  %679 = select i1 %675, ptr %28, ptr %26
-  %680 = getelementptr inbounds double, ptr %679, i64 1
-  %681 = load double, ptr %680, align 8
-  %682 = fmul double %466, %681
-  %683 = fadd double %678, %682
-  %684 = select i1 %675, ptr %28, ptr %26
-  %685 = getelementptr inbounds double, ptr %684, i64 2
-  %686 = load double, ptr %685, align 16
-  %687 = fmul double %467, %686
-  %688 = fadd double %683, %687
-  %689 = fneg double %688
-  %690 = select i1 %629, double %688, double %689
-  %691 = fadd double %630, %690
+687:                                              ; preds = %663
+  %688 = load ptr, ptr %79, align 8
+  %689 = getelementptr inbounds i64, ptr %688, i64 %602
+  %690 = load i64, ptr %689, align 8
+  %691 = icmp eq i64 %690, 0
+  %692 = load double, ptr %28, align 16
+  %693 = select i1 %691, double %692, double %614
+  %694 = fmul double %468, %693
+  %695 = select i1 %691, ptr %28, ptr %26
+  %696 = getelementptr inbounds double, ptr %695, i64 1
+  %697 = load double, ptr %696, align 8
+  %698 = fmul double %469, %697
+  %699 = fadd double %694, %698
+  %700 = select i1 %691, ptr %28, ptr %26
+  %701 = getelementptr inbounds double, ptr %700, i64 2
+  %702 = load double, ptr %701, align 16
+  %703 = fmul double %470, %702
+  %704 = fadd double %699, %703
+  %705 = fneg double %704
+  %706 = select i1 %645, double %704, double %705
+  %707 = fadd double %646, %706
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  br label %692
+  br label %708
 
-692:                                              ; preds = %628, %671
-  %693 = phi double [ %691, %671 ], [ %630, %628 ]
-  br i1 %629, label %628, label %623
+708:                                              ; preds = %644, %687
+  %709 = phi double [ %707, %687 ], [ %646, %644 ]
+  br i1 %645, label %644, label %632
 
-694:                                              ; preds = %623, %445, %574, %439
-  %695 = phi i64 [ %575, %574 ], [ %440, %439 ], [ %440, %445 ], [ %575, %623 ]
+710:                                              ; preds = %632, %448, %577, %442
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  %696 = add nuw nsw i64 %85, 1
-  %697 = getelementptr inbounds double, ptr %83, i64 %695
-  %698 = add nsw i64 %695, 13
-  %699 = getelementptr inbounds double, ptr %84, i64 %698
-  %700 = icmp eq i64 %696, %2
-  br i1 %700, label %80, label %81
+  %711 = add nuw nsw i64 %88, 1
+  %712 = load i64, ptr %32, align 8
+  %713 = getelementptr inbounds double, ptr %86, i64 %712
+  %714 = add nsw i64 %712, 13
+  %715 = getelementptr inbounds double, ptr %87, i64 %714
+  %716 = icmp eq i64 %711, %2
+  br i1 %716, label %83, label %84
 }
 
 define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #7 {
@@ -4095,7 +4141,7 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
 
 define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #9 {
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
   %8 = getelementptr inbounds double, ptr %6, i64 %7
@@ -4128,7 +4174,7 @@ define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonl
   br i1 %30, label %41, label %31
 
 31:                                               ; preds = %29
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   %33 = load ptr, ptr %32, align 8
   %34 = shl nsw i64 %3, 1
   %35 = getelementptr inbounds i64, ptr %33, i64 %34
@@ -4164,19 +4210,19 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
 7:                                                ; preds = %66, %2
   %8 = phi i64 [ %1, %2 ], [ %68, %66 ]
   %9 = load ptr, ptr %0, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 29
+  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 33
   %11 = load ptr, ptr %10, align 8
   %12 = mul nsw i64 %8, 6
   %13 = getelementptr inbounds double, ptr %11, i64 %12
   %14 = load double, ptr %3, align 8
-  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 14
+  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 18
   %16 = load ptr, ptr %15, align 8
   %17 = load i64, ptr %4, align 8
   %18 = shl nsw i64 %17, 2
   %19 = or i64 %18, 3
   %20 = getelementptr inbounds double, ptr %16, i64 %19
   %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 34
+  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 38
   %23 = load ptr, ptr %22, align 8
   %24 = mul nsw i64 %17, 3
   %25 = getelementptr inbounds double, ptr %23, i64 %24
@@ -4221,7 +4267,7 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   br i1 %55, label %69, label %56
 
 56:                                               ; preds = %53, %50
-  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 30
+  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 34
   %58 = load ptr, ptr %57, align 8
   %59 = shl nsw i64 %8, 1
   %60 = getelementptr inbounds i64, ptr %58, i64 %59
@@ -4292,7 +4338,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 
 36:                                               ; preds = %33
   %37 = load ptr, ptr %0, align 8
-  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 36
+  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 40
   %39 = load ptr, ptr %38, align 8
   %40 = load i64, ptr %31, align 8
   %41 = add nsw i64 %40, 1
@@ -4340,9 +4386,9 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 }
 
 define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #6 {
-  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 14
+  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 18
   %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 34
+  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 38
   %8 = load ptr, ptr %7, align 8
   %9 = mul nsw i64 %2, 3
   %10 = getelementptr inbounds double, ptr %8, i64 %9
@@ -4394,7 +4440,7 @@ define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) al
   %49 = fadd double %43, %48
   %50 = getelementptr inbounds double, ptr %34, i64 3
   %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 11
+  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 15
   %53 = load ptr, ptr %52, align 8
   %54 = getelementptr inbounds double, ptr %53, i64 %2
   %55 = load double, ptr %54, align 8
@@ -4441,17 +4487,17 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %14 = alloca %struct.Core, align 8
   %15 = alloca [3 x double], align 16
   %16 = load ptr, ptr %0, align 8
-  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 29
+  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 33
   %18 = load ptr, ptr %17, align 8
   %19 = mul nsw i64 %2, 6
   %20 = getelementptr inbounds double, ptr %18, i64 %19
-  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 34
+  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 38
   %22 = load ptr, ptr %21, align 8
   %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %24 = load i64, ptr %23, align 8
   %25 = mul nsw i64 %24, 3
   %26 = getelementptr inbounds double, ptr %22, i64 %25
-  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 11
+  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 15
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds double, ptr %28, i64 %1
   %30 = load double, ptr %29, align 8
@@ -4513,7 +4559,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %76 = fneg double %30
   %77 = fsub double %76, %54
   %78 = tail call double @llvm.sqrt.f64(double %72)
-  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 14
+  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 18
   %80 = load ptr, ptr %79, align 8
   %81 = shl nsw i64 %24, 2
   %82 = or i64 %81, 3
@@ -4532,19 +4578,19 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %93 = getelementptr inbounds double, ptr %32, i64 %92
   %94 = load double, ptr %93, align 8
   %95 = fcmp uno double %94, 0.000000e+00
-  br i1 %95, label %396, label %100
+  br i1 %95, label %394, label %100
 
 96:                                               ; preds = %75
   %97 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %98 = load i32, ptr %97, align 8
   %99 = icmp eq i32 %98, 1
-  br i1 %99, label %396, label %100
+  br i1 %99, label %394, label %100
 
 100:                                              ; preds = %85, %96
   %101 = fsub double %78, %84
   %102 = fsub double %101, %30
   %103 = fcmp ogt double %102, %52
-  br i1 %103, label %396, label %104
+  br i1 %103, label %394, label %104
 
 104:                                              ; preds = %100, %104
   %105 = phi i64 [ %117, %104 ], [ 0, %100 ]
@@ -4569,7 +4615,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %122 = fsub double %121, %116
   %123 = fadd double %77, %122
   %124 = fcmp ogt double %123, %52
-  br i1 %124, label %396, label %125
+  br i1 %124, label %394, label %125
 
 125:                                              ; preds = %119
   %126 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
@@ -4598,10 +4644,10 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %145 = fsub double %144, %139
   %146 = fadd double %77, %145
   %147 = fcmp ogt double %146, %52
-  br i1 %147, label %396, label %148
+  br i1 %147, label %394, label %148
 
 148:                                              ; preds = %142
-  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 30
+  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 34
   %150 = load ptr, ptr %149, align 8
   %151 = shl nsw i64 %2, 1
   %152 = getelementptr inbounds i64, ptr %150, i64 %151
@@ -4612,7 +4658,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %154, label %155, label %203
 
 155:                                              ; preds = %148
-  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 32
+  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 36
   %157 = load ptr, ptr %156, align 8
   %158 = getelementptr inbounds i64, ptr %152, i64 1
   %159 = load i64, ptr %158, align 8
@@ -4685,7 +4731,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
 202:                                              ; preds = %167, %201
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
   call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #15
-  br label %395
+  br label %393
 
 203:                                              ; preds = %148
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %12) #15
@@ -4737,9 +4783,9 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %236 = fadd double %232, %235
   %237 = call double @llvm.sqrt.f64(double %236)
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 33
+  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 37
   %239 = load ptr, ptr %238, align 8
-  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 7
+  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 11
   %241 = load ptr, ptr %240, align 8
   %242 = getelementptr inbounds i64, ptr %241, i64 %24
   %243 = load i64, ptr %242, align 8
@@ -4783,7 +4829,7 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   br i1 %277, label %278, label %260
 
 278:                                              ; preds = %260
-  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 15
+  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 19
   %280 = load ptr, ptr %279, align 8
   %281 = mul nsw i64 %24, 6
   %282 = getelementptr inbounds double, ptr %280, i64 %281
@@ -4817,143 +4863,141 @@ define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef
   %306 = fmul double %305, %305
   %307 = fcmp ule double %300, %306
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br i1 %307, label %308, label %394
+  br i1 %307, label %308, label %392
 
 308:                                              ; preds = %303
   %309 = fadd double %227, %230
   %310 = fadd double %309, %234
-  %311 = load ptr, ptr %79, align 8
-  %312 = getelementptr inbounds double, ptr %311, i64 %82
-  %313 = load double, ptr %312, align 8
-  %314 = fmul double %313, 2.000000e+00
-  %315 = fcmp olt double %310, %314
-  br i1 %315, label %316, label %341
+  %311 = load double, ptr %83, align 8
+  %312 = fmul double %311, 2.000000e+00
+  %313 = fcmp olt double %310, %312
+  br i1 %313, label %314, label %339
 
-316:                                              ; preds = %308
+314:                                              ; preds = %308
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
-  br label %323
+  br label %321
 
-317:                                              ; preds = %323
-  %318 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %319 = load ptr, ptr %318, align 8
-  %320 = fsub double %52, %77
-  %321 = call fastcc i32 @bounds(ptr noundef %319, ptr noundef nonnull %14, ptr noundef nonnull %15, double noundef %320, double noundef %320, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12, ptr noundef null)
-  %322 = icmp eq i32 %321, 0
-  br i1 %322, label %338, label %334
+315:                                              ; preds = %321
+  %316 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %317 = load ptr, ptr %316, align 8
+  %318 = fsub double %52, %77
+  %319 = call fastcc i32 @bounds(ptr noundef %317, ptr noundef nonnull %14, ptr noundef nonnull %15, double noundef %318, double noundef %318, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12, ptr noundef null)
+  %320 = icmp eq i32 %319, 0
+  br i1 %320, label %336, label %332
 
-323:                                              ; preds = %316, %323
-  %324 = phi i64 [ 0, %316 ], [ %332, %323 ]
-  %325 = getelementptr inbounds double, ptr %26, i64 %324
-  %326 = load double, ptr %325, align 8
-  %327 = add nuw nsw i64 %324, 9
-  %328 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %327
-  %329 = load double, ptr %328, align 8
-  %330 = fsub double %326, %329
-  %331 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %324
-  store double %330, ptr %331, align 8
-  %332 = add nuw nsw i64 %324, 1
-  %333 = icmp eq i64 %332, 3
-  br i1 %333, label %317, label %323
+321:                                              ; preds = %314, %321
+  %322 = phi i64 [ 0, %314 ], [ %330, %321 ]
+  %323 = getelementptr inbounds double, ptr %26, i64 %322
+  %324 = load double, ptr %323, align 8
+  %325 = add nuw nsw i64 %322, 9
+  %326 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %325
+  %327 = load double, ptr %326, align 8
+  %328 = fsub double %324, %327
+  %329 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %322
+  store double %328, ptr %329, align 8
+  %330 = add nuw nsw i64 %322, 1
+  %331 = icmp eq i64 %330, 3
+  br i1 %331, label %315, label %321
 
-334:                                              ; preds = %317
-  %335 = load double, ptr %6, align 8
-  %336 = fadd double %77, %335
-  %337 = fcmp ogt double %336, %52
-  br i1 %337, label %340, label %338
+332:                                              ; preds = %315
+  %333 = load double, ptr %6, align 8
+  %334 = fadd double %77, %333
+  %335 = fcmp ogt double %334, %52
+  br i1 %335, label %338, label %336
 
-338:                                              ; preds = %334, %317
+336:                                              ; preds = %332, %315
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  %339 = load ptr, ptr %17, align 8
-  br label %341
+  %337 = load ptr, ptr %17, align 8
+  br label %339
 
-340:                                              ; preds = %334
+338:                                              ; preds = %332
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  br label %394
+  br label %392
 
-341:                                              ; preds = %338, %308
-  %342 = phi ptr [ %339, %338 ], [ %18, %308 ]
-  %343 = load i64, ptr %152, align 8
-  %344 = mul nsw i64 %343, 6
-  %345 = getelementptr inbounds double, ptr %342, i64 %344
-  br label %346
+339:                                              ; preds = %336, %308
+  %340 = phi ptr [ %337, %336 ], [ %18, %308 ]
+  %341 = load i64, ptr %152, align 8
+  %342 = mul nsw i64 %341, 6
+  %343 = getelementptr inbounds double, ptr %340, i64 %342
+  br label %344
 
-346:                                              ; preds = %346, %341
-  %347 = phi i64 [ 0, %341 ], [ %359, %346 ]
-  %348 = phi double [ 0.000000e+00, %341 ], [ %358, %346 ]
-  %349 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %347
-  %350 = load double, ptr %349, align 8
-  %351 = fcmp ogt double %350, 0.000000e+00
-  %352 = add nuw nsw i64 %347, 3
-  %353 = select i1 %351, i64 %352, i64 %347
-  %354 = and i64 %353, 4294967295
-  %355 = getelementptr inbounds double, ptr %345, i64 %354
-  %356 = load double, ptr %355, align 8
-  %357 = fmul double %350, %356
-  %358 = fadd double %348, %357
-  %359 = add nuw nsw i64 %347, 1
-  %360 = icmp eq i64 %359, 3
-  br i1 %360, label %361, label %346
+344:                                              ; preds = %344, %339
+  %345 = phi i64 [ 0, %339 ], [ %357, %344 ]
+  %346 = phi double [ 0.000000e+00, %339 ], [ %356, %344 ]
+  %347 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %345
+  %348 = load double, ptr %347, align 8
+  %349 = fcmp ogt double %348, 0.000000e+00
+  %350 = add nuw nsw i64 %345, 3
+  %351 = select i1 %349, i64 %350, i64 %345
+  %352 = and i64 %351, 4294967295
+  %353 = getelementptr inbounds double, ptr %343, i64 %352
+  %354 = load double, ptr %353, align 8
+  %355 = fmul double %348, %354
+  %356 = fadd double %346, %355
+  %357 = add nuw nsw i64 %345, 1
+  %358 = icmp eq i64 %357, 3
+  br i1 %358, label %359, label %344
 
-361:                                              ; preds = %346
-  %362 = getelementptr inbounds %struct.Plane, ptr %12, i64 0, i32 1
-  %363 = load double, ptr %362, align 8
-  %364 = getelementptr inbounds i64, ptr %152, i64 1
-  %365 = load i64, ptr %364, align 8
-  %366 = mul nsw i64 %365, 6
-  %367 = getelementptr inbounds double, ptr %342, i64 %366
-  br label %368
+359:                                              ; preds = %344
+  %360 = getelementptr inbounds %struct.Plane, ptr %12, i64 0, i32 1
+  %361 = load double, ptr %360, align 8
+  %362 = getelementptr inbounds i64, ptr %152, i64 1
+  %363 = load i64, ptr %362, align 8
+  %364 = mul nsw i64 %363, 6
+  %365 = getelementptr inbounds double, ptr %340, i64 %364
+  br label %366
 
-368:                                              ; preds = %368, %361
-  %369 = phi i64 [ 0, %361 ], [ %381, %368 ]
-  %370 = phi double [ 0.000000e+00, %361 ], [ %380, %368 ]
-  %371 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %369
-  %372 = load double, ptr %371, align 8
-  %373 = fcmp ogt double %372, 0.000000e+00
-  %374 = add nuw nsw i64 %369, 3
-  %375 = select i1 %373, i64 %374, i64 %369
-  %376 = and i64 %375, 4294967295
-  %377 = getelementptr inbounds double, ptr %367, i64 %376
-  %378 = load double, ptr %377, align 8
-  %379 = fmul double %372, %378
-  %380 = fadd double %370, %379
-  %381 = add nuw nsw i64 %369, 1
-  %382 = icmp eq i64 %381, 3
-  br i1 %382, label %383, label %368
+366:                                              ; preds = %366, %359
+  %367 = phi i64 [ 0, %359 ], [ %379, %366 ]
+  %368 = phi double [ 0.000000e+00, %359 ], [ %378, %366 ]
+  %369 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %367
+  %370 = load double, ptr %369, align 8
+  %371 = fcmp ogt double %370, 0.000000e+00
+  %372 = add nuw nsw i64 %367, 3
+  %373 = select i1 %371, i64 %372, i64 %367
+  %374 = and i64 %373, 4294967295
+  %375 = getelementptr inbounds double, ptr %365, i64 %374
+  %376 = load double, ptr %375, align 8
+  %377 = fmul double %370, %376
+  %378 = fadd double %368, %377
+  %379 = add nuw nsw i64 %367, 1
+  %380 = icmp eq i64 %379, 3
+  br i1 %380, label %381, label %366
 
-383:                                              ; preds = %368
-  %384 = fsub double %363, %358
-  %385 = fsub double %363, %380
-  %386 = fcmp olt double %385, %384
-  %387 = zext i1 %386 to i64
-  %388 = getelementptr inbounds i64, ptr %152, i64 %387
-  %389 = load i64, ptr %388, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %389, ptr noundef nonnull %12)
-  %390 = xor i1 %386, true
-  %391 = zext i1 %390 to i64
-  %392 = getelementptr inbounds i64, ptr %152, i64 %391
-  %393 = load i64, ptr %392, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %393, ptr noundef nonnull %12)
-  br label %394
+381:                                              ; preds = %366
+  %382 = fsub double %361, %356
+  %383 = fsub double %361, %378
+  %384 = fcmp olt double %383, %382
+  %385 = zext i1 %384 to i64
+  %386 = getelementptr inbounds i64, ptr %152, i64 %385
+  %387 = load i64, ptr %386, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %387, ptr noundef nonnull %12)
+  %388 = xor i1 %384, true
+  %389 = zext i1 %388 to i64
+  %390 = getelementptr inbounds i64, ptr %152, i64 %389
+  %391 = load i64, ptr %390, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %391, ptr noundef nonnull %12)
+  br label %392
 
-394:                                              ; preds = %340, %303, %383
+392:                                              ; preds = %338, %303, %381
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #15
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %12) #15
-  br label %395
+  br label %393
 
-395:                                              ; preds = %394, %202
+393:                                              ; preds = %392, %202
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
-  br label %396
+  br label %394
 
-396:                                              ; preds = %85, %119, %142, %96, %100, %395
+394:                                              ; preds = %85, %119, %142, %96, %100, %393
   ret void
 }
 
 define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #9 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i64, ptr %7, i64 %1
   %9 = load i64, ptr %8, align 8
@@ -5013,9 +5057,9 @@ define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr 
 define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #9 {
   %6 = alloca [3 x double], align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
   %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %3
   %12 = load i64, ptr %11, align 8
@@ -5059,7 +5103,7 @@ define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr noc
   br i1 %46, label %47, label %29
 
 47:                                               ; preds = %29
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
   %49 = load ptr, ptr %48, align 8
   %50 = mul nsw i64 %3, 6
   %51 = getelementptr inbounds double, ptr %49, i64 %50
@@ -7096,9 +7140,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   br label %11
 
 11:                                               ; preds = %50, %4
@@ -7156,7 +7200,7 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   br label %11
 
 55:                                               ; preds = %44
-  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   %57 = load ptr, ptr %56, align 8
   %58 = getelementptr inbounds i64, ptr %47, i64 1
   %59 = load i64, ptr %58, align 8
