@@ -1,7 +1,7 @@
 """Joints, frames and bodies of a Pinocchio model, as one plain number per joint."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pinocchio as pin
@@ -71,6 +71,11 @@ class JointTree:
         found = np.zeros((len(self.leader), int(self.leader.max(initial=-1)) + 1))
         found[np.arange(len(self.leader)), self.leader] = self.ratio
         return found
+
+    def alone(self) -> "JointTree":
+        """The same joints, none of which follows another: each has an entry of its own."""
+        count = len(self.leader)
+        return replace(self, leader=np.arange(count), ratio=np.ones(count), offset=np.zeros(count))
 
     def positions(self, q: Array) -> Array:
         """The positions (..., N) of all joints at q (..., n)."""

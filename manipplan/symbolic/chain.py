@@ -4,7 +4,7 @@ Symbols: R, p rotation (3, 3) and origin (3,) of a frame in the world; S_i = (v_
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
 
@@ -78,6 +78,13 @@ class SymbolicChain:
     def carriers(self, joint: int) -> list[Placement | None]:
         """The placements of the joints that carry one joint, None for the others."""
         return carriers_of(self.tree, joint, self.joints)
+
+    @cached_property
+    def alone(self) -> "SymbolicChain":
+        """The same chain as if no joint followed another: its Jacobian (6, N) has a column for each joint."""
+        tree = self.tree.alone()
+        jacobian = jacobian_of(tree, self.carriers(self.frame.parentJoint), self.tool.origin)
+        return replace(self, tree=tree, jacobian=jacobian)
 
     @cached_property
     def mass_matrix(self) -> ca.SX:

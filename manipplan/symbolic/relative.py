@@ -10,7 +10,7 @@ import pinocchio as pin
 
 from manipplan.robots.model_tree import frame_index
 from manipplan.symbolic.chain import Placement, SymbolicChain, constant, jacobian_of
-from manipplan.symbolic.motion import MatrixMotion, Motion, TaskMotion
+from manipplan.symbolic.motion import LedMotion, MatrixMotion, Motion, TaskMotion
 from manipplan.symbolic.task import Task
 
 
@@ -41,10 +41,11 @@ class Seen:
 
 def task_rows(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     """The task's Jacobian (m, n), and how it changes with q."""
+    if task.relative_to is None:
+        alone = chain.alone if chain.tree.has_followers else chain
+        return LedMotion.of(task.rows_of(alone.jacobian, chain.tool.rotation), TaskMotion(chain=alone, task=task), chain.tree)
     seen = Seen.of(chain, task)
     jacobian = task.rows_of(seen.jacobian, seen.tool.rotation)
-    if task.relative_to is None and not chain.tree.has_followers:  # TaskMotion takes each column as that of one joint
-        return jacobian, TaskMotion(chain=chain, task=task)
     return jacobian, MatrixMotion(matrix=jacobian, q=chain.q)
 
 

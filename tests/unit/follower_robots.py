@@ -28,9 +28,7 @@ def joint(name, parent, child, xyz, axis, *, rpy="0 0 0", limit=(-2.6, 2.6), vel
 
 
 def fixed(name, parent, child, xyz, rpy="0 0 0"):
-    return (
-        f'<joint name="{name}" type="fixed"><parent link="{parent}"/><child link="{child}"/><origin xyz="{xyz}" rpy="{rpy}"/></joint>'
-    )
+    return f'<joint name="{name}" type="fixed"><parent link="{parent}"/><child link="{child}"/><origin xyz="{xyz}" rpy="{rpy}"/></joint>'
 
 
 def arm(prefix, base, xyz, rpy="0 0 0"):
