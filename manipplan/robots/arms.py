@@ -101,6 +101,7 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     """The arm with one tool and some of the joints, by index; the others are locked at q (n,) and remain bodies to check."""
     names = robot.joint_names
     held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
+    held |= {name: mimic.position(held[mimic.leader]) for name, mimic in robot.followers.items() if mimic.leader in held}
     model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
     kept = list(joints)
     limits = {
