@@ -17,9 +17,12 @@ from test_export_c import build, example_in_python, run
 
 import manipplan as mp
 from manipplan.collision.body_motion import body_motion
+from manipplan.constraints.tool_frame import tool_frame
+from manipplan.jobs.goals.reach import beyond_links
 from manipplan.jobs.problem import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
-from manipplan.robots.arms import arm_of
+from manipplan.robots.arms import arm_of, tool_reach
+from manipplan.timing.steady.corner import most_acceleration
 from manipplan.tracking.avoidance import avoidance_rows
 from manipplan.viz.motions import skeleton
 from manipplan.viz.viewer.bodies import appearance_of
@@ -463,3 +466,49 @@ def test_files_have_the_leaders_alone(arms, tmp_path):
     read = mp.Trajectory.from_csv(tmp_path / "motion.csv", joints=robot.joint_names)
     assert read.joint_names == trajectory.joint_names == ("j1", "j2", "j3", "j4")
     assert mp.check(robot, read, mp.Scene([])).passed
+
+
+# ---- bounds
+
+
+@pytest.mark.parametrize("name", ["hollow", "double", "chain", "upstream"])
+def test_bounds_on_the_motion_of_the_tool(arms, name):
+    """Upper bounds on its acceleration along random curves, by differences, and on its distance from the first joint."""
+    _, robot, whole = arms(name)
+    place, length = tool_reach(robot, robot.tool)
+    bound, rng, h = tool_frame(robot, robot.tool), np.random.default_rng(3), 1e-4
+    most, largest = most_acceleration(robot), 0.0
+    for q in samples(robot, 40):
+        v, a = rng.uniform(-1, 1, (2, robot.n)) * [robot.limits.velocity, robot.limits.acceleration]
+        poses = [whole.pose(q + v * u + a * u * u / 2, robot.tool) for u in (-h, 0.0, h)]
+        bend = (poses[0] - 2 * poses[1] + poses[2]) / h**2
+        unit, position = bound.bend(np.abs(q)[None], np.abs(v)[None], np.abs(a)[None])
+        assert np.linalg.norm(bend[:3, :3], 2) <= unit[0] + 1e-3
+        assert np.linalg.norm(bend[:3, 3]) <= position[0] + 1e-3 and position[0] <= most * 1.001
+        assert np.linalg.norm(poses[1][:3, 3] - place) <= length
+        pose, jacobian = bound.at(q[None])
+        np.testing.assert_allclose(pose[0, :3], poses[1][:3, 3], atol=1e-12)
+        np.testing.assert_allclose(jacobian[0].T, whole.jacobian(q, robot.tool), atol=1e-12)
+        largest = max(largest, np.linalg.norm(bend[:3, 3]))
+    assert largest > 0.02 * most
+
+
+def test_a_pose_out_of_reach(arms):
+    _, robot, whole = arms("upstream")
+    far = whole.pose(robot.neutral, robot.tool)
+    far[2, 3] = 5.0
+    told = beyond_links(robot, robot.tool, mp.PoseGoal(far))
+    assert told.startswith("out of reach: 4.79 m from stage2, and the links up to the tool are")
+    with pytest.raises(mp.InvalidInputError, match="out of reach.*with stage2 at a limit"):
+        mp.plan(robot, robot.neutral, far)
+
+
+def test_a_level_tool_stays_level(arms):
+    """The palletiser cannot tilt its tool: the constraint holds by construction, and the box limits the rest."""
+    _, robot, whole = arms("palletiser")
+    (start, goal, *_), _ = clear(robot, mp.Scene([]), 4)
+    level = mp.TiltLimit(axis=(0.0, 0.0, 1.0), direction=(0.0, 0.0, -1.0), angle=0.01)
+    plan = mp.plan(robot, start, goal, constraints=[level])
+    assert plan.report.passed
+    for q in plan.trajectory(np.linspace(0, plan.trajectory.duration, 40)):
+        np.testing.assert_allclose(whole.pose(q, "tool")[:3, 2], [0, 0, -1], atol=1e-9)
