@@ -372,7 +372,7 @@ def _check_limits(robot: Robot) -> None:
     half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.endless
     if half.any():
         k = int(half.argmax())
-        wanted = "limits on both sides; revolute joints may have none at all"
+        wanted = "limits on both sides; revolute joints, unless a follower slides or makes no whole turns, may have none at all"
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 

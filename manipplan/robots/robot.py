@@ -248,9 +248,18 @@ class Robot(Pictured):
 
     @property
     def endless(self) -> NDArray[np.bool_]:
-        """Mask (n,) of the revolute joints without a limit on either side."""
-        unlimited = np.isinf(self.limits.lower) & np.isinf(self.limits.upper)
-        return np.asarray(unlimited & np.array([kind != "prismatic" for kind in self.joint_types]))
+        """Mask (n,) of the joints of `turns` without a limit on either side."""
+        return np.asarray(np.isinf(self.limits.lower) & np.isinf(self.limits.upper) & self.turns)
+
+    @property
+    def turns(self) -> NDArray[np.bool_]:
+        """Mask (n,) of the joints whose full turn brings the arm back to the same posture.
+
+        They are revolute, and so are their followers, which make whole turns.
+        """
+        tree = model_tree.joint_tree(self.model)
+        back = ~tree.slides & (tree.ratio == np.round(tree.ratio))
+        return np.array([bool(back[tree.leader == i].all()) for i in range(self.n)])
 
     @property
     def default_task(self) -> "Task":

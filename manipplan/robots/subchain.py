@@ -78,6 +78,11 @@ def choose_joints(
             raise UnsupportedJointError(
                 "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
             )
+    for name, leader in leaders.items():
+        kind = model.joints[model.getJointId(name)]
+        if leader in active and not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
+            wanted = f"revolute, continuous and prismatic joints as followers of the active {leader}"
+            raise UnsupportedJointError("joints", f"{name} ({kind.shortname()})", wanted)
     ordered = [joint for joint in movers if joint in active]
     if active != ordered:
         raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")

@@ -120,8 +120,7 @@ class _FirstJoints(_Condition):
         nearest = int(np.argmin(task.model.pair_distances(q, barrier.pairs)))
         first, second = task.model.pair_names[barrier.pairs[nearest]]
         contact = f"closer than the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else "into contact"
-        revolute = np.array([kind != "prismatic" for kind in task.model.robot.joint_types[: len(names)]])
-        turns = revolute & (self.high - self.low >= 2 * np.pi)
+        turns = task.model.robot.turns[: len(names)] & (self.high - self.low >= 2 * np.pi)
         turned = "; Seeding(shifts='within-limits') tries goals a full turn away as well" if turns.any() else ""
         one = f"{first} and {second} {contact}"
         several = f"two bodies {contact}; at the {ENDS[barrier.end]} {first} and {second} are the nearest of them"

@@ -12,13 +12,14 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
-from follower_robots import ONE_TOOL, ROBOTS, written
+from follower_robots import ONE_TOOL, ROBOTS, Whole, joint, link, written
 from test_export_c import build, example_in_python, run
 
 import manipplan as mp
 from manipplan.collision.body_motion import body_motion
 from manipplan.constraints.tool_frame import tool_frame
 from manipplan.jobs.goals.reach import beyond_links
+from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.problem import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.arms import arm_of, tool_reach
@@ -353,8 +354,12 @@ def judged(whole, trajectory, names, obstacles=OBSTACLES):
 @pytest.mark.parametrize("name", [*ONE_TOOL, "torso"])
 def test_plans_are_safe_for_all_bodies(arms, name, tmp_path):
     _, robot, whole = arms(name)
-    (start, _, _, goal), _ = (clear(robot, SCENE, 4) if name != "torso" else (samples(robot, 400)[~SCENE.in_collision(robot, samples(robot, 400))][:4], None))  # fmt: skip
-    seeding = mp.Seeding(time_limit=60.0)
+    if name == "torso":
+        q = samples(robot, 400)
+        start, goal = q[~SCENE.in_collision(robot, q)][:2]
+    else:
+        start, goal = clear(robot, SCENE, 4)[0][[0, 3]]
+    seeding = mp.Seeding(time_limit=10.0 if name == "torso" else 60.0)
     names = SCENE.collision_model(robot).pair_names
     free = mp.plan(robot, start, goal, seeding=seeding)
     assert free.report.passed
@@ -377,11 +382,9 @@ def test_lines_are_followed(arms, name):
     _, robot, whole = arms(name)
     [start, *_], task = clear(robot, SCENE, 1)
     first = whole.pose(start, robot.tool)
-    # the chain's two joints in one plane move the tool along a curve: it turns about the base
     last = first.copy()
-    change = robot.kinematics(task).jacobian(start)[:3] @ np.linalg.pinv(robot.kinematics(task).jacobian(start)[:3])
-    last[:3, 3] += change @ np.array([0.0, 0.03, 0.02])
-    plan = mp.follow(robot, mp.CartesianPath.line(first, last), SCENE, task=task) if robot.n < 6 else mp.follow(robot, mp.CartesianPath.line(first, last), SCENE)  # fmt: skip
+    last[:3, 3] += [0.0, 0.03, 0.02]
+    plan = mp.follow(robot, mp.CartesianPath.line(first, last), SCENE, objective=mp.PathObjective(task=task))
     assert plan.report.passed and judged(whole, plan.trajectory, SCENE.collision_model(robot).pair_names) > 0
     for q in plan.trajectory(np.linspace(0, plan.trajectory.duration, 50)):
         pose = whole.pose(q, robot.tool)
@@ -512,3 +515,31 @@ def test_a_level_tool_stays_level(arms):
     assert plan.report.passed
     for q in plan.trajectory(np.linspace(0, plan.trajectory.duration, 40)):
         np.testing.assert_allclose(whole.pose(q, "tool")[:3, 2], [0, 0, -1], atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "kind", "back"), [("2", "revolute", True), ("-1.5", "revolute", False), ("1", "prismatic", False)]
+)
+def test_full_turns(tmp_path, ratio, kind, back):
+    """A full turn of a leader is the same posture only where its followers make whole turns."""
+    file = tmp_path / "arm.urdf"
+    wide = joint("wide", "base", "l1", "0 0 0.3", "0 0 1", limit=(-7, 7))
+    follower = joint(
+        "f", "l1", "l2", "0.3 0 0", "0 1 0", limit=(-20, 20), velocity=9.0, kind=kind, mimic=("wide", ratio, "0.3")
+    )
+    file.write_text(
+        f'<robot name="r">{link("base")}{wide}{link("l1")}{follower}{link("l2")}{joint("j", "l2", "tip", "0.3 0 0", "0 1 0")}'
+        f"{link('tip')}</robot>"
+    )
+    robot = mp.Robot.from_urdf(file, tool="tip")
+    assert robot.turns.tolist() == [back, True]
+    whole = Whole.of(file, robot)
+    q, near = np.array([[3.0, 0.4]]), np.array([-3.2, 0.4])
+    nearest = nearest_turns(robot, q, near)[0]
+    assert (abs(nearest[0] - near[0]) < 1.0) == back
+    np.testing.assert_allclose(whole.pose(nearest, "tip"), whole.pose(q[0], "tip"), atol=1e-12)
+    endless = robot.with_limits(lower=-np.inf, upper=np.inf)
+    assert endless.endless.tolist() == [back, True]
+    if not back:
+        with pytest.raises(mp.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"):
+            mp.inverse_kinematics(endless, whole.pose(q[0], "tip"))
