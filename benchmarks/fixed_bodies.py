@@ -9,21 +9,16 @@ touch in 95 % of its own postures. Run with `make benchmark`. Writes docs/benchm
 import argparse
 import tempfile
 import xml.etree.ElementTree as ET
-from collections import defaultdict
-from dataclasses import dataclass
-from itertools import combinations
 from pathlib import Path
 
 import numpy as np
-import pinocchio as pin
+from description_judge import Judge
 from rich.progress import track
 
 import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "fixed_bodies.md"
 ARMS = ("panda", "panda_collision", "ur3", "ur5", "ur10", "xarm7", "z1", "kinova")
-#: Links that touch in this share of the judge's postures touch by construction; near it a verdict is not compared.
-ALWAYS, NEAR = 0.95, 0.04
 #: Distances below this are contact by rounding [m].
 ROUNDING = 1e-6
 
@@ -122,78 +117,6 @@ def equipped(name: str, folder: Path) -> tuple[Path, mp.Robot]:
     own = folder / f"{name}.urdf"
     own.write_text(ET.tostring(root, encoding="unicode"))
     return own, mp.Robot.from_urdf(own, tool=flange, joints=known.joint_names, locked=dict(known.locked), name=name)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Verdicts:
-    """What the judge finds at each posture: the links that touch, and how near the nearest of the others are [m]."""
-
-    touching: list[set[frozenset[str]]]
-    always: set[frozenset[str]]
-    unclear: set[frozenset[str]]
-
-
-class Judge:
-    """Pinocchio and coal on the original file."""
-
-    def __init__(self, file: Path, robot: mp.Robot) -> None:
-        self.model = pin.buildModelFromUrdf(str(file))
-        self.geometry = pin.buildGeomFromUrdf(
-            self.model, str(file), pin.GeometryType.COLLISION, package_dirs=[str(file.parent)]
-        )
-        joined = set()
-        for joint in ET.parse(file).getroot().findall("joint"):
-            joined.add(frozenset((joint.find("parent").get("link"), joint.find("child").get("link"))))
-        self.neutral = pin.neutral(self.model)
-        for name, value in robot.locked.items():
-            joint = self.model.joints[self.model.getJointId(name)]
-            if joint.nq == 1:
-                self.neutral[joint.idx_q] = value
-        active = set(robot.joint_names)
-        self.links = []
-        for i, j in combinations(range(self.geometry.ngeoms), 2):
-            first, second = self.geometry.geometryObjects[i], self.geometry.geometryObjects[j]
-            names = frozenset(self.model.frames[each.parentFrame].name for each in (first, second))
-            moved = set(self.model.supports[first.parentJoint]) ^ set(self.model.supports[second.parentJoint])
-            if len(names) == 2 and names not in joined and {self.model.names[k] for k in moved} & active:
-                self.geometry.addCollisionPair(pin.CollisionPair(i, j))
-                self.links.append(names)
-        self.indices = [self.model.joints[self.model.getJointId(name)] for name in robot.joint_names]
-        self.data, self.geometry_data = self.model.createData(), pin.GeometryData(self.geometry)
-
-    def place(self, q: np.ndarray) -> None:
-        whole = self.neutral.copy()
-        for joint, value in zip(self.indices, q, strict=True):
-            whole[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else (np.cos(value), np.sin(value))
-        pin.updateGeometryPlacements(self.model, self.data, self.geometry, self.geometry_data, whole)
-
-    def verdicts(self, postures: np.ndarray) -> Verdicts:
-        touching = []
-        for q in postures:
-            self.place(q)
-            pin.computeCollisions(self.geometry, self.geometry_data, False)
-            hits = [result.isCollision() for result in self.geometry_data.collisionResults]
-            touching.append({names for names, hit in zip(self.links, hits, strict=True) if hit})
-        counts = defaultdict(int)
-        for each in touching:
-            for names in each:
-                counts[names] += 1
-        share = {names: count / len(postures) for names, count in counts.items()}
-        always = {names for names, value in share.items() if value >= ALWAYS}
-        return Verdicts(
-            touching=touching, always=always, unclear={names for names, value in share.items() if abs(value - ALWAYS) < NEAR}
-        )
-
-    def least(self, q: np.ndarray, left_out: set[frozenset[str]]) -> float:
-        """The smallest distance at a posture of links that are not left out [m]."""
-        self.place(q)
-        pin.computeDistances(self.geometry, self.geometry_data)
-        found = [
-            result.min_distance
-            for names, result in zip(self.links, self.geometry_data.distanceResults, strict=True)
-            if names not in left_out
-        ]
-        return min(found, default=np.inf)
 
 
 def row(name: str, file: Path, robot: mp.Robot, postures: int) -> list[int]:
