@@ -32,7 +32,6 @@ from numpy.typing import NDArray
 from manipplan.collision.covers.fitting import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import native_code
@@ -80,7 +79,7 @@ class BodyMotion:
     """Bounds on the motion of the bodies of a collision model."""
 
     def __init__(self, model: CollisionModel) -> None:
-        tree, objects = joint_tree(model.robot.model), model.geometry.geometryObjects
+        tree, objects = model.robot.tree, model.geometry.geometryObjects
         carrier = np.array([item.parentJoint for item in objects])
         pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
         carriers = carrier[pairs]

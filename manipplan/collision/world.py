@@ -9,7 +9,6 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -29,7 +28,7 @@ def world_arrays(
     """The arrays of `World`, and the bodies of each pair, the moving one first."""
     objects = list(geometry.geometryObjects)
     joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
-    arms = joint_tree(robot.model)
+    arms = robot.tree
     arrays: dict[str, NDArray[Any]] = {
         **{name: getattr(arms, name) for name in ("leader", "ratio", "offset", "before", "carries", "fixed", "axes")},
         "slides": arms.slides.astype(np.int64),

@@ -8,7 +8,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.model_tree import JointTree, frame_index, joint_tree
+from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.reduced import reduce
 from manipplan.robots.srdf import NamedStates
 from manipplan.support.checks import Array
@@ -134,7 +134,7 @@ def lengths_to(robot: "Robot", tool: str) -> list[tuple[int, float]]:
 
     It is the sum of the lengths of the links beyond the joint and of the travel of slides, its own included.
     """
-    tree, model, found = joint_tree(robot.model), robot.model, list[tuple[int, float]]()
+    tree, model, found = robot.tree, robot.model, list[tuple[int, float]]()
     travel = farthest(robot, tree)
     frame = model.frames[frame_index(model, tool)]
     length, joint = float(np.linalg.norm(frame.placement.translation)), int(frame.parentJoint)

@@ -71,8 +71,10 @@ def _locked(model: pin.Model, geometry: pin.GeometryModel, held: Mapping[str, fl
 
 def followers_of(model: pin.Model) -> dict[str, Mimic]:
     """The joints of a model that follow others, by name."""
+    found = dict[str, Mimic]()
+    if all(joint.nq > 0 for joint in model.joints):
+        return found
     tree, leaders = joint_tree(model), joint_names(model)
-    found = {}
     for i, name in enumerate(list(model.names)[1:]):
         if model.joints[i + 1].nq == 0 and not name.endswith(_ITSELF):
             found[name] = Mimic(leader=leaders[tree.leader[i]], multiplier=float(tree.ratio[i]), offset=float(tree.offset[i]))
@@ -107,7 +109,8 @@ def coupled(
 
 def uncoupled(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model, pin.GeometryModel, dict[str, Mimic]]:
     """The arm with an independent joint for each follower, and the followers."""
-    if all(joint.nq > 0 for joint in model.joints):
+    followers = followers_of(model)
+    if not followers:
         return model, geometry, {}
     names, kinds, tree, order = list(model.names), {}, joint_tree(model), []
     for i, name in enumerate(names[1:], start=1):
@@ -116,7 +119,7 @@ def uncoupled(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model,
         if model.joints[i].nq == 0:
             kinds[i] = _joint(tree.axes[i - 1], slides=bool(tree.slides[i - 1]))
         order.append((name.removesuffix(_ITSELF), i, True))
-    return *_rebuilt(model, geometry, order, kinds), followers_of(model)
+    return *_rebuilt(model, geometry, order, kinds), followers
 
 
 def _joint(axis: Array, *, slides: bool) -> pin.JointModel:

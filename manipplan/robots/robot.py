@@ -24,7 +24,7 @@ from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, existing_file, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.memo import state_without_memo
+from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.self_collisions import SelfCollisions
@@ -243,6 +243,11 @@ class Robot(Pictured):
         return reduced.followers_of(self.model)
 
     @property
+    def tree(self) -> model_tree.JointTree:
+        """All joints of `model`, followers included, as arrays."""
+        return _tree(self)
+
+    @property
     def joint_types(self) -> tuple[str, ...]:
         """'revolute', 'continuous' or 'prismatic' for each active joint."""
         return model_tree.joint_types(self.model, np.isinf(self.limits.lower).tolist())
@@ -258,9 +263,8 @@ class Robot(Pictured):
 
         They are revolute, and so are their followers, which make whole turns.
         """
-        tree = model_tree.joint_tree(self.model)
-        back = ~tree.slides & (tree.ratio == np.round(tree.ratio))
-        return np.array([bool(back[tree.leader == i].all()) for i in range(self.n)])
+        back = ~self.tree.slides & (self.tree.ratio == np.round(self.tree.ratio))
+        return np.asarray(np.bincount(self.tree.leader[~back], minlength=self.n) == 0)
 
     @property
     def default_task(self) -> "Task":
@@ -431,3 +435,8 @@ class Robot(Pictured):
 
     def __str__(self) -> str:
         return robot_table(self)
+
+
+@once_per_owner
+def _tree(robot: Robot) -> model_tree.JointTree:
+    return model_tree.joint_tree(robot.model)

@@ -25,7 +25,6 @@ from manipplan.collision.kernel import DistanceKernel, find_kernel
 from manipplan.collision.model import CollisionModel
 from manipplan.robots.arms import farthest
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.seeds.cells import LAST, Barrier, Indices, Space, find_barrier
 from manipplan.seeds.inscribed import Ball, inscribed_ball
@@ -86,7 +85,7 @@ class _FirstJoints(_Condition):
     def of(cls, task: SeedTask, kernel: DistanceKernel, k: int) -> "_FirstJoints":
         """Those of a task, within the bounds of its searches; beyond them, where the limits allow it, nothing is blocked."""
         motion, robot, (low, high) = body_motion(task.model), task.model.robot, task.bounds()
-        limits, tree = robot.limits, joint_tree(robot.model)
+        limits, tree = robot.limits, robot.tree
         last = np.array([max(tree.carriers(joint), default=-1) + 1 for joint in range(robot.model.njoints)])
         slide = not tree.has_followers and tree.slides[:k].all()
         return cls(
@@ -239,7 +238,7 @@ def _place(robot: Robot, q: Array, joint: int, ball: Ball) -> Array:
 
 def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
     """The place (3,) of the first joint that carries a joint, and the largest distance from there of a point it carries [m]."""
-    model, tree = robot.model, joint_tree(robot.model)
+    model, tree = robot.model, robot.tree
     travel = farthest(robot, tree)
     _, first, *others = model.supports[joint]
     links = sum(float(np.linalg.norm(model.jointPlacements[j].translation)) for j in others)

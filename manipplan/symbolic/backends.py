@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import casadi as ca
 
-from manipplan.robots.model_tree import frame_index, joint_tree
+from manipplan.robots.model_tree import frame_index
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement, SymbolicChain
@@ -46,7 +46,7 @@ class PinocchioChain(SymbolicChain):
         matrices = ca.horzsplit(functions.joints(q), 4)
         chain = cls(
             model=robot.model,
-            tree=joint_tree(robot.model),
+            tree=robot.tree,
             frame=robot.model.frames[frame_index(robot.model, robot.tool)],
             q=q,
             joints=tuple(_placement(matrix) for matrix in matrices),

@@ -12,12 +12,17 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
+from examples import examples
 from follower_robots import ONE_TOOL, ROBOTS, Whole, joint, link, written
+from hypothesis import given
+from hypothesis import strategies as st
 from test_export_c import build, example_in_python, run
 
 import manipplan as mp
 from manipplan.collision.body_motion import body_motion
 from manipplan.constraints.tool_frame import tool_frame
+from manipplan.ik.geometry import Screws
+from manipplan.ik.newton import MovingArm
 from manipplan.jobs.goals.reach import beyond_links
 from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.problem import robot_key
@@ -543,3 +548,58 @@ def test_full_turns(tmp_path, ratio, kind, back):
     if not back:
         with pytest.raises(mp.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"):
             mp.inverse_kinematics(endless, whole.pose(q[0], "tip"))
+
+
+NUMBERS = st.floats(-1.5, 1.5).map(lambda x: round(x, 3))
+
+
+@st.composite
+def trees(draw):
+    """A chain of joints with a branch, some of which mimic others, before or behind them."""
+    count = draw(st.integers(3, 7))
+    free = draw(st.lists(st.integers(0, count - 1), min_size=1, max_size=count, unique=True))
+    text, mimics = link("l0"), {}
+    for i in range(count):
+        if i not in free:
+            leaders = [k for k in range(count) if k != i and (k in free or k in mimics)]
+            mimics[i] = draw(st.sampled_from(leaders)), draw(st.sampled_from([-1.0, 1.0, 0.5, -2.0, 0.0])), draw(NUMBERS)
+    branch = draw(st.integers(0, count - 1))
+    for i in range(count):
+        parent = i if i != branch or i == 0 else draw(st.integers(0, i - 1))
+        axis = draw(st.sampled_from(["1 0 0", "0 1 0", "0 0 1", "0 -1 0", "0.6 0 0.8"]))
+        kind = draw(st.sampled_from(["revolute", "revolute", "prismatic"]))
+        mimic = (f"j{mimics[i][0]}", *mimics[i][1:]) if i in mimics else None
+        text += joint(
+            f"j{i}", f"l{parent}", f"l{i + 1}", f"{draw(NUMBERS)} 0.1 0.3", axis, rpy="0.3 0.2 0.1", kind=kind, mimic=mimic
+        )
+        text += link(f"l{i + 1}") if i else link(f"l{i + 1}", ("0 0 0.1", "0.1 0.1 0.1"))
+    return f'<robot name="tree">{text}</robot>', f"l{count}"
+
+
+@examples(80)
+@given(tree=trees(), data=st.data())
+def test_any_tree(tmp_path_factory, tree, data):
+    text, tool = tree
+    file = tmp_path_factory.mktemp("tree") / "tree.urdf"
+    file.write_text(text)
+    try:
+        robot = mp.Robot.from_urdf(file, tool=tool, lower=-1.0, upper=1.0, velocity=1.0)
+    except mp.InvalidInputError as error:
+        assert "at least one joint that moves the tool" in str(error)
+        return
+    whole = Whole.of(file, robot)
+    q = np.array([data.draw(NUMBERS) for _ in range(robot.n)])
+    for each in (robot, pickle.loads(pickle.dumps(robot)), robot.at(np.eye(4))):
+        kinematics = each.kinematics(mp.Task.pose(length=1.0), compiled=False)
+        np.testing.assert_allclose(kinematics.pose(q), whole.pose(q, tool), atol=1e-12)
+        np.testing.assert_allclose(kinematics.jacobian(q), whole.jacobian(q, tool), atol=1e-12)
+        assert each.joint_names == robot.joint_names and each.followers == robot.followers
+    screws = Screws.of(robot)
+    refined = MovingArm(screws, np.ones(robot.n, dtype=bool)).refine(
+        q[None] + 0.01, kinematics.pose(q)[None], np.zeros(1, dtype=int), steps=30, tolerance=1e-12
+    )
+    assert np.abs(kinematics.pose(refined[0]) - kinematics.pose(q)).max() < 1e-3
+    if robot.n > 1:
+        rest = arm_of(robot, tool, range(1, robot.n), q)
+        np.testing.assert_allclose(rest.kinematics(compiled=False).pose(q[1:]), whole.pose(q, tool), atol=1e-12)
+        assert rest.locked[robot.joint_names[0]] == q[0]

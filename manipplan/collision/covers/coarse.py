@@ -17,7 +17,6 @@ from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle, Part, PointCloud
 from manipplan.robots.arms import farthest
 from manipplan.robots.hulls import convex_hull, has_hull
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -116,7 +115,7 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     middle = np.asarray(model.jointPlacements[1].translation)
     places = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
     lengths = sum(float(np.linalg.norm(each)) for each in places)
-    tree = joint_tree(model)
+    tree = robot.tree
     slides = farthest(robot, tree)[tree.slides]
     bodies = 0.0
     for item in robot.geometry.geometryObjects:

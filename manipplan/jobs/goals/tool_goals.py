@@ -15,7 +15,6 @@ from manipplan.jobs.goals.reach import beyond_links, nearest
 from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.torsos import meeting, torso_grid
 from manipplan.robots.arms import shared_joints
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -143,7 +142,7 @@ def _missed(
 
 def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> NDArray[np.bool_]:
     """Whether the arm of one tool touches itself or what stands still, whatever the others do, at q (k, n); (k,)."""
-    tree, own = joint_tree(model.robot.model), set(model.robot.joints_of(tool))
+    tree, own = model.robot.tree, set(model.robot.joints_of(tool))
     joints = {joint for joint in range(len(tree.carries)) if own.issuperset(tree.carriers(joint))}
     objects, pairs = model.geometry.geometryObjects, model.geometry.collisionPairs
     alone = np.array([{objects[p.first].parentJoint, objects[p.second].parentJoint} <= joints for p in pairs], dtype=bool)

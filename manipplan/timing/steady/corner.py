@@ -4,7 +4,6 @@ import numpy as np
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.arms import lengths_to
-from manipplan.robots.model_tree import joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.steady.speed import RAMP, STEADY
@@ -52,7 +51,7 @@ def most_acceleration(robot: Robot) -> float:
     Each joint that carries the tool adds its own acceleration times its lever, and each pair of them the product of their
     velocities times the lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
     """
-    tree, lengths = joint_tree(robot.model), lengths_to(robot, robot.tool)
+    tree, lengths = robot.tree, lengths_to(robot, robot.tool)
     joints = np.array([joint - 1 for joint, _ in lengths])
     levers = np.array([1.0 if tree.slides[joint - 1] else length for joint, length in lengths])
     velocity, acceleration = (tree.sizes(each)[joints] for each in (robot.limits.velocity, robot.limits.acceleration))
