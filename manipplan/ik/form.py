@@ -64,7 +64,7 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 
     Raises UnknownNameError or InvalidInputError where `held` names unknown joints, or not exactly n - 6 joints.
     """
-    if robot.n < 6 or robot.planar or robot.followers:
+    if robot.n < 6 or robot.planar or Screws.of(robot).follow is not None:
         return None
     chosen = held_indices(robot, held, robot.n - 6) if held is not None else None
     return _closed_form(robot, chosen)

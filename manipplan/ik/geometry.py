@@ -23,7 +23,7 @@ EXACT = 1e-9
 class Screws:
     """T(q) = e^[ξ_1] q_1 ... e^[ξ_n] q_n T(0): the joint axes at q = 0.
 
-    Where joints follow others, the axes are those of all N joints that carry the tool, from base to tool, at position 0.
+    Where joints that carry the tool follow others, the axes are those of all N that carry it, from base to tool, at position 0.
 
     Attributes:
         n: number of joints that follow no other.
@@ -32,7 +32,7 @@ class Screws:
         slides: (N,) whether each joint is prismatic.
         home: (4, 4) the tool's pose at position 0 of all joints.
         follow: the entry of q (n,), the ratio and the offset of each joint, (N,) each, which is at ratio * q + offset; None
-            where no joint follows another and N = n.
+            where none of them follows another and N = n.
     """
 
     n: int
@@ -58,7 +58,9 @@ class Screws:
                 followers.get(name, Mimic(leader=name, multiplier=1.0, offset=0.0)) for name in np.array(model.names)[links]
             ]
             leader = np.array([robot.joint_names.index(each.leader) for each in named], dtype=np.int64)
-            follow = leader, np.array([each.multiplier for each in named]), np.array([each.offset for each in named])
+            ratio, offset = np.array([each.multiplier for each in named]), np.array([each.offset for each in named])
+            if len(leader) != robot.n or (leader != np.arange(robot.n)).any() or (ratio != 1.0).any() or offset.any():
+                follow = leader, ratio, offset
             twists, slides = twists[:, links - 1], slides[links - 1]
         axes = np.where(slides, twists[:3], twists[3:]).T
         points = np.where(slides[:, None], 0.0, np.cross(twists[3:].T, twists[:3].T))

@@ -43,9 +43,9 @@ def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int)
 @once_per_owner
 def _reach(robot: Robot) -> tuple[Array, Array, float]:
     """Directions (k, 3) of the leading slides, and the ball in which the tool is with them at 0: centre (3,) and radius [m]."""
-    if robot.followers:
-        return np.zeros((0, 3)), *tool_reach(robot, robot.tool)
     screws = Screws.of(robot)
+    if screws.follow is not None:
+        return np.zeros((0, 3)), *tool_reach(robot, robot.tool)
     count = int(np.argmin(np.append(screws.slides, False)))
     if np.linalg.matrix_rank(screws.axes[:count]) < count:
         count = 0  # slides in parallel can make up for each other
@@ -53,4 +53,5 @@ def _reach(robot: Robot) -> tuple[Array, Array, float]:
         return screws.axes, screws.home[:3, 3], 0.0
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, np.zeros(robot.n))
-    return screws.axes[:count], data.oMi[count + 1].translation.copy(), lengths_to(robot, robot.tool)[count][1]
+    joint, length = lengths_to(robot, robot.tool)[count]
+    return screws.axes[:count], data.oMi[joint].translation.copy(), length

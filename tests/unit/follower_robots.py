@@ -153,6 +153,7 @@ UPSTREAM = telescope(("stage2", 1.0, 0.0), None)
 ROBOTS = {
     "hollow": (HOLLOW, "tool"),
     "palletiser": (PALLETISER, "tool"),
+    "torso-left": (TORSO, "lefttool"),
     "torso-right": (TORSO, "righttool"),
     "double": (DOUBLE, "tool"),
     "chain": (CHAIN, "tool"),

@@ -94,7 +94,10 @@ def test_inverse_kinematics_finds_its_own_configuration(arms, name):
         pose = whole.pose(q, robot.tool)
         known = {"held": [robot.joint_names[0]], "parameters": q[:1]} if robot.n == 7 else {}
         found = mp.inverse_kinematics(robot, pose, task=task, **known)
-        assert found.method == "newton" and found.complete.name == "STATISTICAL"
+        if name.startswith("torso"):  # the follower moves one arm as its leader the other: neither needs it
+            assert found.method == "spherical" and found.complete.name == "EXACT"
+        else:
+            assert found.method == "newton" and found.complete.name == "STATISTICAL"
         for each in found.q:
             miss = whole.pose(each, robot.tool) - pose
             np.testing.assert_allclose(miss[:3] if task.rows == 6 else miss[:3, 3], 0.0, atol=1e-8)
@@ -356,7 +359,7 @@ def judged(whole, trajectory, names, obstacles=OBSTACLES):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [*ONE_TOOL, "torso"])
+@pytest.mark.parametrize("name", [name for name in ROBOTS if name != "torso-left"])
 def test_plans_are_safe_for_all_bodies(arms, name, tmp_path):
     _, robot, whole = arms(name)
     if name == "torso":
