@@ -64,7 +64,7 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 
     Raises UnknownNameError or InvalidInputError where `held` names unknown joints, or not exactly n - 6 joints.
     """
-    if robot.n < 6 or robot.planar or Screws.of(robot).follow is not None:
+    if robot.n < 6 or robot.planar:
         return None
     chosen = held_indices(robot, held, robot.n - 6) if held is not None else None
     return _closed_form(robot, chosen)
@@ -72,10 +72,13 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 
 @once_per_owner
 def _closed_form(robot: Robot, held: tuple[int, ...] | None) -> ClosedForm | None:
+    screws = Screws.of(robot)
+    if screws.follow is not None:
+        return None
     if held is not None and not _moves_everywhere(robot, held):
         wanted = "joints that can be held while the others still move the tool in all directions"
         raise InvalidInputError("held", [robot.joint_names[k] for k in held], wanted)
-    return _simplest(Screws.of(robot), held)
+    return _simplest(screws, held)
 
 
 def _simplest(screws: Screws, held: tuple[int, ...] | None) -> ClosedForm | None:
