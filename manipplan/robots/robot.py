@@ -37,7 +37,7 @@ log = logging.getLogger("manipplan")
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Robot(Pictured):
-    """An arm, or several with a tool each: n active joints; every other joint of the description is locked.
+    """An arm, or several with a tool each: n active joints and those that follow them; all others are locked.
 
     Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build a Robot with
     `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`. A robot holds working data of Pinocchio and IPOPT:

@@ -606,3 +606,18 @@ def test_any_tree(tmp_path_factory, tree, data):
         rest = arm_of(robot, tool, range(1, robot.n), q)
         np.testing.assert_allclose(rest.kinematics(compiled=False).pose(q[1:]), whole.pose(q, tool), atol=1e-12)
         assert rest.locked[robot.joint_names[0]] == q[0]
+
+
+UP = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+DIRECTED = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
+
+
+@pytest.mark.parametrize("name", mp.available_measures())
+def test_every_measure_has_its_gradient(arms, name):
+    _, robot, _ = arms("double")
+    measure = DIRECTED[name](direction=UP) if name in DIRECTED else name
+    kinematics = robot.kinematics(mp.Task.pose(), measure=measure, compiled=False)
+    q, step = samples(robot, 3, seed=8), 1e-6
+    ends = [kinematics.manipulability(q + sign * step * e) for e in np.eye(robot.n) for sign in (1, -1)]
+    slopes = (np.array(ends[::2]) - np.array(ends[1::2])).T / (2 * step)
+    np.testing.assert_allclose(kinematics.gradient(q), slopes, rtol=1e-4, atol=1e-6)
