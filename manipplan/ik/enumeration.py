@@ -73,8 +73,10 @@ class Enumeration:
         numbers = (screws.n, len(form.held), len(form.free), form.solver, form.backward, form.moves_axes, form.triple)
         self._form = _Form(*numbers, *(each.ctypes.data for each in self._arrays))
 
-    def __call__(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Iterator[tuple[Array, NDArray[np.int64]]]:
-        """Blocks of solutions q (k, n), with the sample (k,) of each.
+    def __call__(
+        self, poses: Array, owners: NDArray[np.int64], samples: Array
+    ) -> Iterator[tuple[Array, NDArray[np.int64], int]]:
+        """Blocks of solutions q (k, n), with the sample (k,) of each, and the number of samples solved so far.
 
         Args:
             poses: (p, 4, 4).
@@ -96,4 +98,4 @@ class Enumeration:
                 work.ctypes.data,
                 ctypes.addressof(found),
             )
-            yield out[: found.filled], source[: found.filled]
+            yield out[: found.filled], source[: found.filled], begin

@@ -1,5 +1,7 @@
 """All inverse kinematics solutions of a pose: every configuration that reaches it, for sampled redundancy parameters."""
 
+import logging
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -9,9 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, pose_matrix
+from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
+
+log = logging.getLogger(__name__)
+#: Time for one pose from which on the log says how to get its solutions faster [s].
+SLOW = 1.0
 
 
 class Completeness(StrEnum):
@@ -23,7 +30,8 @@ class Completeness(StrEnum):
     """All solutions for each value on a grid of parameters, with more between the grid points; or all for given values, except
     solutions near a singularity of an arm whose description rounds its axes."""
     STATISTICAL = "statistical"
-    """Found from many random starts; `SolutionSet.missing` estimates the share that is not found."""
+    """Not all: found from random starts, until a time limit, or on a grid whose steps exceed what the arm bridges between them;
+    `SolutionSet.missing` estimates the share that is not found."""
 
 
 @one_line
@@ -72,13 +80,17 @@ def inverse_kinematics(
     held: Sequence[str] | None = None,
     method: str = "auto",
     turns: bool = True,
+    time_limit: float | None = None,
     seed: int = 0,
 ) -> SolutionSet:
     """Every configuration that reaches a pose.
 
     A redundant arm has finitely many solutions once some joints are held or, with a spherical shoulder and wrist, once the
     swivel angle of the elbow is fixed: these values are the parameters. A joint angle that fits its limits at several full
-    turns is listed at each of them; joints without limits are in [-π, π].
+    turns is listed at each of them; joints without limits, or with limits more than eight turns apart, are in one turn, [-π, π]
+    where the limits hold it.
+
+    The grid of a slide is confined to where the other joints can bridge what is left to the pose, however long it is.
 
     Closed forms [pieper1968], built from Paden-Kahan subproblems [murray1994], cover every arm with three joint axes that meet
     at the wrist or the shoulder, and arms with three parallel axes and two that meet (UR). Others are solved by Newton steps
@@ -96,6 +108,9 @@ def inverse_kinematics(
         held: names of the joints to hold instead of those that the arm's closed form prefers.
         method: "closed-form", "newton", or "auto": the closed form where there is one.
         turns: False lists only one of the configurations that differ by full turns, the one with the smallest angles.
+        time_limit: time after which the search ends [s]; None: no limit. What was found until then is returned, as
+            "statistical" with `missing` above zero if the search was cut off. At least one sample is solved, also if that takes
+            longer.
         seed: seed of the random starts.
 
     Raises:
@@ -109,24 +124,51 @@ def inverse_kinematics(
     from manipplan.ik.solver import Solver
 
     poses = pose_stack("pose", pose)
+    began = time.monotonic()
+    deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
-    values, complete = solver.values(parameters, samples, poses)
-    owners = np.repeat(np.arange(len(poses)), len(values))
-    found = solver.solve(poses, owners, np.tile(values, (len(poses), 1)))
+    each = poses[:, None] if solver.sweeps_slides and len(poses) else poses[None]
+    grids = [solver.values(parameters, samples, some) for some in each]
+    if len(grids) == 1:
+        owners, values = np.repeat(np.arange(len(poses)), len(grids[0].values)), np.tile(grids[0].values, (len(poses), 1))
+    else:
+        owners = np.repeat(np.arange(len(poses)), [len(grid.values) for grid in grids])
+        values = np.concatenate([grid.values for grid in grids])
+    found = solver.solve(poses, owners, values, deadline)
     keep = distinct(found.q, found.source)
     if not instance("turns", turns, bool):
         keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
         keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
+    if parameters is None and samples is None and time_limit is None:
+        _hint(robot, solver.method, (time.monotonic() - began) / max(len(poses), 1), len(values) // max(len(poses), 1))
+    sure = found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids])))
+    labels = [solver.complete, *(grid.complete for grid in grids)]
+    complete = solver.complete or grids[0].complete
+    if found.solved < 1 or Completeness.STATISTICAL in labels:
+        complete = Completeness.STATISTICAL
     return SolutionSet(
         q=found.q[keep],
         pose_index=owners[found.source[keep]],
-        parameters=np.tile(values, (len(poses), 1))[found.source[keep]],
+        parameters=values[found.source[keep]],
         parameter_names=solver.names,
         residual=found.residual[keep],
-        complete=solver.complete or complete,
+        complete=complete,
         method=solver.method,
-        missing=found.missing,
+        missing=1 - sure,
     )
+
+
+def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
+    """Log how to get solutions faster where one pose took long [s]."""
+    if seconds > SLOW:
+        log.warning(
+            "%s: inverse kinematics by %s of one pose took %.1f s for %d samples of its redundancy; samples= takes fewer, and "
+            "time_limit= ends it earlier",
+            robot.name,
+            method,
+            seconds,
+            samples,
+        )
 
 
 def pose_stack(argument: str, pose: Any) -> Array:
