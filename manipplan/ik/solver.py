@@ -373,7 +373,10 @@ class Solver:
         blocks, missing, solved = [], [], 1.0
         rng, places = np.random.default_rng(self.seed), StartsOfPoses(self.robot, whole_pose=True)
         targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
+        bound = bridge(self.robot, self.held, True)
         for k, target in enumerate(targets[rows]):
+            if not bound.allows(samples[k, : len(self.held)], target):
+                continue
             setup = Sampled(robot=self.robot, screws=self.screws, held=self.held, values=samples[k, : len(self.held)])
             q, share = random_answers(setup, target, places.of(target), rng, deadline)
             blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))

@@ -21,7 +21,8 @@ MOST = 4096
 FRUITLESS = 512
 #: Rounds continue until each solution was found this often on average and none only once.
 SEEN = 8
-STEPS = 80
+#: Number of steps of each start, and of further ones where these came so near [m, rad].
+FIRST, PROMISING, STEPS = 20, 0.2, 60
 #: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
 NEAR, MORE_STEPS = 1e-2, 500
 #: Error at which a pose is reached [m, rad]; beyond FAR [m] from the world's origin, where rounding is larger, as a share of FAR.
@@ -72,7 +73,9 @@ def random_answers(
         if len(found) or starts < FRUITLESS:
             q = places.random(rng, ROUND)
             q[:, held] = setup.values
-            q, miss = advance(q, STEPS)
+            q, miss = advance(q, FIRST)
+            further = (miss > tolerance) & (miss < PROMISING)
+            q[further], miss[further] = advance(q[further], STEPS)
             starts += ROUND
             near = np.vstack([near, q[(miss > tolerance) & (miss < NEAR)]])
         elif len(near):

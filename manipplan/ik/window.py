@@ -30,6 +30,8 @@ BOXES = 256
 ANGLE = 0.2
 #: Maximum number of times that boxes are halved, and of numbers that are compared at once.
 HALVINGS, AT_ONCE = 400, 2_000_000
+#: Violation of the bound that rounding may cause [m].
+CLOSE = 1e-9
 #: Smallest share of a regular grid that the bound may leave; below it, values are taken from boxes.
 REGULAR = 0.25
 
@@ -115,6 +117,11 @@ class Bridge:
         boxes = self._boxes(BOXES, pose[None])
         return boxes.lower, boxes.upper
 
+    def allows(self, values: Array, pose: Array) -> bool:
+        """Whether the bound allows that a pose (4, 4) is reached with values (g,) of the swept joints."""
+        at = self._bounded(values[None], values[None], pose[None])
+        return bool(at.violation[0] <= CLOSE)
+
     def _regular(self, lower: Array, upper: Array, counts: Sequence[int], poses: Array) -> HeldValues | None:
         """A regular grid between limits (g,); None where the bound leaves little of it."""
         lines = [line(*each) for each in zip(lower, upper, counts, strict=True)]
@@ -154,7 +161,7 @@ class Bridge:
     def _left(self, boxes: _Boxes) -> _Boxes:
         """The boxes that the bound leaves; without any, the one that comes nearest."""
         beyond = boxes.violation - boxes.change
-        left = beyond <= 1e-9 * (1 + boxes.change)
+        left = beyond <= CLOSE * (1 + boxes.change)
         return boxes.rows(left if left.any() else np.array([int(beyond.argmin())]))
 
     def _bounded(self, lower: Array, upper: Array, poses: Array) -> _Boxes:
