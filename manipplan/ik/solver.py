@@ -18,7 +18,7 @@ from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import HeldValues, bridge, in_turn, StartsOfPoses, line, reach_in, span, spans_turn, window
+from manipplan.ik.window import HeldValues, StartsOfPoses, bridge, in_turn, line, reach_in, span, spans_turn, window
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -50,7 +50,8 @@ METHODS = ("auto", "closed-form", "newton")
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Found:
     """Rows q (k, n), the sample (k,) of each, the residual (k,), the estimated share of missing solutions, and the share of the
-    samples that was solved until a deadline."""
+    samples that was solved until a deadline.
+    """
 
     q: Array
     source: NDArray[np.int64]

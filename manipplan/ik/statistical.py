@@ -121,4 +121,3 @@ def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
         return float(np.linalg.svd(left, compute_uv=False)[:, :rank].prod(axis=1).mean())
 
     return max(combinations(range(robot.n), count), key=mean_volume)
-

@@ -53,7 +53,8 @@ class HeldValues:
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Boxes:
     """Boxes of values of swept joints: their limits (k, g), the violation (k,) of the bound at their middles [m], the sum (k,)
-    by which it changes at most inside, and the travel per unit (k, g) that each joint causes."""
+    by which it changes at most inside, and the travel per unit (k, g) that each joint causes.
+    """
 
     lower: Array
     upper: Array
@@ -96,7 +97,8 @@ class Bridge:
 
     def values(self, counts: Sequence[int], poses: Array) -> HeldValues:
         """A grid of the swept joints for poses (p, 4, 4): counts (g,) values of each inside its limits or its window there, or
-        as many in all, one per box, where the bound leaves little of a regular grid."""
+        as many in all, one per box, where the bound leaves little of a regular grid.
+        """
         regular = self._regular(self.lower, self.upper, counts, poses)
         if regular is not None and not regular.missing:
             return regular
@@ -194,7 +196,8 @@ class Bridge:
 
     def _carried(self, joints: Sequence[int], sign: float, point: Array, middle: Array, half: Array) -> tuple[Array, Array]:
         """Places (k, 3) of a point that swept joints carry, the first of them outermost, and the travel per unit (k, g) that
-        each causes at most in boxes with these middles and half widths (k, g)."""
+        each causes at most in boxes with these middles and half widths (k, g).
+        """
         place, moved, levers = np.tile(point, (len(middle), 1)), np.zeros(len(middle)), np.zeros(middle.shape)
         for joint in reversed(joints):
             column, h, p = self._swept.index(joint), self._screws.axes[joint], self._screws.points[joint]

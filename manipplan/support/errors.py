@@ -45,6 +45,21 @@ class UnknownNameError(InvalidInputError):
         return partial(type(self), empty=self.empty), (self.argument, self.value, self.known)
 
 
+class OutOfReachError(InvalidInputError):
+    """A pose that no configuration inside the limits reaches.
+
+    `nearest` is the configuration found that comes nearest: its `q` (n,), `position` [m] and `rotation` [rad] from the pose, and
+    the names of the joints that are `stopped` at a limit.
+    """
+
+    def __init__(self, argument: str, value: object, allowed: str, nearest: Any) -> None:
+        self.nearest = nearest
+        super().__init__(argument, value, allowed)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.argument, self.value, self.allowed, self.nearest)
+
+
 class FileFormatError(InvalidInputError):
     """A file that cannot be read as what it should be."""
 
