@@ -212,7 +212,7 @@ class Solver:
     def _joint_line(self, joint: int, count: int) -> Array:
         lower, upper = span(self.robot)
         if spans_turn(self.robot)[joint]:
-            return lower[joint] + 2 * np.pi * np.arange(count) / count
+            return np.asarray(lower[joint] + 2 * np.pi * np.arange(count) / count)
         return line(float(lower[joint]), float(upper[joint]), count)
 
     def _line(self, parameter: int, count: int, limits: tuple[Array, Array], poses: Array) -> Array:
@@ -352,7 +352,8 @@ class Solver:
     def _by_rows(self, poses: Array, free: FreeMotion, samples: Array, deadline: Deadline) -> Found:
         """Solutions of what counts of poses (s, 4, 4), the pose of each sample (s, r), from random starts."""
         rng, limits, robot = np.random.default_rng(self.seed), self.robot.limits, self.robot
-        count, blocks, begin = max(STARTS, ALL_STARTS // max(len(samples), 1)), [], 0
+        count, begin = max(STARTS, ALL_STARTS // max(len(samples), 1)), 0
+        blocks: list[Found] = []
         moves = np.ones(robot.n, dtype=np.bool_)
         moves[list(self.held)] = False
         places = StartsOfPoses(robot, whole_pose=not free.turns.value)
@@ -361,8 +362,8 @@ class Solver:
             q = places.random(poses[source], rng)
             q[:, list(self.held)] = samples[source, : len(self.held)]
             q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
-            found = (residual <= _allowed(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
-            blocks.append(Found(q=in_turn(robot, q[found]), source=source[found], residual=residual[found]))
+            good = (residual <= _allowed(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
+            blocks.append(Found(q=in_turn(robot, q[good]), source=source[good], residual=residual[good]))
             begin += TOGETHER
         found = _joined(blocks, robot.n)
         kept, hits = merged(found.q, found.source)

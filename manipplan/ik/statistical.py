@@ -25,7 +25,8 @@ SEEN = 8
 FIRST, PROMISING, STEPS = 20, 0.2, 60
 #: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
 NEAR, MORE_STEPS = 1e-2, 500
-#: Error at which a pose is reached [m, rad]; beyond FAR [m] from the world's origin, where rounding is larger, as a share of FAR.
+#: Error at which a pose is reached [m, rad]. Beyond FAR [m] from the world's origin, where rounding is larger, it grows with
+#: the distance.
 TOLERANCE, FAR = 1e-12, 1e3
 #: Solutions that differ by less than this are the same [rad or m].
 SAME = 1e-5

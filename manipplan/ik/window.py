@@ -11,6 +11,7 @@ times its angle, or by its travel.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pinocchio as pin
@@ -86,7 +87,7 @@ class Bridge:
             turning, points = [*turning, robot.n], np.vstack([points, self._screws.home[:3, 3]])
         self._points = points
         edges = [-1, *turning, robot.n]
-        groups = [[j for j in swept if before < j < after] for before, after in zip(edges[:-1], edges[1:], strict=True)]
+        groups = [[j for j in swept if before < j < after] for before, after in pairwise(edges)]
         self._leading, self._between, self._trailing = groups[0], groups[1:-1], groups[-1]
         travel = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))
         self._slack = float(sum(travel[k] for k in range(robot.n) if slides[k] and k not in swept))
@@ -142,7 +143,7 @@ class Bridge:
         return max(float((violation > 0).mean()), 1 / (1 + len(step))) if coarse.any() else 0.0
 
     def _boxes(self, count: int, poses: Array) -> _Boxes:
-        """At least `count` boxes that hold every value with which one of poses (p, 4, 4) is reached; without any, the nearest."""
+        """At least `count` boxes that hold every value with which one of poses (p, 4, 4) is reached; else the nearest."""
         boxes = self._left(self._bounded(self.lower[None], self.upper[None], poses))
         for _ in range(HALVINGS):
             sizes = (boxes.levers + ANGLE * self.reach) * (boxes.upper - boxes.lower)
@@ -297,7 +298,8 @@ class StartsOfPoses:
 
     def __init__(self, robot: Robot, *, whole_pose: bool) -> None:
         self._robot, self._whole = robot, whole_pose
-        self._pose, self._starts = np.zeros(0), None
+        self._pose: Array = np.zeros(0)
+        self._starts: Starts | None = None
 
     def of(self, pose: Array) -> Starts:
         """Those of a pose (4, 4)."""
@@ -311,7 +313,7 @@ class StartsOfPoses:
         edges = [0, *changes.tolist(), len(poses)]
         if not slides_of(self._robot):
             edges = [0, len(poses)]
-        return np.concatenate([self.of(poses[a]).random(rng, b - a) for a, b in zip(edges[:-1], edges[1:], strict=True)])
+        return np.concatenate([self.of(poses[a]).random(rng, b - a) for a, b in pairwise(edges)])
 
 
 def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int, *, whole_pose: bool = True) -> Array:

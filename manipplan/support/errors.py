@@ -48,8 +48,8 @@ class UnknownNameError(InvalidInputError):
 class OutOfReachError(InvalidInputError):
     """A pose that no configuration inside the limits reaches.
 
-    `nearest` is the configuration found that comes nearest: its `q` (n,), `position` [m] and `rotation` [rad] from the pose, and
-    the names of the joints that are `stopped` at a limit.
+    `nearest` is the configuration found that comes nearest: its `q` (n,), its distance `position` [m] and angle `rotation`
+    [rad] from the pose, and the names of the joints that are `stopped` at a limit.
     """
 
     def __init__(self, argument: str, value: object, allowed: str, nearest: Any) -> None:
