@@ -123,6 +123,7 @@ def inverse_kinematics(
     from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
 
+    instance("turns", turns, bool)
     poses = pose_stack("pose", pose)
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
@@ -136,7 +137,7 @@ def inverse_kinematics(
         values = np.concatenate([grid.values for grid in grids])
     found = solver.solve(poses, owners, values, deadline)
     keep = distinct(found.q, found.source)
-    if not instance("turns", turns, bool):
+    if not turns:
         keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
         keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
     if parameters is None and samples is None and time_limit is None:

@@ -22,7 +22,7 @@ from manipplan.ik.window import HeldValues, StartsOfPoses, bridge, in_turn, line
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number_array, random_seed, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
@@ -38,6 +38,8 @@ ROUNDED = 1e-6
 STEPS = 200
 #: Default number of samples per parameter, for one to six parameters.
 SAMPLES = (64, 24, 12, 8, 6, 5)
+#: Maximum number of samples of all parameters together.
+MOST_SAMPLES = 50_000_000
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
@@ -99,7 +101,7 @@ class Solver:
         one_tool(instance("robot", robot, Robot), "inverse kinematics")
         usual = robot.default_task if robot.planar else Task.pose()
         task = instance("task", task if task is not None else usual, Task)
-        if method not in METHODS:
+        if not isinstance(method, str) or method not in METHODS:
             raise UnknownNameError("method", str(method), METHODS)
         if task.relative_to is not None:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
@@ -174,9 +176,8 @@ class Solver:
             return self._grid(samples, SAMPLES, poses)
         if samples is not None:
             raise InvalidInputError("samples", samples, "nothing where parameters are given")
-        values = finite_array(
-            "parameters", np.atleast_1d(np.asarray(parameters)), (r,) if np.ndim(parameters) < 2 else (None, r)
-        )
+        given = np.atleast_1d(number_array("parameters", parameters))
+        values = finite_array("parameters", given, (r,) if given.ndim < 2 else (None, r))
         return Grid(values=np.atleast_2d(values), complete=Completeness.EXACT)
 
     def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Array:
@@ -192,7 +193,10 @@ class Solver:
         return bool(self.screws.slides[list(self.held)].any())
 
     def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Grid:
-        counts, limits = sample_counts(samples, self.names, usual), window(self.robot, poses)
+        counts = sample_counts(samples, self.names, usual)
+        if math.prod(counts) > MOST_SAMPLES:
+            raise InvalidInputError("samples", samples, f"at most {MOST_SAMPLES:,} in all, not {' x '.join(map(str, counts))}")
+        limits = window(self.robot, poses)
         own = len(self.held)
         held = self._held_values(counts[:own], poses)
         rest = list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(counts[own:], own))))
@@ -401,11 +405,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
     if samples is None:
         return (usual[min(r, len(usual)) - 1],) * r
     if not isinstance(samples, list | tuple):
-        return (whole_number("samples", samples, least=1),) * r
+        return (whole_number("samples", samples, least=1, most=10**12),) * r
     if len(samples) != r:
         wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
         raise InvalidInputError("samples", samples, wanted)
-    return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+    return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1, most=10**12) for k, each in enumerate(samples))
 
 
 def _solves_rows(robot: Robot, free: FreeMotion) -> bool:
