@@ -102,8 +102,8 @@ def idle_hint(kinematics: Kinematics) -> str:
     names = " and ".join(name for name, still in zip(robot.joint_names, idle, strict=True) if still)
     verb = "do" if idle.sum() > 1 else "does"
     return (
-        f"{names} {verb} not move the tool as the task {kinematics.task.name!r} counts it, so that m is zero everywhere; give a "
-        f"tool beside the axis (robot.with_tool), or a task of at most {robot.n - idle.sum()} rows"
+        f"{names} {verb} not move the tool as the task {kinematics.task.name!r} counts it, so that m is zero everywhere; give "
+        f"a tool beside the axis (robot.with_tool), or a task of at most {robot.n - idle.sum()} rows"
     )
 
 
