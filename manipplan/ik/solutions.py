@@ -5,7 +5,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,9 @@ from manipplan.support.checks import Array, instance, number, pose_matrix
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
+
+if TYPE_CHECKING:
+    from manipplan.ik.solver import Solver
 
 log = logging.getLogger(__name__)
 #: Time for one pose from which on the log says how to get its solutions faster [s].
@@ -101,7 +104,7 @@ def inverse_kinematics(
         pose: (4, 4) or pin.SE3 of the tool, or several, (p, 4, 4).
         parameters: (r,), or (s, r) to be tried for each pose: held joints [rad or m] in the order of the arm, then the
             swivel, then the motions that the task leaves free: shifts [m], rotation about an axis [rad], or azimuth, tilt and
-            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid.
+            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid, made finer where it finds nothing.
         task: Task.pose(), the default; Task.pointing(axis), whose rotation about the axis is free; or any other whose rows fix
             a set of poses, such as Task.position(). For planar arms Task.planar(), their default: the position alone.
         samples: number of grid points, one number or one per parameter.
@@ -128,6 +131,67 @@ def inverse_kinematics(
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
+    found = _solved(solver, poses, parameters, samples, deadline)
+    if parameters is None and samples is None:
+        for count in solver.finer_counts():
+            none = np.setdiff1d(np.arange(len(poses)), found.owners)
+            if not len(none) or deadline.passed:
+                break
+            found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
+    keep = distinct(found.q, found.source)
+    if not turns:
+        keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
+        keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
+    keep = keep[np.argsort(found.owners[keep], kind="stable")]
+    if parameters is None and samples is None and time_limit is None:
+        count = max(len(poses), 1)
+        _hint(robot, solver.method, (time.monotonic() - began) / count, found.tried // count)
+    return SolutionSet(
+        q=found.q[keep],
+        pose_index=found.owners[keep],
+        parameters=found.parameters[keep],
+        parameter_names=solver.names,
+        residual=found.residual[keep],
+        complete=found.complete,
+        method=solver.method,
+        missing=found.missing,
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Solved:
+    """Configurations (k, n) with the pose (k,), sample (k,), parameters (k, r) and residual (k,) of each.
+
+    Besides the number of samples, and how complete their solutions are.
+    """
+
+    q: Array
+    owners: NDArray[np.int64]
+    source: NDArray[np.int64]
+    parameters: Array
+    residual: Array
+    tried: int
+    complete: Completeness
+    missing: float
+
+    def with_more(self, more: "_Solved", poses: NDArray[np.int64]) -> "_Solved":
+        """These with those of other samples of some poses, by index."""
+        return _Solved(
+            q=np.concatenate([self.q, more.q]),
+            owners=np.concatenate([self.owners, poses[more.owners]]),
+            source=np.concatenate([self.source, self.tried + more.source]),
+            parameters=np.concatenate([self.parameters, more.parameters]),
+            residual=np.concatenate([self.residual, more.residual]),
+            tried=self.tried + more.tried,
+            complete=more.complete,
+            missing=more.missing,
+        )
+
+
+def _solved(
+    solver: "Solver", poses: Array, parameters: ArrayLike | None, samples: int | Sequence[int] | None, deadline: Deadline
+) -> _Solved:
+    """All solutions of poses (p, 4, 4) for given parameters or a grid; each pose has its own grid where slides are in it."""
     each = poses[:, None] if solver.sweeps_slides and len(poses) else poses[None]
     grids = [solver.values(parameters, samples, some) for some in each]
     if len(grids) == 1:
@@ -136,32 +200,22 @@ def inverse_kinematics(
         owners = np.repeat(np.arange(len(poses)), [len(grid.values) for grid in grids])
         values = np.concatenate([grid.values for grid in grids])
     found = solver.solve(poses, owners, values, deadline)
-    keep = distinct(found.q, found.source)
-    if not turns:
-        keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
-        keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
-    if parameters is None and samples is None and time_limit is None:
-        _hint(robot, solver.method, (time.monotonic() - began) / max(len(poses), 1), len(values) // max(len(poses), 1))
-    sure = found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids])))
-    labels = [solver.complete, *(grid.complete for grid in grids)]
-    complete = solver.complete or grids[0].complete
-    if found.solved < 1 or Completeness.STATISTICAL in labels:
-        complete = Completeness.STATISTICAL
-    return SolutionSet(
-        q=found.q[keep],
-        pose_index=owners[found.source[keep]],
-        parameters=values[found.source[keep]],
-        parameter_names=solver.names,
-        residual=found.residual[keep],
-        complete=complete,
-        method=solver.method,
-        missing=1 - sure,
+    cut = found.solved < 1 or any(grid.complete == Completeness.STATISTICAL for grid in grids)
+    return _Solved(
+        q=found.q,
+        owners=owners[found.source],
+        source=found.source,
+        parameters=values[found.source],
+        residual=found.residual,
+        tried=len(values),
+        complete=Completeness.STATISTICAL if cut else solver.complete or grids[0].complete,
+        missing=1 - found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids]))),
     )
 
 
 def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
     """Log how to get solutions faster where one pose took long [s]."""
-    if seconds > SLOW:
+    if seconds > SLOW and samples > 1:
         log.warning(
             "%s: inverse kinematics by %s of one pose took %.1f s for %d samples of its redundancy; samples= takes fewer, and "
             "time_limit= ends it earlier",

@@ -40,6 +40,8 @@ STEPS = 200
 SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Maximum number of samples of all parameters together.
 MOST_SAMPLES = 50_000_000
+#: The same up to which a default grid that finds nothing is made finer.
+FINEST = 20_000
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
@@ -186,6 +188,14 @@ class Solver:
         `usual` has the default number of values per parameter, by number of parameters.
         """
         return self._grid(samples, usual, poses).values
+
+    def finer_counts(self) -> list[int]:
+        """Numbers of samples per parameter to be tried where the default finds nothing; none without a closed form."""
+        r = len(self.names)
+        if self.form is None or not r:
+            return []
+        usual = SAMPLES[min(r, len(SAMPLES)) - 1]
+        return [count for k in range(1, 9) if (count := usual * 2**k) ** r <= FINEST]
 
     @property
     def sweeps_slides(self) -> bool:
