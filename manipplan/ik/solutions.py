@@ -3,7 +3,7 @@
 import logging
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
@@ -104,7 +104,8 @@ def inverse_kinematics(
         pose: (4, 4) or pin.SE3 of the tool, or several, (p, 4, 4).
         parameters: (r,), or (s, r) to be tried for each pose: held joints [rad or m] in the order of the arm, then the
             swivel, then the motions that the task leaves free: shifts [m], rotation about an axis [rad], or azimuth, tilt and
-            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid, made finer where it finds nothing.
+            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid, made finer where it finds nothing; if that
+            does not help, values of configurations to which random starts lead.
         task: Task.pose(), the default; Task.pointing(axis), whose rotation about the axis is free; or any other whose rows fix
             a set of poses, such as Task.position(). For planar arms Task.planar(), their default: the position alone.
         samples: number of grid points, one number or one per parameter.
@@ -138,6 +139,12 @@ def inverse_kinematics(
             if not len(none) or deadline.passed:
                 break
             found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
+        for k in np.setdiff1d(np.arange(len(poses)), found.owners):
+            values = solver.random_parameters(poses[k])
+            if len(values) and not deadline.passed:
+                more = _solved(solver, poses[k : k + 1], values, None, deadline)
+                part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
+                found = found.with_more(part, np.array([k]))
     keep = distinct(found.q, found.source)
     if not turns:
         keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
@@ -184,7 +191,7 @@ class _Solved:
             residual=np.concatenate([self.residual, more.residual]),
             tried=self.tried + more.tried,
             complete=more.complete,
-            missing=more.missing,
+            missing=max(self.missing, more.missing) if more.complete == Completeness.STATISTICAL else more.missing,
         )
 
 

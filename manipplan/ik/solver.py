@@ -18,7 +18,7 @@ from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import HeldValues, StartsOfPoses, bridge, in_turn, line, reach_in, span, spans_turn, window
+from manipplan.ik.window import HeldValues, Starts, StartsOfPoses, bridge, in_turn, line, reach_in, span, spans_turn, window
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -42,6 +42,8 @@ SAMPLES = (64, 24, 12, 8, 6, 5)
 MOST_SAMPLES = 50_000_000
 #: The same up to which a default grid that finds nothing is made finer.
 FINEST = 20_000
+#: Number of random starts where no grid finds anything.
+AT_RANDOM = 128
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
@@ -196,6 +198,21 @@ class Solver:
             return []
         usual = SAMPLES[min(r, len(SAMPLES)) - 1]
         return [count for k in range(1, 9) if (count := usual * 2**k) ** r <= FINEST]
+
+    def random_parameters(self, pose: Array) -> Array:
+        """Parameters (k, r) with which a pose (4, 4) has a solution: those of configurations to which random starts lead.
+
+        They serve where so few values have one that a grid misses them all. There are none without a closed form, where random
+        starts are the method, and none with a free motion.
+        """
+        if self.form is None or not self.names or self.free.names:
+            return np.zeros((0, len(self.names)))
+        starts = Starts.near(self.robot, pose, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+        arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
+        allowed = float(_allowed(pose[None])[0])
+        q, miss = arm.search(starts, pose, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
+        q = in_turn(self.robot, q[miss <= allowed])
+        return self.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
 
     @property
     def sweeps_slides(self) -> bool:
