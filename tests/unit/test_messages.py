@@ -26,7 +26,7 @@ def test_numbers_in_messages_are_plain(value):
         assert "np." not in str(each)
 
 
-@pytest.mark.parametrize("value", [10**5000, -(10**5000), [10**5000], {"a": 10**400}])
+@pytest.mark.parametrize("value", [10**5000, -(10**5000), [10**5000], {"a": 10**400}], ids=("long", "negative", "list", "dict"))
 def test_a_number_too_long_to_write_is_told_by_its_size(value):
     assert " bits" in str(mp.InvalidInputError("seed", value, "less"))
 
