@@ -79,6 +79,7 @@ def sound(robot, file, found, pose):
         assert np.abs(own_pose(file, q) - pose).max() <= 2 * allowed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("near", [True, False])
 @pytest.mark.parametrize("length", LENGTHS)
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in SEARCHED])
@@ -143,6 +144,17 @@ def test_several_joints_are_held_behind_the_others(tmp_path, behind):
         assert np.abs(found.q - q).max(axis=1).min() < 1e-6
 
 
+@pytest.mark.parametrize("length", [5.0, 1e6])
+def test_a_rotating_base_on_a_long_slide(tmp_path, length):
+    robot, file = with_slides(tmp_path, "rotating base, then slide", length)
+    rng = np.random.default_rng(8)
+    for near in (True, False):
+        pose = own_pose(file, near_or_far(robot, rng, near))
+        found = mp.inverse_kinematics(robot, pose)
+        assert len(found) and found.complete == "to-resolution"
+        sound(robot, file, found, pose)
+
+
 def test_a_pose_out_of_reach_has_no_solution(tmp_path):
     robot, file = with_slides(tmp_path, "slide first", 100.0)
     pose = own_pose(file, np.zeros(8))
@@ -150,6 +162,7 @@ def test_a_pose_out_of_reach_has_no_solution(tmp_path):
     assert not len(mp.inverse_kinematics(robot, pose))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", list(KINDS))
 @pytest.mark.parametrize("whole", [True, False])
 def test_boxes_hold_the_values_of_every_configuration(tmp_path, kind, whole):
@@ -202,6 +215,7 @@ def test_what_was_found_until_the_limit_is_returned_and_labelled(skew):
     assert np.ptp(found.parameters) > 0.3 * (upper - lower)  # spread over the grid, not its first values
 
 
+@pytest.mark.slow
 def test_a_closed_form_ends_at_the_limit_too(panda):
     pose = panda.kinematics().pose(panda.neutral)
     found = mp.inverse_kinematics(panda, pose, samples=3_000_000, time_limit=1e-3)
