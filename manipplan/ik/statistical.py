@@ -19,8 +19,8 @@ ROUND = 64
 MOST = 4096
 #: Number of starts without a solution after which the pose counts as unreachable.
 FRUITLESS = 512
-#: Rounds continue until each solution was found this often on average and none only once.
-SEEN = 8
+#: Rounds continue until each solution was found SEEN times on average and none less than OFTEN times.
+SEEN, OFTEN = 16, 3
 #: Number of steps of each start, and of further ones where these came so near [m, rad].
 FIRST, PROMISING, STEPS = 20, 0.2, 60
 #: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
@@ -90,7 +90,7 @@ def random_answers(
                 hits[same[0]] += 1
             else:
                 found, hits = np.vstack([found, each]), np.append(hits, 1)
-        if (hits.sum() >= SEEN * max(len(found), 1) and not (hits == 1).any()) or deadline.passed:
+        if (hits.sum() >= SEEN * max(len(found), 1) and not (hits < OFTEN).any()) or deadline.passed:
             break
     missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
     return found, missing
