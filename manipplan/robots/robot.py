@@ -248,12 +248,15 @@ class Robot(Pictured):
 
     @property
     def default_task(self) -> "Task":
-        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position()."""
-        from manipplan.symbolic.task import Task
+        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position().
 
-        if self.planar:
-            return Task.planar()
-        return Task.pose() if min(len(self.joints_of(tool)) for tool in self.tools) >= 6 else Task.position()
+        For an arm whose joints cannot make all these motions, such as one of two joints, it is the part that they span, if
+        that is fixed in the world or in the tool: x and y for a gantry of two slides. Otherwise the manipulability is
+        identically zero, and `plan` searches for the shortest path.
+        """
+        from manipplan.symbolic.spanned import default_task
+
+        return default_task(self)
 
     def kinematics(
         self,
