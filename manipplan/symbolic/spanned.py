@@ -30,10 +30,11 @@ def usual_task(robot: "Robot") -> Task:
 def default_task(robot: "Robot") -> Task:
     """`Robot.default_task`: the usual task, or its part that the joints span.
 
-    Where the usual task's Jacobian has dependent rows in every configuration, as always with fewer joints than rows, it is cut: to the directions
-    in which the joints can move the tool, if these are as many as the rank and fixed in the world or in the tool. A gantry's
-    are x and y of the world, those of a pan-tilt head two axes of the tool. Where no fixed rows have that property, as for a
-    positioner with its tool on the last axis, the usual task remains, and its manipulability is identically zero.
+    Where the rows of the usual task's Jacobian are dependent in every configuration, as always with fewer joints than rows, the
+    task is cut: to the directions in which the joints can move the tool, if these are as many as the rank, and fixed in the
+    world or in the tool. A gantry's are x and y of the world, those of a pan-tilt head two axes of the tool. Where no fixed
+    rows have that property, as for a positioner with its tool on the last axis, the usual task remains, and its manipulability
+    is identically zero.
     """
     usual = usual_task(robot)
     if robot.planar or not is_always_singular(robot, usual) or len(robot.tools) > 1:
