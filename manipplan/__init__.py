@@ -48,7 +48,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.manipulability import Constant, FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.over_tools import OverTools
@@ -131,6 +131,7 @@ __all__ = [
     "Evaluator",
     "FileFormatError",
     "ForceTransmission",
+    "Constant",
     "FrobeniusNorm",
     "GoalCandidate",
     "GuilamoResult",
