@@ -8,9 +8,9 @@ The rule, in this order:
 3. Fingers are not ends; the body that carries them is. Fingers are several sibling branches, and no other branch, on one body
    that at least two joints move. Each has at most two joints that are not followers, all of limited travel (or with the name of
    a gripper, as a motor has), and reaches no further than 0.25 m and half the length of the arm. One branch alone is a jaw if,
-   besides, it is a single joint of less than half a turn or 0.2 m, carries no tool frame, and has the name of a jaw: finger, jaw,
-   claw, knuckle or thumb in the joint or its link, gripper in the joint, or gripper in the links on both sides. A joint called
-   roll, pitch, yaw, wrist or similar is none.
+   besides, it is a single joint of less than half a turn or 0.2 m, carries no tool frame, and has the name of a jaw: finger,
+   jaw, claw, knuckle or thumb in the joint or its link, gripper in the joint, or gripper in the links on both sides. A joint
+   called roll, pitch, yaw, wrist or similar is none.
 4. Of several ends on one rigid body, the name decides, in the order of `NAMES`; then it is the only frame without collision
    geometry that is no sensor's. Where the body carries fingers, only ends fixed beyond the link of the fingers count, and
    otherwise it is that link.
