@@ -380,6 +380,13 @@ def test_the_command_lists_what_can_be_had_at_once(capsys, monkeypatch, descript
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("name", ["pr2_left_arm", "pr2_right_arm", "icub_left_arm", "b1_z1", "ur5_gripper", "anymal_kinova"])
+def test_neutral_postures_given_here_are_free(name):
+    robot = mp.load_robot(name)
+    assert not mp.Scene().in_collision(robot, robot.neutral)
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOG)
 def test_the_catalogue_says_what_its_arms_are(name):
     robot, entry = mp.load_robot(name), CATALOG[name]
