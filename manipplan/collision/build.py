@@ -8,6 +8,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.stored_fits import find_or_cut
+from manipplan.collision.described import DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
@@ -45,7 +46,7 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     if scene.obstacles and not alone.bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
     check_names(robot, scene)
-    dropped, radii, solids = dict(alone.dropped), dict[int, float](), set[int]()
+    dropped, radii, solids = dict(alone.dropped), dict[int, float](), set(alone.solids)
     named = {k: robot.link_of(robot.geometry.geometryObjects[origin]) for k, origin in enumerate(origins)}
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         parts = obstacle.parts()
@@ -115,10 +116,11 @@ def _self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
     dropped = add_self_pairs(robot, geometry, origins)
     samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
     touching = _touching(robot, geometry, samples)
-    if _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching):
-        touching = _touching(robot, geometry, samples)
+    solids = _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching)
+    if solids is not None:
+        touching = _touching(robot, geometry, samples, solids)
     _drop_always_touching(robot, geometry, origins, dropped, touching)
-    return CollisionModel(robot, geometry, dropped, bodies=bodies, excess=excess), origins
+    return CollisionModel(robot, geometry, dropped, bodies=bodies, excess=excess, solids=solids or ()), origins
 
 
 def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[str, float]]:
@@ -165,49 +167,47 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
     return dropped
 
 
-def _touching(robot: Robot, geometry: pin.GeometryModel, samples: Array) -> NDArray[np.bool_]:
+def _touching(
+    robot: Robot, geometry: pin.GeometryModel, samples: Array, solids: frozenset[int] = frozenset()
+) -> NDArray[np.bool_]:
     """Whether each pair touches at each of the samples (m, n); (m, k)."""
-    return np.asarray(CollisionModel(robot, geometry, {}).distance_rows(samples, beyond=TOUCHING) <= 0)
+    return np.asarray(CollisionModel(robot, geometry, {}, solids=solids).distance_rows(samples, beyond=TOUCHING) <= 0)
 
 
 def _use_meshes_for_coarse_pairs(
     robot: Robot, geometry: pin.GeometryModel, origins: list[int], samples: Array, touching: NDArray[np.bool_]
-) -> bool:
+) -> frozenset[int] | None:
     """Check pairs with their meshes whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
 
-    Returns whether there are any.
+    Returns the objects of `geometry` that are surfaces and solid inside; None where no pair is replaced.
     """
-    if not touching.any():
-        return False
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
-    described = robot.geometry.copy()
-    described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
-    for i, j in described_pairs:
-        described.addCollisionPair(pin.CollisionPair(i, j))
-    data, described_data = robot.model.createData(), pin.GeometryData(described)
+    rows = np.flatnonzero(touching.any(axis=1))
+    suspects = list(dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0))))
+    described = DescribedBodies(robot)
+    checked = [pair for pair in suspects if any(described.has_triangles(origin) for origin in pair)]
+    if not checked:
+        return None
+    exact, number, solids = described.model(checked)
+    by_part = _touching(robot, exact, samples[rows], solids)
     coarse = Counter[tuple[int, int]]()
-    for number in np.flatnonzero(touching.any(axis=1)):
-        pin.updateGeometryPlacements(robot.model, data, described, described_data, samples[number])
-        for pair in {stands_for[k] for k in np.flatnonzero(touching[number])}:
-            if not pin.computeCollision(described, described_data, described_pairs[pair]):
-                coarse[pair] += SAMPLES if number == 0 else 1  # one wrong contact in the neutral posture is enough
+    for pair in checked:
+        by_pieces = touching[rows][:, [each == pair for each in stands_for]].any(axis=1)
+        wrong = by_pieces & ~by_part[:, number == checked.index(pair)].any(axis=1)
+        coarse[pair] = int(wrong.sum()) + SAMPLES * int(wrong[rows == 0].any())  # one wrong contact in the neutral posture is enough
     replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
-    added: dict[int, int] = {}
-    for pair in sorted(replaced):
-        for origin in pair:
-            if origin not in added:
-                item = robot.geometry.geometryObjects[origin]
-                mesh = pin.GeometryObject(
-                    f"{item.name}.mesh", item.parentJoint, item.parentFrame, item.placement, item.geometry
-                )
-                added[origin] = geometry.addGeometryObject(mesh)
-                origins.append(origin)
-        geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
+    if not replaced:
+        return None
+    added, filled = described.add_to(geometry, origins, sorted({origin for pair in replaced for origin in pair}))
+    for first, second in sorted(replaced):
+        for i in added[first]:
+            for j in added[second]:
+                geometry.addCollisionPair(pin.CollisionPair(i, j))
     for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
         if origin_pair in replaced:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
-    return bool(replaced)
+    return filled
 
 
 def _drop_always_touching(

@@ -599,7 +599,9 @@ typedef struct {
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
 
 static double reach_of(const Search *s, long obstacle) {
-    return s->out ? fmin(s->out[pair_with(s, obstacle)], s->reach) : s->reach;
+    if (!s->out) return s->reach;
+    double best = s->out[pair_with(s, obstacle)];
+    return best > s->reach ? s->reach : best;               /* nan is kept: nothing is above it */
 }
 
 /* Note bounds on a distance. `apart`: whether the cores do not meet; where they do and the depth is not known, there are no bounds.
@@ -783,11 +785,11 @@ static double between_boxes(const Two *two, const double *a, const double *b) {
     for (int i = 0; i < 3; i++) {
         double own = fabs(gap[i]) - other[i] - dot(two->share + 3 * i, half), theirs = fabs(turned[i]) - half[i];
         for (int j = 0; j < 3; j++) theirs -= two->share[3 * j + i] * other[j];
-        most = fmax(most, fmax(own, theirs));
-        if (own > 0) in_two += own * own;
-        if (theirs > 0) in_one += theirs * theirs;
+        most = own > most ? own : most, most = theirs > most ? theirs : most;
+        own = own > 0 ? own : 0, theirs = theirs > 0 ? theirs : 0;
+        in_two += own * own, in_one += theirs * theirs;
     }
-    return most > 0 ? sqrt(fmax(in_one, in_two)) : most;
+    return most > 0 ? sqrt(in_one > in_two ? in_one : in_two) : most;
 }
 
 /* Compare leaves of two surfaces. */
@@ -815,7 +817,8 @@ static double extent(const double *box) { return box[3] - box[0] + box[4] - box[
 /* Look at the parts of two surfaces below nodes a and b, whose signed distance is at least `under` plus both radii. */
 static void two_nodes(Two *two, long a, long b, double under) {
     const World *w = two->s->w;
-    if (ended(two->s, two->obstacle) || under > reach_of(two->s, two->obstacle) - (two->s->out ? CLOSER : 0)) return;
+    double reach = reach_of(two->s, two->obstacle);
+    if ((!two->s->out && ended(two->s, two->obstacle)) || !(under <= (two->s->out ? reach - CLOSER : reach))) return;
     const long *one = w->node + 2 * a, *other = w->node + 2 * b;
     if (one[0] < 0 && other[0] < 0) {
         two_leaves(two, one[1], other[1]);
