@@ -49,14 +49,15 @@ typedef struct {
     const long *node;       /* (nodes, 2) children; a leaf has -1 and the obstacle or, below a surface, its leaf */
     const long *root;       /* (bodies) root of a surface's tree */
     const double *corners;  /* (leaves, 9) triangles; a point has three equal corners */
+    const double *leaf_x, *leaf_y, *leaf_z; /* (leaves, 3) the same by axis; leaves below a node follow each other */
     const long *probes;     /* (bodies, 2) SURFACE: first probe and their number */
     const double *probe;    /* (probes, 3) a point of each connected part of a surface, in the joint's frame */
     double *frames;         /* (n + 1, 12) work: rotation and origin of each joint in the world */
     double *centres;        /* (bodies, 3) work: centre of each ball in the world */
     double *least;          /* (pairs) work: distances found at a configuration, infinite between calls */
     long *found;            /* (pairs) work: the pairs of which one was found */
-    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before, of two surfaces 1 + the
-                               number of the nearest leaf of each; zero: none is known */
+    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before, of surfaces that move 1 +
+                               the number of the nearest leaf of each; zero: none is known */
 } World;
 
 typedef struct {
@@ -77,6 +78,7 @@ static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [mÂ
 static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
+static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -594,6 +596,8 @@ typedef struct {
     int failed;           /* whether it overlaps the body by a depth that is not found */
     const double *frame;  /* of the body's joint, in the frame of the surface */
     const double *centre; /* of the body's ball, there */
+    int moves;            /* whether the surface moves */
+    double closer;        /* leaves that are nearer than the nearest so far by less than this are not looked at [m] */
 } Search;
 
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
@@ -627,6 +631,12 @@ static double behind(const Plane *plane, const double *box) {
     double most = 0;
     for (int i = 0; i < 3; i++) most += plane->normal[i] * box[plane->normal[i] > 0 ? 3 + i : i];
     return plane->level - most;
+}
+
+/* Least distance of a triangle from what is in front of a plane. */
+static double in_front(const Plane *plane, const double *c) {
+    double a = dot(plane->normal, c), b = dot(plane->normal, c + 3), d = dot(plane->normal, c + 6), most = a > b ? a : b;
+    return plane->level - (d > most ? d : most);
 }
 
 /* Whether a ball is farther than `reach` from the box around a body, whose joint has a frame. */
@@ -705,52 +715,72 @@ static int tell_depth(Search *s, long obstacle, const Core *one, const Core *lea
     return 1;
 }
 
-/* Look at the triangles or points below a node of a surface. `before`: a plane with the body in front of it. */
-static void surface(Search *s, long obstacle, long node, const Plane *before) {
+/* The hull of `count` leaves of a surface, in the frame of its joint. */
+static void hull_core(const World *w, long first, long count, Core *core) {
+    static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    core->kind = POINTS, core->count = 3 * count, core->frame = still;
+    core->x = w->leaf_x + 3 * first, core->y = w->leaf_y + 3 * first, core->z = w->leaf_z + 3 * first;
+}
+
+/* Compare the body with a triangle or point of a surface; `direction`: a first guess from it to the body. */
+static void one_leaf(Search *s, long obstacle, long at, double reach, const double *direction) {
+    const World *w = s->w;
+    const double *c = w->corners + 9 * at;
+    double axes[9], towards[3], low, high, little = s->out ? -INFINITY : reach;
+    Core leaf;
+    leaf_core(c, axes, &leaf);
+    Plane plane = s->plane;
+    Simplex simplex;
+    memcpy(towards, direction, sizeof towards);
+    int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
+    if (!apart) {
+        if (tell_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
+    } else if (low <= reach) {
+        if (tell(s, obstacle, apart, low, high)) s->leaf = at;
+        s->plane = plane;
+    }
+}
+
+/* Look at the triangles or points below a node of a surface, `count` from leaf `begin` on. `before`: a plane with the body in front
+   of it. */
+static void surface(Search *s, long obstacle, long node, long begin, long count, const Plane *before) {
     const World *w = s->w;
     const double *box = w->node_box + 6 * node, *centre = s->centre, extra = w->radius[obstacle];
-    double reach = reach_of(s, obstacle), minus_radii = -extra - w->radius[s->body];
+    double reach = reach_of(s, obstacle) - s->closer, minus_radii = -extra - w->radius[s->body];
     double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
     if (ended(s, obstacle) || around > reach) return;
     if (behind(before, box) + minus_radii > reach || behind(&s->plane, box) + minus_radii > reach) return;
     const long *child = w->node + 2 * node;
-    double low, high;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
-        double axes[9];
-        Core leaf;
-        leaf_core(c, axes, &leaf);
-        double little = s->out ? -INFINITY : reach, most = -INFINITY;
-        for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
-        if (s->plane.level - most + minus_radii > reach) return;
-        Plane plane = s->plane;
-        double towards[3];
-        Simplex simplex;
-        memcpy(towards, s->plane.normal, sizeof towards);
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
-        if (!apart) {
-            if (tell_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = child[1];
-        } else if (low <= reach) {
-            if (tell(s, obstacle, apart, low, high)) s->leaf = child[1];
-            s->plane = plane;
-        }
+        if (in_front(&s->plane, c) + minus_radii > reach) return;
+        if (!s->moves) one_leaf(s, obstacle, child[1], reach, s->plane.normal);
+        else if (in_front(before, c) + minus_radii <= reach) one_leaf(s, obstacle, child[1], reach, before->normal);
         return;
     }
     Plane plane = *before;
-    double half[3];
+    double half[3], low, high;
     Core all;
     box_core(box, &all, half);
     if (is_outside(w, all.own + 9, sqrt(dot(half, half)), s->body, s->frame, reach + extra)) return;
-    if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
+    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3];   /* small beside the body */
+    if (s->moves && count <= FEW) {
+        worthwhile &= count > FEW / 2 || (count > 2 && count <= 4);                  /* not at every level */
+        hull_core(w, begin, count, &all);
+    }
+    if (worthwhile) {
         double towards[3];
-        for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
-        int apart = bounds(s->core, &all, towards, reach - minus_radii, reach - minus_radii, EXACT, &low, &high, &plane, 0);
+        for (int i = 0; i < 3; i++) towards[i] = s->moves ? before->normal[i] : centre[i] - all.own[9 + i];
+        double enough = reach - minus_radii;
+        int apart = bounds(s->core, &all, towards, enough, enough, EXACT, &low, &high, &plane, 0);
         if (apart && low + minus_radii > reach) return;
     }
     double first = behind(&plane, w->node_box + 6 * child[0]), second = behind(&plane, w->node_box + 6 * child[1]);
     int order = second < first;
-    surface(s, obstacle, child[order], &plane);
-    surface(s, obstacle, child[1 - order], &plane);
+    for (int k = 0; k < 2; k++) {
+        int at = k ^ order;
+        surface(s, obstacle, child[at], begin + (at ? count / 2 : 0), at ? count - count / 2 : count / 2, &plane);
+    }
 }
 
 /* The plane behind the ball around a body, at a centre, that faces the middle of a box. */
@@ -812,25 +842,48 @@ static void two_leaves(Two *two, long a, long b) {
     memcpy(two->towards, towards, sizeof towards);
 }
 
+/* A node of a surface's tree, and the leaves below it. */
+typedef struct { long node, first, count; } Part;
+
+static Part whole(const World *w, long body) {
+    Part part = {w->root[body], w->first[body], w->count[body]};
+    return part;
+}
+
+static Part child_of(const World *w, Part part, int which) {
+    long half = part.count / 2;
+    Part child = {w->node[2 * part.node + which], part.first + (which ? half : 0), which ? part.count - half : half};
+    return child;
+}
+
 static double extent(const double *box) { return box[3] - box[0] + box[4] - box[1] + box[5] - box[2]; }
 
-/* Look at the parts of two surfaces below nodes a and b, whose signed distance is at least `under` plus both radii. */
-static void two_nodes(Two *two, long a, long b, double under) {
+/* Look at two parts of surfaces, whose signed distance is at least `under` plus both radii. */
+static void two_nodes(Two *two, Part a, Part b, double under) {
     const World *w = two->s->w;
     double reach = reach_of(two->s, two->obstacle);
     if ((!two->s->out && ended(two->s, two->obstacle)) || !(under <= (two->s->out ? reach - CLOSER : reach))) return;
-    const long *one = w->node + 2 * a, *other = w->node + 2 * b;
+    const long *one = w->node + 2 * a.node, *other = w->node + 2 * b.node;
     if (one[0] < 0 && other[0] < 0) {
         two_leaves(two, one[1], other[1]);
         return;
     }
-    int first = one[0] >= 0 && (other[0] < 0 || extent(w->node_box + 6 * a) >= extent(w->node_box + 6 * b));
+    if (under > -0.1 * extent(w->node_box + 6 * b.node) && a.count <= FEW && b.count <= FEW && a.count * b.count >= LEAST_PAIRS) {
+        Core own, theirs;
+        double towards[3], low, high, limit = (two->s->out ? reach - CLOSER : reach) + two->radii;
+        hull_core(w, a.first, a.count, &own), hull_core(w, b.first, b.count, &theirs);
+        own.frame = two->frame;
+        memcpy(towards, two->towards, sizeof towards);
+        if (bounds(&own, &theirs, towards, limit, limit, EXACT, &low, &high, 0, 0) && low > limit) return;
+    }
+    int first = one[0] >= 0 && (other[0] < 0 || extent(w->node_box + 6 * a.node) >= extent(w->node_box + 6 * b.node));
+    Part half[2] = {child_of(w, first ? a : b, 0), child_of(w, first ? a : b, 1)};
     double least[2];
     for (int k = 0; k < 2; k++)
-        least[k] = between_boxes(two, w->node_box + 6 * (first ? one[k] : a), w->node_box + 6 * (first ? b : other[k])) - two->radii;
+        least[k] = between_boxes(two, w->node_box + 6 * (first ? half[k] : a).node, w->node_box + 6 * (first ? b : half[k]).node) - two->radii;
     for (int k = 0; k < 2; k++) {
         int at = k ^ (least[1] < least[0]);
-        two_nodes(two, first ? one[at] : a, first ? b : other[at], least[at]);
+        two_nodes(two, first ? half[at] : a, first ? b : half[at], least[at]);
     }
 }
 
@@ -856,7 +909,7 @@ static void look_at_surfaces(Search *s, long obstacle, Two *two) {
     place_back(w->frames + 12 * w->joint[obstacle], w->centres + 3 * one, two->towards);
     for (int i = 0; i < 3; i++) two->towards[i] -= w->ball[4 * obstacle + i];
     if (guess && guess[0] > 0) two_leaves(two, (long)guess[0] - 1, (long)guess[1] - 1);
-    two_nodes(two, w->root[one], w->root[obstacle], -INFINITY);
+    two_nodes(two, whole(w, one), whole(w, obstacle), -INFINITY);
     if (guess) guess[0] = s->own + 1, guess[1] = s->leaf + 1;
 }
 
@@ -869,10 +922,13 @@ static void look_at_surface(Search *s, long obstacle, Core *core, double *frame,
         relative(there, s->frame, frame), place_back(there, s->centre, centre);
         s->frame = frame, s->centre = centre, *core = *s->core, core->frame = frame;
         if (core->kind != POINTS) compose(frame, w->pose + 12 * s->body, core->own), core->frame = core->own;
-        s->core = core;
+        s->core = core, s->closer = s->out ? CLOSER : 0, s->moves = 1;
     }
     Plane plane = s->plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
-    surface(s, obstacle, w->root[obstacle], &plane);
+    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + 3 * pair_with(s, obstacle) : 0;
+    if (guess && guess[0] > 0) one_leaf(s, obstacle, (long)guess[0] - 1, reach_of(s, obstacle), plane.normal);
+    surface(s, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
+    if (guess) guess[0] = s->leaf + 1;
 }
 
 /* Compare the body, convex or a surface, with a surface that may be closed, as the body may. */
@@ -883,7 +939,7 @@ static void look_at_solid(Search *s, long obstacle) {
     Core core;
     Two two;
     double frame[12], centre[3], radii = w->radius[s->body] + w->radius[obstacle], *best = s->out ? s->out + pair_with(s, obstacle) : 0;
-    s->leaf = s->own = -1, s->inside = s->failed = 0;
+    s->leaf = s->own = -1, s->inside = s->failed = s->moves = 0, s->closer = 0;
     if (both) look_at_surfaces(s, obstacle, &two);
     else look_at_surface(s, obstacle, &core, frame, centre);
     int closed = w->size[3 * obstacle] > 0, apart = !best || *best > -radii || s->leaf < 0;
@@ -912,7 +968,7 @@ static void look_at_solid(Search *s, long obstacle) {
             else {
                 deep.plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
                 Plane plane = deep.plane;
-                surface(&deep, obstacle, w->root[obstacle], &plane);
+                surface(&deep, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
             }
             s->leaf = deep.leaf, s->own = deep.own, s->plane = deep.plane;
         }

@@ -148,12 +148,16 @@ def _trees(
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
     probe = [np.zeros((0, 3))]
+    first, count, ordered = arrays["first"].copy(), arrays["count"].copy(), [np.zeros((0, 3, 3))]
     free = begin = held = 0
     boxes = local[still]
     for k, corners in triangles.items():
         box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
-        root[k] = free
-        free = _grow(tree, box, np.arange(begin, begin + len(corners)), free, node_box, node)
+        root[k], first[k], count[k] = free, begin, len(corners)
+        order = np.arange(len(corners))
+        free = _grow(tree, box, begin + order, free, node_box, node, order)
+        _number_leaves(node[root[k] : free], begin, order)
+        ordered.append(corners[order])
         begin += len(corners)
         boxes[still == k] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
         if k in facing:  # a solid is connected, so that one point decides whether it is inside another
@@ -163,13 +167,16 @@ def _trees(
             held += len(parts)
     top = free if len(still) else -1
     if len(still):
-        _grow(tree, boxes, still, free, node_box, node)
-    corners = np.concatenate([each.reshape(-1, 9) for each in triangles.values()] + [np.zeros((1, 9))])
+        _grow(tree, boxes, still, free, node_box, node, np.arange(len(still)))
+    leaves = np.concatenate([*ordered, np.zeros((1, 3, 3))])
     return {
+        "first": first,
+        "count": count,
         "node_box": node_box,
         "node": node,
         "root": root,
-        "corners": corners,
+        "corners": leaves.reshape(-1, 9),
+        **{f"leaf_{axis}": leaves[:, :, i].copy() for i, axis in enumerate("xyz")},
         "top": np.array([top]),
         "probes": probes,
         "probe": np.concatenate([*probe, np.zeros((1, 3))]),
@@ -181,11 +188,22 @@ def placed_triangles(item: pin.GeometryObject) -> Array:
     return np.asarray(mesh_triangles(item.geometry) @ item.placement.rotation.T + item.placement.translation)
 
 
-def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
-    """Build a tree over boxes (k, 6) from node `root` on; returns the next free node."""
-    box, items, names = np.ascontiguousarray(box), np.arange(len(box)), np.ascontiguousarray(names, dtype=np.int64)
-    given = (box.ctypes.data, items.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
+def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers, order: Numbers) -> int:
+    """Build a tree over boxes (k, 6) from node `root` on, and sort `order` (k,), the numbers 0 to k - 1, as its leaves follow.
+
+    Returns the next free node.
+    """
+    box, names = np.ascontiguousarray(box), np.ascontiguousarray(names, dtype=np.int64)
+    given = (box.ctypes.data, order.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
     return int(tree(*given))
+
+
+def _number_leaves(node: Numbers, begin: int, order: Numbers) -> None:
+    """Give the leaves of a tree (k, 2), which `order` sorts, the numbers from `begin` on as they follow each other."""
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    leaf = node[:, 0] < 0
+    node[leaf, 1] = begin + place[node[leaf, 1] - begin]
 
 
 def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
