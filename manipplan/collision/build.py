@@ -1,14 +1,12 @@
 """Build a collision model: the bodies of a robot and of a scene, and the pairs of them that are checked."""
 
-from collections import Counter
-
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.stored_fits import find_or_cut
-from manipplan.collision.described import DescribedBodies
+from manipplan.collision.described import MESH, DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
@@ -124,7 +122,7 @@ def self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
     left_out = add_self_pairs(robot, geometry, origins)
     samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
     touching = _touching(robot, geometry, samples)
-    solids = _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching)
+    solids = _use_meshes_for_coarse_pairs(robot, geometry, origins, excess, samples, touching)
     if solids is not None:
         touching = _touching(robot, geometry, samples, solids)
     links = [robot.link_of(robot.geometry.geometryObjects[origin]) for origin in origins]
@@ -193,39 +191,52 @@ def _touching(
 
 
 def _use_meshes_for_coarse_pairs(
-    robot: Robot, geometry: pin.GeometryModel, origins: list[int], samples: Array, touching: NDArray[np.bool_]
+    robot: Robot,
+    geometry: pin.GeometryModel,
+    origins: list[int],
+    excess: dict[str, float],
+    samples: Array,
+    touching: NDArray[np.bool_],
 ) -> frozenset[int] | None:
-    """Check pairs with their meshes whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
+    """Check pairs with finer bodies whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
 
-    Returns the objects of `geometry` that are surfaces and solid inside; None where no pair is replaced.
+    These are more pieces of one of the two, where that is enough, otherwise the meshes themselves. The bodies are added to
+    `geometry`, `origins` and `excess`. Returns those of them that are surfaces and solid inside; None where no pair is replaced.
     """
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
     rows = np.flatnonzero(touching.any(axis=1))
-    suspects = list(dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0))))
     described = DescribedBodies(robot)
-    checked = [pair for pair in suspects if any(described.has_triangles(origin) for origin in pair)]
-    if not checked:
-        return None
-    exact, number, solids = described.model(checked)
-    by_part = _touching(robot, exact, samples[rows], solids)
-    coarse = Counter[tuple[int, int]]()
-    for pair in checked:
+    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    suspects = dict.fromkeys(pair for pair in suspects if any(described.has_triangles(origin) for origin in pair))
+    chosen: dict[tuple[int, int], tuple[int, int]] = {}
+    for pair in suspects:
+        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
         by_pieces = touching[rows][:, [each == pair for each in stands_for]].any(axis=1)
-        wrong = by_pieces & ~by_part[:, number == checked.index(pair)].any(axis=1)
-        coarse[pair] = int(wrong.sum()) + SAMPLES * int(wrong[rows == 0].any())  # one wrong contact in the neutral posture is enough
-    replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
-    if not replaced:
+        if _is_coarse(by_pieces, by_mesh, rows):
+            finer = (each for each in described.finer(pair) if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows))
+            chosen[pair] = next(finer, (MESH, MESH))
+    if not chosen:
         return None
-    added, filled = described.add_to(geometry, origins, sorted({origin for pair in replaced for origin in pair}))
-    for first, second in sorted(replaced):
-        for i in added[first]:
-            for j in added[second]:
+    added: dict[tuple[int, int], list[int]] = {}
+    for pair, levels in sorted(chosen.items()):
+        for each in zip(pair, levels, strict=True):
+            if each not in added:
+                added[each] = described.add_to(geometry, *each, excess)
+                origins += [each[0]] * len(added[each])
+        for i in added[pair[0], levels[0]]:
+            for j in added[pair[1], levels[1]]:
                 geometry.addCollisionPair(pin.CollisionPair(i, j))
     for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
-        if origin_pair in replaced:
+        if origin_pair in chosen:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
-    return filled
+    return described.solids(added)
+
+
+def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]) -> bool:
+    """Whether pieces touch too often where meshes do not, at the samples `rows`; once in the neutral posture, row 0, is too often."""
+    wrong = by_pieces & ~by_mesh
+    return bool(wrong.sum() > COARSE * SAMPLES or wrong[rows == 0].any())
 
 
 def _drop_always_touching(

@@ -1,73 +1,96 @@
-"""The bodies of a robot as its description has them: each mesh as the solids and surfaces that its triangles are."""
+"""The bodies of a robot as finely as a pair needs them: a mesh as convex pieces, or as the solids and surfaces of its triangles."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping
 
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.covers.pieces import MOST_PIECES
+from manipplan.collision.covers.stored_fits import find_or_cut
+from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.meshes import mesh_parts
 from manipplan.robots.attached import number_names
+from manipplan.robots.hulls import convex_hull
 from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+
+#: How finely a mesh is taken: by its triangles, or by so many convex pieces.
+MESH, FINE = 0, 24
+#: Distances above this need not be known to tell whether a pair touches [m].
+TOUCHING = 1e-6
+#: Two meshes of at most so many triangles in all are compared as fast as pieces of them.
+FEW_TRIANGLES = 100
 
 
 class DescribedBodies:
-    """The parts of the objects of a robot's geometry, each found when it is first needed.
+    """The objects of a robot's geometry, each as finely as it is asked for.
 
-    A mesh has a part for each solid and one for all its open surfaces; convex solids are hulls, the others trees of triangles.
+    By its triangles a mesh has a part for each solid and one for all its open surfaces; convex solids are hulls.
     """
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
         self._objects = list(robot.geometry.geometryObjects)
-        self._parts: dict[int, list[tuple[coal.CollisionGeometry, bool]]] = {}
+        self._parts: dict[tuple[int, int], list[tuple[coal.CollisionGeometry, bool, float]]] = {}
 
-    def parts(self, origin: int) -> list[tuple[coal.CollisionGeometry, bool]]:
-        """The shapes of an object, and whether each of them is solid."""
-        if origin not in self._parts:
+    def parts(self, origin: int, level: int) -> list[tuple[coal.CollisionGeometry, bool, float]]:
+        """The shapes of an object; whether each is solid, and by how much it is known to stick out of the mesh [m]."""
+        if (origin, level) not in self._parts:
             item = self._objects[origin]
-            is_mesh = isinstance(item.geometry, coal.BVHModelBase)
-            self._parts[origin] = mesh_parts(item.name, mesh_triangles(item.geometry)) if is_mesh else [(item.geometry, True)]
-        return self._parts[origin]
+            if not isinstance(item.geometry, coal.BVHModelBase):
+                found = [(item.geometry, True, 0.0)]
+            elif level == MESH:
+                found = [(*part, 0.0) for part in mesh_parts(item.name, mesh_triangles(item.geometry))]
+            else:
+                pieces = find_or_cut(mesh_triangles(item.geometry), level)
+                found = [(convex_hull(piece.corners), True, piece.excess) for piece in pieces]
+            self._parts[origin, level] = found
+        return self._parts[origin, level]
 
     def has_triangles(self, origin: int) -> bool:
-        """Whether a part of an object is no convex solid, so that convex pieces may stick out of it."""
-        return len(self.parts(origin)) > 1 or any(isinstance(shape, coal.BVHModelBase) for shape, _ in self.parts(origin))
+        """Whether an object is no convex solid, so that convex pieces may stick out of it."""
+        shapes = [shape for shape, _, _ in self.parts(origin, MESH)]
+        return len(shapes) > 1 or any(isinstance(shape, coal.BVHModelBase) for shape in shapes)
 
-    def add_to(
-        self, geometry: pin.GeometryModel, origins: list[int], wanted: Sequence[int]
-    ) -> tuple[dict[int, list[int]], frozenset[int]]:
-        """Add the parts of the `wanted` objects to a geometry, and the objects that they represent to its `origins`.
+    def finer(self, pair: tuple[int, int]) -> Iterator[tuple[int, int]]:
+        """Ways to take two objects by more pieces of one and few of the other, the fewest pairs first."""
+        meshes = [k for k in (0, 1) if self.has_triangles(pair[k])]
+        if sum(self._objects[pair[k]].geometry.num_tris for k in meshes) <= FEW_TRIANGLES:
+            return
+        for few in (1, MOST_PIECES):
+            for k in sorted(meshes, key=lambda k: -max(excess for _, _, excess in self.parts(pair[k], MOST_PIECES))):
+                yield (FINE, few) if k == 0 else (few, FINE)
 
-        Returns the numbers of the parts of each, and of those that are surfaces and solid inside.
-        """
-        added: dict[int, list[int]] = {}
-        solids = set()
-        for origin in wanted:
-            item, parts = self._objects[origin], self.parts(origin)
-            added[origin] = []
-            for name, (shape, closed) in zip(number_names(f"{item.name}.mesh", len(parts)), parts, strict=True):
-                part = pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape)
-                number = geometry.addGeometryObject(part)
-                origins.append(origin)
-                added[origin].append(number)
-                if closed and isinstance(shape, coal.BVHModelBase):
-                    solids.add(number)
-        return added, frozenset(solids)
+    def add_to(self, geometry: pin.GeometryModel, origin: int, level: int, excess: dict[str, float]) -> list[int]:
+        """Add the parts of an object to a geometry, and their `excess`; returns their numbers there."""
+        item, parts = self._objects[origin], self.parts(origin, level)
+        names = number_names(f"{item.name}.{'mesh' if level == MESH else f'of{level}'}", len(parts))
+        for name, (_, _, beyond) in zip(names, parts, strict=True):
+            excess[name] = beyond
+        return [
+            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape))
+            for name, (shape, _, _) in zip(names, parts, strict=True)
+        ]
 
-    def model(self, pairs: Sequence[tuple[int, int]]) -> tuple[pin.GeometryModel, NDArray[np.int64], frozenset[int]]:
-        """A geometry of the objects in `pairs` with all pairs of their parts.
+    def solids(self, added: Mapping[tuple[int, int], list[int]]) -> frozenset[int]:
+        """Of parts that were added, by object and level, the numbers of those that are surfaces and solid inside."""
+        return frozenset(
+            number
+            for of, numbers in added.items()
+            for number, (shape, closed, _) in zip(numbers, self.parts(*of), strict=True)
+            if closed and isinstance(shape, coal.BVHModelBase)
+        )
 
-        Also the number in `pairs` that each of its pairs stands for (k,), and the parts that are surfaces and solid inside.
-        """
+    def touching(self, pair: tuple[int, int], levels: tuple[int, int], samples: Array) -> NDArray[np.bool_]:
+        """Whether two objects touch, taken so finely, at samples (m, n); (m,)."""
         geometry = pin.GeometryModel()
-        added, solids = self.add_to(geometry, [], sorted({origin for pair in pairs for origin in pair}))
-        numbers = []
-        for number, (first, second) in enumerate(pairs):
-            for i in added[first]:
-                for j in added[second]:
-                    geometry.addCollisionPair(pin.CollisionPair(i, j))
-                    numbers.append(number)
-        return geometry, np.array(numbers, dtype=np.int64), solids
+        ends = list(zip(pair, levels, strict=True))
+        added = {each: self.add_to(geometry, *each, {}) for each in ends}
+        for i in added[ends[0]]:
+            for j in added[ends[1]]:
+                geometry.addCollisionPair(pin.CollisionPair(i, j))
+        model = CollisionModel(self._robot, geometry, {}, solids=self.solids(added))
+        return np.asarray((model.distance_rows(samples, beyond=TOUCHING) <= 0).any(axis=1))

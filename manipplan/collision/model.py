@@ -96,9 +96,8 @@ class CollisionModel:
         self._probes: dict[int, Array] = {}
 
     def __repr__(self) -> str:
-        own = {f"{item.name}.mesh" for item in self.robot.geometry.geometryObjects}  # described meshes come after the bodies
         later = [item.name for item in list(self.geometry.geometryObjects)[self.bodies :]]
-        others = sum(name not in own and name.rpartition(".")[0] not in own for name in later)
+        others = sum(name not in self.excess for name in later)  # the robot's finer bodies come after its bodies, too
         most = 1e3 * max(self.excess.values(), default=0.0)
         counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pair_names)} pairs"
         return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"

@@ -47,12 +47,12 @@ class Piece:
     excess: float
 
 
-def convex_pieces(triangles: Array) -> list[Piece]:
-    """At most MOST_PIECES convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
+def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
+    """At most `most` convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
     mesh = _Mesh(triangles)
     open_pieces = [_Part(mesh, triangles, np.empty((0, 3)), ())]
     done: list[_Part] = []
-    while open_pieces and len(open_pieces) + len(done) < MOST_PIECES:
+    while open_pieces and len(open_pieces) + len(done) < most:
         part = open_pieces.pop(int(np.argmax([each.excess for each in open_pieces])))
         cut = part.best_cut() if part.excess > GOOD else None
         if cut is None:
