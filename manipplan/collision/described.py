@@ -13,7 +13,6 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.meshes import mesh_parts
 from manipplan.robots.attached import number_names
-from manipplan.robots.hulls import convex_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -46,7 +45,7 @@ class DescribedBodies:
                 found = [(*part, 0.0) for part in mesh_parts(item.name, mesh_triangles(item.geometry))]
             else:
                 pieces = find_or_cut(mesh_triangles(item.geometry), level)
-                found = [(convex_hull(piece.corners), True, piece.excess) for piece in pieces]
+                found = [(piece.hull.shape(), True, piece.excess) for piece in pieces]
             self._parts[origin, level] = found
         return self._parts[origin, level]
 
