@@ -21,9 +21,7 @@ OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "closed_meshes.md"
 SEED = 44
 #: Verdicts are not compared where the signed distance is smaller than this [m]: there rounding decides.
 ROUNDING = 1e-6
-HEAD = (
-    "| mesh is | body is | verdicts | inside | across | outside | wrongly free | wrongly touching | of these beyond the excess |"
-)
+HEAD = "| mesh is | body is | verdicts | inside | across | outside | wrongly free | wrongly touching | of these beyond the excess |"
 BODIES = ("sphere", "box", "tube")
 
 Array = NDArray[np.float64]
@@ -70,7 +68,9 @@ def blob(rng: np.random.Generator, rows: int = 12) -> Array:
         for j in range(2 * rows):
             m = (j + 1) % (2 * rows)
             a, b, c, d = corner[i, j], corner[i + 1, j], corner[i + 1, m], corner[i, m]
-            found += ([[a, b, c]] if i < rows - 2 else []) + ([[a, c, d]] if i > 0 else []) + ([[a, b, c]] if i == rows - 2 else [])
+            found += (
+                ([[a, b, c]] if i < rows - 2 else []) + ([[a, c, d]] if i > 0 else []) + ([[a, b, c]] if i == rows - 2 else [])
+            )
     return np.array(found)
 
 
@@ -215,7 +215,9 @@ class Body:
 def edges_of(triangles: Array) -> Array:
     """Edges (k, 2, 3) of triangles (t, 3, 3), each once."""
     edges = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
-    return edges[(edges[:, 0] - edges[:, 1]) @ np.array([1.0, np.pi, np.e]) > 0]  # the other triangle has it the other way round
+    return edges[
+        (edges[:, 0] - edges[:, 1]) @ np.array([1.0, np.pi, np.e]) > 0
+    ]  # the other triangle has it the other way round
 
 
 # ---- robots
@@ -324,7 +326,11 @@ def main(arguments: Sequence[str] | None = None) -> dict[tuple[str, str], Row]:
     rows = measure(given.meshes, given.bodies)
     lines = [HEAD, "|---" * 9 + "|"]
     for (where, kind), row in rows.items():
-        cells = [where, kind, *map(str, (row.verdicts, row.inside, row.across, row.outside, row.free, row.touching, row.beyond))]
+        cells = [
+            where,
+            kind,
+            *map(str, (row.verdicts, row.inside, row.across, row.outside, row.free, row.touching, row.beyond)),
+        ]
         lines.append(f"| {' | '.join(cells)} |")
     command = f"python benchmarks/closed_meshes.py --meshes {given.meshes} --bodies {given.bodies}"
     lines += ["", f"Python {platform.python_version()}, {platform.machine()}; command: `{command}`."]

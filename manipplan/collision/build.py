@@ -202,7 +202,7 @@ def _use_meshes_for_coarse_pairs(
     """Check pairs with finer bodies whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
 
     These are more pieces of one of the two, where that is enough, otherwise the meshes themselves. The bodies are added to
-    `geometry`, `origins` and `excess`. Returns those of them that are surfaces and solid inside; None where no pair is replaced.
+    `geometry`, `origins` and `excess`. Returns those that are surfaces and solid inside; None where no pair is replaced.
     """
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
@@ -213,9 +213,13 @@ def _use_meshes_for_coarse_pairs(
     chosen: dict[tuple[int, int], tuple[int, int]] = {}
     for pair in suspects:
         by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
-        by_pieces = touching[rows][:, [each == pair for each in stands_for]].any(axis=1)
+        by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
         if _is_coarse(by_pieces, by_mesh, rows):
-            finer = (each for each in described.finer(pair) if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows))
+            finer = (
+                each
+                for each in described.finer(pair)
+                if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows)
+            )
             chosen[pair] = next(finer, (MESH, MESH))
     if not chosen:
         return None
@@ -235,7 +239,7 @@ def _use_meshes_for_coarse_pairs(
 
 
 def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]) -> bool:
-    """Whether pieces touch too often where meshes do not, at the samples `rows`; once in the neutral posture, row 0, is too often."""
+    """Whether pieces touch too often where meshes do not, at samples `rows`; in the neutral posture, row 0, once is."""
     wrong = by_pieces & ~by_mesh
     return bool(wrong.sum() > COARSE * SAMPLES or wrong[rows == 0].any())
 

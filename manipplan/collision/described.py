@@ -1,6 +1,7 @@
-"""The bodies of a robot as finely as a pair needs them: a mesh as convex pieces, or as the solids and surfaces of its triangles."""
+"""The bodies of a robot as finely as a pair needs them: meshes as convex pieces, or as the solids and surfaces they are."""
 
 from collections.abc import Iterator, Mapping
+from itertools import product
 
 import coal
 import numpy as np
@@ -17,7 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
 #: How finely a mesh is taken: by its triangles, or by so many convex pieces.
-MESH, FINE = 0, 24
+MESH, FINE = 0, (12, 24)
 #: Distances above this need not be known to tell whether a pair touches [m].
 TOUCHING = 1e-6
 #: Two meshes of at most so many triangles in all are compared as fast as pieces of them.
@@ -59,9 +60,10 @@ class DescribedBodies:
         meshes = [k for k in (0, 1) if self.has_triangles(pair[k])]
         if sum(self._objects[pair[k]].geometry.num_tris for k in meshes) <= FEW_TRIANGLES:
             return
-        for few in (1, MOST_PIECES):
-            for k in sorted(meshes, key=lambda k: -max(excess for _, _, excess in self.parts(pair[k], MOST_PIECES))):
-                yield (FINE, few) if k == 0 else (few, FINE)
+        meshes.sort(key=lambda k: -max(excess for _, _, excess in self.parts(pair[k], MOST_PIECES)))
+        for many, few in product(FINE, (1, MOST_PIECES)):
+            for k in meshes:
+                yield (many, few) if k == 0 else (few, many)
 
     def add_to(self, geometry: pin.GeometryModel, origin: int, level: int, excess: dict[str, float]) -> list[int]:
         """Add the parts of an object to a geometry, and their `excess`; returns their numbers there."""

@@ -139,11 +139,11 @@ def _trees(
     pairs: Numbers,
     arrays: Mapping[str, NDArray[Any]],
 ) -> dict[str, NDArray[Any]]:
-    """One tree per surface that is checked, then the tree over all static bodies `still`, with the root `top`; -1 without any."""
+    """One tree per surface that is checked, then the tree over all static bodies `still`: its root is `top`, -1 without any."""
     local, radius, closed = arrays["local"], arrays["radius"], arrays["size"][:, 0]
     root, probes = np.full(len(objects), -1, dtype=np.int64), np.zeros((len(objects), 2), dtype=np.int64)
     checked = set(pairs.ravel().tolist())
-    triangles = {int(k): placed_triangles(objects[k]) for k in np.flatnonzero(arrays["kind"] == SURFACE) if k in checked}
+    triangles = {k: placed_triangles(objects[k]) for k in np.flatnonzero(arrays["kind"] == SURFACE).tolist() if k in checked}
     facing = {each for pair in pairs.tolist() for each in pair if set(pair) <= triangles.keys() and closed[pair].any()}
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
