@@ -1,7 +1,7 @@
 """Random bodies inside, across and outside of closed meshes: every verdict against an independent signed distance.
 
-Run with `make benchmark`. Each mesh stands in the scene, and is a link of the robot that moves. The judge is written here: the distances of
-points, edges and triangles, and winding numbers, by NumPy. Writes docs/benchmarks/closed_meshes.md.
+Run with `make benchmark`. Each mesh stands in the scene, and is a link of the robot that moves. The judge is written here: the
+distances of points, edges and triangles, and winding numbers, by NumPy. Writes docs/benchmarks/closed_meshes.md.
 """
 
 import argparse
@@ -21,7 +21,10 @@ OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "closed_meshes.md"
 SEED = 44
 #: Verdicts are not compared where the signed distance is smaller than this [m]: there rounding decides.
 ROUNDING = 1e-6
-HEAD = "| mesh is | body is | verdicts | inside | across | outside | wrongly free | wrongly touching | of these beyond the excess |"
+HEAD = (
+    "| mesh is | body is | verdicts | inside | across | outside "
+    "| wrongly free | wrongly touching | of these beyond the excess |"
+)
 BODIES = ("sphere", "box", "tube")
 
 Array = NDArray[np.float64]
@@ -68,9 +71,7 @@ def blob(rng: np.random.Generator, rows: int = 12) -> Array:
         for j in range(2 * rows):
             m = (j + 1) % (2 * rows)
             a, b, c, d = corner[i, j], corner[i + 1, j], corner[i + 1, m], corner[i, m]
-            found += (
-                ([[a, b, c]] if i < rows - 2 else []) + ([[a, c, d]] if i > 0 else []) + ([[a, b, c]] if i == rows - 2 else [])
-            )
+            found += ([[a, b, c]] if i < rows - 2 else []) + ([[a, c, d]] if i > 0 else [])
     return np.array(found)
 
 
@@ -132,8 +133,8 @@ def segment_distance(one: Array, two: Array) -> float:
     best = np.full(de.shape, np.inf)
     with np.errstate(divide="ignore", invalid="ignore"):
         inner = np.nan_to_num((de * eg - ee * dg) / (dd * ee - de * de))
-        for s in (np.clip(inner, 0, 1), np.zeros_like(de), np.ones_like(de)):
-            t = np.clip(np.nan_to_num((eg + s * de) / ee), 0, 1)
+        for begin in (np.clip(inner, 0, 1), np.zeros_like(de), np.ones_like(de)):
+            t = np.clip(np.nan_to_num((eg + begin * de) / ee), 0, 1)
             s = np.clip(np.nan_to_num((t * de - dg) / dd), 0, 1)
             t = np.clip(np.nan_to_num((eg + s * de) / ee), 0, 1)
             best = np.minimum(best, np.linalg.norm(gap + s[..., None] * d - t[..., None] * e, axis=-1))
@@ -264,7 +265,7 @@ def pose_of(q: Array) -> Array:
 
 
 def places(mesh: Array, count: int, rng: np.random.Generator) -> Array:
-    """Configurations (count, 7): a third of the bodies near the surface, the others anywhere in the mesh's box and around it."""
+    """Configurations (count, 7): a third of the bodies near the surface, the others anywhere in and around the mesh's box."""
     q = np.column_stack([rng.uniform(-1, 1, count), np.zeros((count, 3)), rng.uniform(-3, 3, (count, 3))])
     low, high = mesh.min(axis=(0, 1)), mesh.max(axis=(0, 1))
     q[:, 1:4] = rng.uniform(low - 0.05, high + 0.05, (count, 3))

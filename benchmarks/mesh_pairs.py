@@ -1,8 +1,8 @@
 """Arms of which two links are decided by their meshes: how long plans take, and how much of that another library's distances.
 
-Run with `make benchmark`. Each robot is a six-joint arm with generated meshes on two links around one wrist: a ring around a rod, a fork around a
-blade, and so on. Their convex pieces touch where the meshes do not, so that the triangles decide. Plans have no obstacles; start and goal are random
-and free of collision. Writes docs/benchmarks/mesh_pairs.md.
+Run with `make benchmark`. Each robot is a six-joint arm with generated meshes on two links around one wrist: a ring around
+a rod, a fork around a blade, and so on. Six convex pieces of most of them touch where the meshes do not, so that more pieces or the
+triangles decide. Plans have no obstacles; start and goal are random and free. Writes docs/benchmarks/mesh_pairs.md.
 """
 
 import argparse
@@ -58,7 +58,7 @@ def rod(radius: float, low: float, high: float, sides: int = 96) -> Array:
     """A cylinder from `low` to `high` along x."""
     angle = 2 * np.pi * np.arange(sides) / sides
     circle = extruded(radius * np.column_stack([np.cos(angle), np.sin(angle)]), high - low)
-    return lying(circle) + [(low + high) / 2, 0.0, 0.0]
+    return lying(circle) + np.array([(low + high) / 2, 0.0, 0.0])
 
 
 def block(low: Sequence[float], high: Sequence[float]) -> Array:
@@ -111,7 +111,8 @@ PAIRS: dict[str, Callable[[], tuple[Array, Array, float, float]]] = {
     ),
     "fork around a blade": lambda: (
         upright(
-            outline([(-0.1, -0.06), (0.08, -0.06), (0.08, -0.035), (-0.07, -0.035), (-0.07, 0.035), (0.08, 0.035), (0.08, 0.06), (-0.1, 0.06)], 0.08)
+            outline([(-0.1, -0.06), (0.08, -0.06), (0.08, -0.035), (-0.07, -0.035),
+                     (-0.07, 0.035), (0.08, 0.035), (0.08, 0.06), (-0.1, 0.06)], 0.08)
         ),
         block((-0.04, -0.03, -0.02), (0.2, 0.03, 0.02)),
         0.8,
@@ -126,7 +127,8 @@ PAIRS: dict[str, Callable[[], tuple[Array, Array, float, float]]] = {
     ),
     "telescoping sleeves": lambda: (tube(0.041, 0.05, -0.1, 0.1), tube(0.033, 0.04, -0.08, 0.18), 0.003, 3.0),
     "hook": lambda: (
-        outline([(-0.1, -0.02), (0.05, -0.02), (0.05, 0.08), (-0.02, 0.08), (-0.02, 0.06), (0.03, 0.06), (0.03, 0.0), (-0.1, 0.0)], 0.05),
+        outline([(-0.1, -0.02), (0.05, -0.02), (0.05, 0.08), (-0.02, 0.08),
+                 (-0.02, 0.06), (0.03, 0.06), (0.03, 0.0), (-0.1, 0.0)], 0.05),
         block((-0.01, 0.02, -0.06), (0.015, 0.04, 0.06)),
         0.5,
         0.3,
@@ -169,7 +171,8 @@ def build(name: str, folder: Path) -> tuple[mp.Robot, int]:
     for link, origin, axis, most in joints:
         parts.append(f'<link name="{link}">{geometry.get(link, "")}</link>')
         parts.append(
-            f'<joint name="{link}_joint" type="revolute"><parent link="{parent}"/><child link="{link}"/><origin xyz="{origin}"/>'
+            f'<joint name="{link}_joint" type="revolute"><parent link="{parent}"/><child link="{link}"/>'
+            f'<origin xyz="{origin}"/>'
             f'<axis xyz="{axis}"/><limit lower="-{most}" upper="{most}" velocity="2" effort="50"/></joint>'
         )
         parent = link
