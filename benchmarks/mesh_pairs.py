@@ -1,8 +1,8 @@
 """Arms of which two links are decided by their meshes: how long plans take, and how much of that another library's distances.
 
-Run with `make benchmark`. Each robot is a six-joint arm with generated meshes on two links around one wrist: a ring around
-a rod, a fork around a blade, and so on. Six convex pieces of most of them touch where the meshes do not, so that more pieces or the
-triangles decide. Plans have no obstacles; start and goal are random and free. Writes docs/benchmarks/mesh_pairs.md.
+Run with `make benchmark`. Each robot is a six-joint arm with generated meshes on two links around one wrist: a ring around a
+rod, a fork around a blade, and so on. Six convex pieces of most of them touch where the meshes do not, so that more pieces or
+the triangles decide. Plans have no obstacles; start and goal are random and free. Writes docs/benchmarks/mesh_pairs.md.
 """
 
 import argparse
