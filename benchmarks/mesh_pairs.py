@@ -276,6 +276,8 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
         )
         lines.append(row(whole))
     command = f"python benchmarks/mesh_pairs.py --plans {given.plans} --lines {given.lines}"
+    if given.robots != list(PAIRS):
+        command += " --robots " + " ".join(f"'{each}'" for each in given.robots)
     lines += ["", f"Python {platform.python_version()}, {platform.machine()}; command: `{command}`."]
     given.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(given.out.read_text(encoding="utf-8"))
