@@ -1,7 +1,6 @@
 """PLY files, text and binary, read strictly: counts and indices are checked before anything uses them.
 
-The mesh loader of robots does not check the indices of the faces, or that every line is what the header says, and crashes. It
-only sees copies that are written here.
+By hand: trimesh 5.2 reads a text file that is cut off as a smaller mesh.
 """
 
 import struct
@@ -17,8 +16,6 @@ from manipplan.support.checks import Array
 TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
 SIZED = {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
 CODES = {**TYPES, **SIZED}
-#: Largest number of 32 bits.
-FARTHEST = float(np.finfo(np.float32).max)
 #: Names of the property that holds the corners of a face.
 CORNERS = ("vertex_indices", "vertex_index")
 #: Text formats of the header, with the byte order of the body.
@@ -51,37 +48,6 @@ class Ply:
 
     vertices: Array
     faces: Rows
-
-
-def fault_of(file: Path) -> str | None:
-    """The fault in the surface of a PLY file; None if there is none."""
-    try:
-        read_surface(file)
-    except (ValueError, OSError) as error:
-        return str(error)
-    return None
-
-
-def read_surface(file: Path) -> Ply:
-    """The contents of a PLY file that has faces, whose corners are finite. Raises ValueError with the fault."""
-    content = read_ply(file)
-    if not content.faces:
-        raise ValueError("no faces")
-    if min(map(len, content.faces)) < 3:
-        raise ValueError(f"a face has {min(map(len, content.faces))} corners")
-    wrong = np.flatnonzero(~(np.abs(content.vertices) <= FARTHEST).all(axis=1))
-    if len(wrong):
-        raise ValueError(f"corner {wrong[0]} is at {content.vertices[wrong[0]].tolist()}, not at finite places")
-    return content
-
-
-def write_ply(content: Ply, file: Path) -> None:
-    """Write vertices and faces as a binary PLY file."""
-    head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(content.vertices)}\n"
-    head += "property float x\nproperty float y\nproperty float z\n"
-    head += f"element face {len(content.faces)}\nproperty list int int vertex_indices\nend_header\n"
-    faces = b"".join(struct.pack(f"<i{len(face)}i", len(face), *map(int, face)) for face in content.faces)
-    file.write_bytes(head.encode() + content.vertices.astype("<f4").tobytes() + faces)
 
 
 def read_ply(file: Path) -> Ply:
