@@ -171,7 +171,7 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
-        semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(whole, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]

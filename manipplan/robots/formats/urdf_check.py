@@ -6,6 +6,7 @@ them is refused. What other programs write into a URDF is passed over.
 
 import difflib
 import logging
+import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Collection, Iterable
 from pathlib import Path
@@ -82,7 +83,7 @@ PASSED = {
 #: Share of letters in common from which a name counts as a misspelt one, as difflib counts it.
 NEAR = 0.75
 #: Largest limit of a joint; some files write 1e16 where there is none.
-LARGEST_LIMIT = 1e300
+LARGEST_LIMIT = sys.float_info.max
 #: Smallest length of an axis, along its longest coordinate.
 SMALLEST_AXIS = 1e-9
 
@@ -129,7 +130,7 @@ def check_urdf(file: Path, root: ET.Element) -> None:
 
 def joined_links(root: ET.Element) -> set[tuple[str, str]]:
     """Parent and child link of each joint of a URDF, fixed joints included."""
-    return {_ends(joint) for joint in root.findall("joint")}
+    return {ends_of(joint) for joint in root.findall("joint")}
 
 
 def body_fault(body: ET.Element) -> str | None:
@@ -162,8 +163,10 @@ def body_fault(body: ET.Element) -> str | None:
 
 
 def is_empty(shape: ET.Element) -> bool:
-    """Whether a shape is a box of size 0 0 0, which stands for no body."""
-    return shape.tag == "box" and numbers(shape.get("size"), 3) == (0.0, 0.0, 0.0)
+    """Whether each length of a shape is 0, as of a box of size 0 0 0, which stands for no body."""
+    sizes = SHAPES[shape.tag]
+    values = [numbers(shape.get(attribute), count) for attribute, count in sizes.items()]
+    return bool(sizes) and all(value is not None and not any(value) for value in values)
 
 
 def _raise(file: Path, where: str, fault: str | None) -> None:
@@ -191,8 +194,8 @@ def _check_elements(file: Path, element: ET.Element, where: str) -> set[str]:
 
 
 def _attribute_fault(element: ET.Element) -> str | None:
-    known = ATTRIBUTES.get(element.tag)
-    for name in element.attrib if known is not None else ():
+    known = ATTRIBUTES.get(element.tag, ())
+    for name in element.attrib if known else ():
         if name not in (*known, *ADDED_ATTRIBUTES.get(element.tag, ())) and ":" not in name and name != "xmlns":
             near = _nearest(name, known)
             remedy = f"did you mean {near}?" if near is not None else f"it has {', '.join(known)}"
@@ -216,7 +219,7 @@ def _check_names(file: Path, kind: str, elements: Iterable[ET.Element]) -> None:
         seen.add(name)
 
 
-def _ends(joint: ET.Element) -> tuple[str, str]:
+def ends_of(joint: ET.Element) -> tuple[str, str]:
     """The parent and the child link of a joint."""
     ends = (joint.find("parent"), joint.find("child"))
     return (str(ends[0].get("link")) if ends[0] is not None else "", str(ends[1].get("link")) if ends[1] is not None else "")
@@ -226,7 +229,7 @@ def _check_tree(file: Path, links: set[str], joints: list[ET.Element]) -> None:
     """Raise FileFormatError unless the joints make one tree of the links, with chains of at most `DEEPEST` links."""
     above: dict[str, tuple[str, str]] = {}
     for joint in joints:
-        name, (parent, child) = str(joint.get("name")), _ends(joint)
+        name, (parent, child) = str(joint.get("name")), ends_of(joint)
         for link in (parent, child):
             if link not in links:
                 _raise(file, f"joint {name}", str(UnknownNameError("link", link, links)))

@@ -131,9 +131,10 @@ def _is_xacro(file: Path, root: ET.Element) -> bool:
 
     ROS's parser passes over elements with the prefix xacro where it is not declared.
     """
-    elements = [each for each in root.iter() if each.tag.startswith("xacro:")]
-    spaces = (value for each in root.iter() for name, value in each.attrib.items() if name == "xmlns:xacro")
-    if not any("xacro" in each for each in spaces):
+    declared = [(name, space) for each in root.iter() for name, space in each.attrib.items() if name.startswith("xmlns:")]
+    prefixes = {name.removeprefix("xmlns:") for name, space in declared if "xacro" in space}  # it has several namespaces
+    elements = [each.tag for each in root.iter() if each.tag.partition(":")[0] in {*prefixes, "xacro"} and ":" in each.tag]
+    if not prefixes:
         if elements:
             log.warning("%s: %d elements <xacro:...> are passed over: the file has no xmlns:xacro", file, len(elements))
         return False

@@ -10,7 +10,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.formats.urdf_check import ATTRIBUTES, INERTIA, LARGEST_LIMIT, TYPES, body_fault, is_empty
+from manipplan.robots.formats.urdf_check import ATTRIBUTES, INERTIA, LARGEST_LIMIT, TYPES, body_fault, ends_of, is_empty
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.xml_files import numbers
 from manipplan.robots.hulls import FARTHEST
@@ -45,20 +45,24 @@ def build_model(file: Path, root: ET.Element) -> pin.Model:
             _add(inner, inertial, "inertia", dict.fromkeys(INERTIA, 1))
     for joint in root.findall("joint"):
         copy = ET.SubElement(plain, "joint", name=str(joint.get("name")), type=str(joint.get("type")))
-        for end in ("parent", "child"):
-            ET.SubElement(copy, end, link=joint.find(end).get("link"))  # type: ignore[union-attr]  # checked before
+        parent, child = ends_of(joint)
+        ET.SubElement(copy, "parent", link=parent)
+        ET.SubElement(copy, "child", link=child)
         _add(copy, joint, "origin", {"xyz": 3, "rpy": 3})
         if joint.get("type") in TYPES[:4]:
             _add(copy, joint, "axis", {"xyz": 3})
         if joint.get("type") in TYPES[:3]:
             _add(copy, joint, "limit", dict.fromkeys(ATTRIBUTES["limit"], 1))
             _add(copy, joint, "dynamics", {"damping": 1, "friction": 1})
-        for limit in copy.findall("limit"):
-            for kind, meaning in (("effort", "no limit"), ("velocity", "0")):
-                if float(limit.get(kind, "0")) < 0:
-                    given = limit.get(kind)
-                    log.warning("%s: joint %s: its %s limit %s counts as %s", file, joint.get("name"), kind, given, meaning)
-                    limit.set(kind, "0")
+    for kind, meaning in (("effort", "no limit"), ("velocity", "0")):
+        below = [
+            joint for joint in plain.findall("joint") for limit in joint.findall("limit") if float(limit.get(kind, "0")) < 0
+        ]
+        if below:
+            names = ", ".join(str(joint.get("name")) for joint in below)
+            log.warning("%s: %s limits below zero count as %s: joint %s", file, kind, meaning, names)
+        for limit in (limit for joint in below for limit in joint.findall("limit")):
+            limit.set(kind, "0")
     text = ET.tostring(plain, encoding="unicode")
     return pinocchio_says(file, "a URDF", lambda: pin.buildModelFromXML(text))
 
@@ -95,7 +99,7 @@ def build_bodies(
         for k, element in enumerate(link.findall(kind)):
             shape = element.find("geometry")[0]  # type: ignore[index]  # checked before
             if is_empty(shape):
-                log.warning("%s: body %d of link %s is a box of size 0 0 0 and is left out", file, k, name)
+                log.warning("%s: %s element %d of link %s has size 0 and is left out", file, kind, k + 1, name)
                 continue
             body = pin.GeometryObject(
                 f"{name}_{k}", frame.parentJoint, index, frame.placement * _pose(element.find("origin")), coal.Sphere(1.0)
