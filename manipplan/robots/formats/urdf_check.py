@@ -138,11 +138,10 @@ def body_fault(body: ET.Element) -> str | None:
     fault = _origin_fault(body)
     if fault is not None:
         return fault
-    geometry = body.find("geometry")
-    shapes = [] if geometry is None else [shape for shape in geometry if ":" not in shape.tag]
+    shapes = shapes_of(body)
     if len(shapes) != 1:
         return "it needs one <geometry> with one shape"
-    shape = shapes[0]
+    [shape] = shapes
     if shape.tag not in SHAPES:
         return f"<{shape.tag}> is not a shape of URDF ({', '.join(SHAPES)})"
     fault = _attribute_fault(shape)
@@ -160,6 +159,11 @@ def body_fault(body: ET.Element) -> str | None:
         if scale is None or 0.0 in scale:
             return f"<mesh> needs a scale with 3 numbers other than zero, not {shape.get('scale')!r}"
     return None
+
+
+def shapes_of(body: ET.Element) -> list[ET.Element]:
+    """The shapes of a collision or visual element, without what other programs add."""
+    return [shape for shape in body.iterfind("geometry/*") if ":" not in shape.tag]
 
 
 def is_empty(shape: ET.Element) -> bool:
@@ -240,11 +244,16 @@ def _check_tree(file: Path, links: set[str], joints: list[ET.Element]) -> None:
     if len(roots) != 1:
         found = f"{len(roots)}: {', '.join(roots[:12])}" if roots else "none: the joints form a loop"
         raise FileFormatError("file", str(file), f"a URDF with one root link, which is the child of no joint; it has {found}")
-    for first in links:
-        link, length = first, 0
+    for first in sorted(links):
+        link, passed = first, list[str]()
         while link in above:
-            link, length = above[link][0], length + 1
-            if length > DEEPEST:
+            passed.append(link)
+            link = above[link][0]
+            if link == first:
+                raise FileFormatError(
+                    "file", str(file), f"a URDF without a closed loop, unlike that of {', '.join(passed[:12])}"
+                )
+            if len(passed) > DEEPEST:
                 wanted = f"a URDF with at most {DEEPEST} links in one chain, and no closed loop"
                 raise FileFormatError("file", str(file), wanted)
 

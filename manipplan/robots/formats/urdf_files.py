@@ -111,9 +111,8 @@ class UrdfFiles:
         try:
             return next((each for each in candidates if each.is_file()), None)
         except OSError as error:
-            raise FileFormatError(
-                "file", str(file), f"names of meshes that this system has, unlike {name} ({error.strerror})"
-            ) from error
+            wanted = f"names of meshes that can be files ({error.strerror}), unlike {name}"
+            raise FileFormatError("file", str(file), wanted) from error
 
     def _package_folders(self, file: Path) -> PackageFolders:
         return PackageFolders(

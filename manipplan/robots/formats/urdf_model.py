@@ -10,7 +10,16 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.formats.urdf_check import ATTRIBUTES, INERTIA, LARGEST_LIMIT, TYPES, body_fault, ends_of, is_empty
+from manipplan.robots.formats.urdf_check import (
+    ATTRIBUTES,
+    INERTIA,
+    LARGEST_LIMIT,
+    TYPES,
+    body_fault,
+    ends_of,
+    is_empty,
+    shapes_of,
+)
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.xml_files import numbers
 from manipplan.robots.hulls import FARTHEST
@@ -97,7 +106,7 @@ def build_bodies(
         index = frames[name]
         frame = model.frames[index]
         for k, element in enumerate(link.findall(kind)):
-            shape = element.find("geometry")[0]  # type: ignore[index]  # checked before
+            [shape] = shapes_of(element)
             if is_empty(shape):
                 log.warning("%s: %s element %d of link %s has size 0 and is left out", file, kind, k + 1, name)
                 continue

@@ -59,6 +59,8 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
             mesh = MeshFile(triangles=_obj(file.read_text(encoding="utf-8-sig", errors="replace")))
         elif ending == ".ply":
             content = read_ply(file)
+            if content.faces and min(map(len, content.faces)) < 3:
+                raise ValueError(f"a face with {min(map(len, content.faces))} corners")
             mesh = MeshFile(triangles=split_polygons(content.vertices, content.faces))
         elif ending == ".dae":
             from manipplan.robots.meshes.collada import read_collada  # it imports what reads descriptions

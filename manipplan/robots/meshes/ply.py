@@ -65,6 +65,8 @@ def read_ply(file: Path) -> Ply:
         values: dict[str, Mapping[str, Array | Rows]] = {}
         for element in elements:
             values[element.name] = reader.element(element)
+        if not reader.ended:
+            raise ValueError("it holds more than its header announces")
     except (ValueError, OverflowError, KeyError, IndexError, MemoryError, struct.error) as error:
         raise ValueError(f"not a PLY file, or cut off ({type(error).__name__}: {error})") from error
     vertex = values.get("vertex", {})
@@ -111,30 +113,47 @@ def _header(text: str) -> tuple[str, list[_Element]]:
 
 
 class _Text:
-    """The numbers of a text file, element by element."""
+    """The numbers of a text file, element by element: each row is a line."""
 
     def __init__(self, body: bytes) -> None:
-        self.words = body.split()
+        self.lines = [line for line in body.splitlines() if line.strip()]
         self.at = 0
+
+    @property
+    def ended(self) -> bool:
+        """Whether nothing follows."""
+        return self.at == len(self.lines)
 
     def element(self, element: _Element) -> Mapping[str, Array | Rows]:
         """The values of each property: (count,), or one array per row for a list."""
         names = [each.name for each in element.properties]
+        if element.count > len(self.lines) - self.at:
+            raise ValueError(f"{element.count} lines where {len(self.lines) - self.at} are left")
+        rows = [line.split() for line in self.lines[self.at : self.at + element.count]]
+        self.at += element.count
         if all(each.length is None for each in element.properties):
-            rows = self._numbers(element.count * len(names)).reshape(element.count if names else 0, len(names))
-            return dict(zip(names, rows.T, strict=True))
+            for row in rows:
+                _check_length(row, len(names))
+            return dict(zip(names, np.array(rows, dtype=float).reshape(element.count, len(names)).T, strict=True))
         values: dict[str, Rows] = {name: [] for name in names}
-        for _ in range(element.count):
+        for row in rows:
+            numbers, at = np.array(row, dtype=float), 0
             for each in element.properties:
-                size = 1 if each.length is None else int(self._numbers(1)[0])
-                values[each.name].append(self._numbers(size))
+                size = 1
+                if each.length is not None:
+                    size = int(numbers[at])
+                    at += 1
+                if not 0 <= size <= len(numbers) - at:
+                    raise ValueError(f"a line of {len(numbers)} numbers, too few")
+                values[each.name].append(numbers[at : at + size])
+                at += size
+            _check_length(row, at)
         return values
 
-    def _numbers(self, count: int) -> Array:
-        if not 0 <= count <= len(self.words) - self.at:
-            raise ValueError(f"{count} numbers where {len(self.words) - self.at} are left")
-        self.at += count
-        return np.array(self.words[self.at - count : self.at], dtype=float)
+
+def _check_length(row: list[bytes], length: int) -> None:
+    if len(row) != length:
+        raise ValueError(f"a line of {len(row)} numbers where {length} are expected")
 
 
 class _Binary:
@@ -144,6 +163,11 @@ class _Binary:
         self.body = body
         self.order = order
         self.at = 0
+
+    @property
+    def ended(self) -> bool:
+        """Whether nothing but white space follows."""
+        return not self.body[self.at :].strip()
 
     def element(self, element: _Element) -> Mapping[str, Array | Rows]:
         """The values of each property: (count,), or one array per row for a list."""
