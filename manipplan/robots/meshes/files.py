@@ -119,6 +119,8 @@ def _stl(data: bytes) -> Array:
     if not re.match(rb"\s*solid", data, re.IGNORECASE):
         held = max(len(data) - HEADER, 0) / FACET.itemsize
         raise ValueError(f"its header announces {max(count, 0)} facets, but it holds {held:g}")
+    if len(re.findall(rb"(?i)^\s*endsolid", data, re.MULTILINE)) != len(re.findall(rb"(?i)^\s*solid", data, re.MULTILINE)):
+        raise ValueError("it is cut off: a solid without endsolid")
     words = re.sub(rb"(?i)^\s*(end)?solid.*$", b"", data, flags=re.MULTILINE).lower().split()
     pattern = b"facet normal . . . outer loop vertex . . . vertex . . . vertex . . . endloop endfacet".split()
     if len(words) % len(pattern):
