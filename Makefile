@@ -104,6 +104,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/collision_shapes.py
+	$(BIN)/python benchmarks/mesh_readers.py
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 

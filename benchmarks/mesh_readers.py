@@ -157,8 +157,8 @@ def _collada(rng: np.random.Generator, drawing: Drawing) -> tuple[bytes, Points]
                 step[:3, :3] = np.diag(rng.uniform(0.7, 1.3, 3) * rng.choice([1, -1], 3, p=[0.8, 0.2]))
                 numbers = np.diag(step)[:3]
             elif kind == "rotate":
-                axis, angle = rng.normal(size=3), rng.uniform(-180, 180)
-                step[:3, :3] = Rotation.from_rotvec(np.deg2rad(angle) * axis / np.linalg.norm(axis)).as_matrix()
+                axis, angle = Rotation.random(rng=rng).as_matrix()[0], rng.uniform(-180, 180)
+                step[:3, :3] = Rotation.from_rotvec(np.deg2rad(angle) * axis).as_matrix()
                 numbers = np.r_[axis, angle]
             else:
                 step[:3, :3] = Rotation.random(rng=rng).as_matrix() @ np.diag(rng.uniform(0.8, 1.2, 3))
@@ -182,10 +182,11 @@ def _collada(rng: np.random.Generator, drawing: Drawing) -> tuple[bytes, Points]
         f'<unit meter="{unit!r}"/><up_axis>{up}</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="s">'
         f'<float_array id="a" count="{points.size}">{source}</float_array><technique_common><accessor source="#a" '
         f'count="{len(points)}" stride="3"><param name="X"/><param name="Y"/><param name="Z"/></accessor></technique_common>'
-        f'</source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>{body}</mesh></geometry>'
-        f'</library_geometries><library_visual_scenes><visual_scene id="w"><node>{opening}<instance_geometry url="#g"/>'
-        f'{"</node>" * depth}</node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene>'
-        "</COLLADA>"
+        f'</source><source id="n"><float_array id="b" count="3">0 0 1</float_array><technique_common><accessor source="#b" '
+        f'count="1" stride="3"><param name="X"/><param name="Y"/><param name="Z"/></accessor></technique_common></source>'
+        f'<vertices id="v"><input semantic="POSITION" source="#s"/></vertices>{body}</mesh></geometry></library_geometries>'
+        f'<library_visual_scenes><visual_scene id="w"><node>{opening}<instance_geometry url="#g"/>{"</node>" * depth}</node>'
+        '</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>'
     )
     nodes[:3, 3] *= unit  # points of the drawing are in metres
     return text.encode(), nodes

@@ -336,3 +336,17 @@ def test_names_of_meshes(tmp_path, name, monkeypatch):
             mp.Robot.from_urdf(file, tool="tip")
     else:
         assert mp.Robot.from_urdf(file, tool="tip").geometry.ngeoms == 4
+
+
+@pytest.mark.parametrize("faces", ["f 1 1 2\n", "f 1 2 4\n", "f 1 1 1\nf 1 2 4\n"])
+def test_meshes_without_an_area(tmp_path, faces):
+    with pytest.raises(mp.FileFormatError, match=r"one triangle with an area, unlike .*m\.obj of upper_1"):
+        robot(tmp_path, "m.obj", f"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\n{faces}".encode())
+
+
+def test_distances_to_an_obj_with_a_face_less(tmp_path):
+    """`F` for `f` was passed over: the distance to the open box was -1.8e308 m."""
+    text = MESHES["wedge.obj"].decode()
+    (tmp_path / "m.obj").write_text(text.replace("\nf ", "\nF ", 1))
+    with pytest.raises(mp.FileFormatError, match="it has lines 'F', which are not read"):
+        mp.Scene([mp.Mesh(file=tmp_path / "m.obj")])

@@ -118,14 +118,9 @@ def build_bodies(
                 scale = np.array(numbers(shape.get("scale", "1 1 1"), 3))
                 if path not in read:
                     mesh = read_mesh(f"mesh of link {name} in {file}", path)
-                    read[path] = mesh.unit * mesh.triangles
-                triangles = read[path] * scale
-                if not (np.abs(triangles) <= FARTHEST).all():
-                    wanted = (
-                        f"a description whose meshes have finite vertices within {FARTHEST:g} m, unlike {path} of {name}_{k}"
-                    )
-                    raise FileFormatError("file", str(file), wanted)
-                body.geometry = triangle_tree(*welded(triangles[:, ::-1] if scale.prod() < 0 else triangles))
+                    with np.errstate(over="ignore"):  # what becomes inf is refused below
+                        read[path] = mesh.unit * mesh.triangles
+                body.geometry = _tree(file, body.name, path, read[path], scale)
                 body.meshPath, body.meshScale = str(path), scale
             else:
                 body.geometry = _primitive(shape)
@@ -162,6 +157,18 @@ def _pose(origin: ET.Element | None) -> pin.SE3:
     given = origin.attrib if origin is not None else {}
     xyz, rpy = (np.array(numbers(given.get(name, "0 0 0"), 3)) for name in ("xyz", "rpy"))
     return pin.SE3(pin.rpy.rpyToMatrix(rpy), xyz)
+
+
+def _tree(file: Path, name: str, path: Path, triangles: Array, scale: Array) -> coal.BVHModelOBBRSS:
+    """The tree over triangles (t, 3, 3) [m] scaled by (3,); a scale that mirrors them keeps their outward sides."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = triangles[:, ::-1] * scale if scale.prod() < 0 else triangles * scale
+    if not (np.abs(scaled) <= FARTHEST).all():
+        wanted = f"meshes with finite vertices within {FARTHEST:g} m, unlike {path} of {name}"
+        raise FileFormatError("file", str(file), wanted)
+    if not np.cross(scaled[:, 1] - scaled[:, 0], scaled[:, 2] - scaled[:, 0]).any():
+        raise FileFormatError("file", str(file), f"meshes with at least one triangle with an area, unlike {path} of {name}")
+    return triangle_tree(*welded(scaled))
 
 
 def _primitive(shape: ET.Element) -> coal.CollisionGeometry:
