@@ -121,7 +121,7 @@ def write(rng: np.random.Generator, kind: str, drawing: Drawing) -> tuple[bytes,
     lines = [f"{x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
     if kind.endswith(".obj"):
         start = len(points) if kind == "negative.obj" else -1
-        text = "".join(f"v {line}\n" for line in lines) + "vn 0 0 1\ng drawn\n"
+        text = "".join(f"v {line}\n" for line in lines) + "vn 0 0 1\nvt 0 0\ng drawn\n"
         slash = rng.choice(["", "//1", "/1/1"])
         text += "".join("f " + " ".join(f"{k - start}{slash}" for k in face) + "\n" for face in faces)
         return text.encode(), nodes
