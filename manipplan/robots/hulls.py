@@ -1,7 +1,15 @@
-"""Convex hulls of mesh corners, checked before coal builds them: it crashes when they are nearly flat or very far away."""
+"""Convex hulls of mesh corners, from flat, tiny, huge or very fine meshes alike.
+
+Qhull computes each hull in a cube of edge 1. Coal only takes the result: its own hulls crash on corners whose sizes differ by
+1e17, and it lists at most 254 neighbours of a corner, fewer than the tip of a fine cone has.
+"""
+
+from dataclasses import dataclass
+from typing import Any
 
 import coal
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
 
@@ -9,30 +17,106 @@ from manipplan.support.checks import Array
 FLAT = 1e-6
 #: Maximum distance of a mesh corner from its frame and of an obstacle from the origin, along each axis, and maximum size [m].
 FARTHEST = 1e6
+#: Number of corners below which a hull is not thinned out; by how much one with fewer corners may stick out, as a share of its
+#: longest side; and by how much its planes are moved out, so that rounding leaves no corner outside.
+FEW, SLACK, ROUNDING = 100, 1e-4, 1e-12
+#: Maximum number of neighbours of a corner in coal.
+MOST_NEIGHBOURS = 254
 
 
 def has_hull(corners: Array) -> bool:
     """Whether corners (k, 3) [m] span a volume, and are near enough to their frame that rounding preserves it."""
-    from scipy.spatial import ConvexHull, QhullError
-
     if len(corners) < 4 or not np.abs(corners).max() <= FARTHEST:
         return False
     middle = corners - corners.mean(axis=0)
     sides = np.ptp(middle @ np.linalg.svd(middle, full_matrices=False)[2].T, axis=0)
-    if sides.min() <= max(FLAT * sides.max(), 1e-9):
-        return False
+    return bool(sides.min() > max(FLAT * sides.max(), 1e-9)) and _qhull(corners) is not None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Hull:
+    """A convex body: its corners (k, 3) [m], and the indices (t, 3) of those of each triangle, which faces outward."""
+
+    corners: Array
+    faces: NDArray[np.int64]
+
+    @property
+    def triangles(self) -> Array:
+        """Corners (t, 3, 3) of its triangles [m]."""
+        return np.asarray(self.corners[self.faces])
+
+    @property
+    def fits_coal(self) -> bool:
+        """Whether no corner has more neighbours than coal takes: it has as many as triangles around it."""
+        return bool(np.bincount(self.faces.ravel()).max() <= MOST_NEIGHBOURS)
+
+    def shape(self) -> coal.Convex:
+        """The body for coal; `fits_coal` has to be true."""
+        points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+        points.extend(self.corners)
+        triangles.extend(coal.Triangle(*each) for each in self.faces.tolist())
+        return coal.Convex(points, triangles)
+
+
+def convex_hull(points: Array) -> Hull:
+    """The hull of points (k, 3) [m] for which `has_hull` is true."""
+    hull = _qhull(points)
+    number = np.full(len(points), -1)
+    number[hull.vertices] = np.arange(len(hull.vertices))
+    faces = hull.simplices.copy()
+    a, b, c = (hull.points[faces[:, k]] for k in range(3))
+    inward = np.einsum("ti,ti->t", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    return Hull(corners=points[hull.vertices], faces=number[faces])
+
+
+def outer_hull(points: Array) -> Hull:
+    """A convex body that coal takes and that contains points (k, 3) [m] for which `has_hull` is true.
+
+    It is their hull, unless a corner of that has too many neighbours, or half as many corners stick out by less than SLACK.
+    """
+    exact = convex_hull(points)
+    if exact.fits_coal and len(exact.corners) <= FEW:
+        return exact
+    hull, slack = _qhull(exact.corners), SLACK
+    most = len(exact.corners) // 2 if exact.fits_coal else MOST_NEIGHBOURS
+    while (found := _few_planes(hull, most, slack)) is None and not exact.fits_coal:
+        slack *= 2
+    low, size = exact.corners.min(axis=0), float(np.ptp(exact.corners, axis=0).max())
+    return exact if found is None else convex_hull(low + size * found)
+
+
+def _few_planes(hull: Any, most: int, slack: float) -> Array | None:
+    """Corners (c, 3), at most `most`, where planes through some faces of a hull meet; None if they are more.
+
+    From the six sides of a box on, each step adds the faces behind which corners lie by more than `slack`.
+    """
+    from scipy.spatial import HalfspaceIntersection
+
+    faces = hull.equations[np.unique(hull.equations.round(9), axis=0, return_index=True)[1]]
+    points = hull.points[hull.vertices]
+    axes = np.concatenate([np.eye(3), -np.eye(3)])
+    chosen = np.column_stack([axes, -(points @ axes.T).max(axis=0)])
+    while True:
+        corners = HalfspaceIntersection(chosen - ROUNDING * np.array([0, 0, 0, 1]), points.mean(axis=0)).intersections
+        corners = np.unique(corners[np.isfinite(corners).all(axis=1)].round(12), axis=0)
+        if len(corners) > most:
+            return None
+        beyond = corners @ faces[:, :3].T + faces[:, 3]
+        far = np.unique(beyond.argmax(axis=1)[beyond.max(axis=1) > slack])
+        if not len(far):
+            return np.asarray(corners)
+        if len(chosen) + len(far) > most:  # these planes have about twice as many corners
+            return None
+        chosen = np.concatenate([chosen, faces[far]])
+
+
+def _qhull(corners: Array) -> Any:
+    """The hull by Qhull, of the corners moved and scaled into a cube of edge 1; None where they are too flat."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    low, size = corners.min(axis=0), float(np.ptp(corners, axis=0).max())
     try:
-        ConvexHull(corners, qhull_options="Qt")
+        return ConvexHull((corners - low) / size, qhull_options="Qt")
     except QhullError:
-        return False
-    return True
-
-
-def convex_hull(corners: Array) -> coal.ConvexBase:
-    """The hull of corners (k, 3) [m] for which `has_hull` is true."""
-    cloud = coal.BVHModelOBBRSS()
-    cloud.beginModel(0, len(corners))
-    cloud.addVertices(corners)
-    cloud.endModel()
-    cloud.buildConvexHull(True, "Qt")
-    return cloud.convex
+        return None

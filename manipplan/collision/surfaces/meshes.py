@@ -71,7 +71,8 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
         if not has_hull(corners):
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
-        hulls.append((convex_hull(corners), True))
+        hull = convex_hull(corners)
+        hulls.append((hull.shape() if hull.fits_coal else triangle_tree(hull.corners, hull.faces), True))
     if not hulls:
         raise InvalidInputError(
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
@@ -80,7 +81,7 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
 
 
 def _solid(shell: Shell) -> coal.CollisionGeometry | None:
-    """The hull of a closed part that is convex; otherwise None."""
+    """The hull of a closed part that is convex, where coal takes it; otherwise None."""
     if not shell.closed:
         return None
     corners, _ = merged_corners(shell.triangles)
@@ -101,7 +102,8 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
         heights = middles[at : at + step] @ hull.equations[:, :3].T + hull.equations[:, 3]
         if heights.max(axis=1).min() < -dent:
             return None
-    return convex_hull(corners)
+    outer = convex_hull(corners)
+    return outer.shape() if outer.fits_coal else None
 
 
 def _is_clearly_concave(triangles: Array, corners: Array) -> bool:
