@@ -89,15 +89,21 @@ def numbers(text: str, kind: type = float) -> NDArray[Any]:
     return np.array(words, dtype=kind)
 
 
+def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:
+    """Of equal rows (k, c) the index of one, and for each row its place in that list."""
+    order = np.lexsort(rows.T)
+    new = np.concatenate([np.ones(min(len(rows), 1), dtype=bool), (np.diff(rows[order], axis=0) != 0).any(axis=1)])
+    index = np.empty(len(rows), dtype=np.int64)
+    index[order] = np.cumsum(new) - 1
+    return order[new], index
+
+
 def welded(triangles: Array) -> tuple[Array, Faces]:
     """The corners (v, 3) of triangles (t, 3, 3), each once, and the triangles with three different ones as indices (f, 3)."""
     points = triangles.reshape(-1, 3)
-    order = np.lexsort(points.T)
-    new = np.concatenate([np.ones(min(len(points), 1), dtype=bool), (np.diff(points[order], axis=0) != 0).any(axis=1)])
-    index = np.empty(len(points), dtype=np.int64)
-    index[order] = np.cumsum(new) - 1
+    first, index = first_of_rows(points)
     faces = index.reshape(-1, 3)
-    return points[order[new]], faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+    return points[first], faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
 
 
 def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
