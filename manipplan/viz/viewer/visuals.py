@@ -7,7 +7,7 @@ from manipplan.robots.description import read_visuals
 from manipplan.robots.formats import mjcf_bodies
 from manipplan.robots.formats.xml_files import read_xml
 from manipplan.robots.robot import Robot
-from manipplan.support.errors import ManipplanError
+from manipplan.support.errors import InvalidInputError, ManipplanError
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -29,7 +29,8 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             whole, geometry = read_visuals(file, source.urdf_files)
         model, geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)
     except (ValueError, RuntimeError, IndexError, ManipplanError) as error:
-        return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
+        reason = error.allowed if isinstance(error, InvalidInputError) else str(error)
+        return None, f"the visual meshes of {file.name} cannot be read: {' '.join(reason.split())[:160]}"
     geometry = attached.move_base(model, geometry, pin.SE3(robot.base))[1]
     for item in robot.geometry.geometryObjects:
         if any(item.name in part.bodies for part in robot.carried.values()):
