@@ -329,14 +329,14 @@ def main(arguments: list[str] | None = None) -> dict[str, list[tuple[float, floa
         less = sum(count for end, count in ends.items() if end.lower().startswith("less"))
         lines.append(
             f"| {kind} | {len(rows)} | {(apart <= CLOSE).sum()} | {apart.max(initial=0.0):.0e} | {len(asked)} "
-            f"| {asked.max(initial=0.0):.0e} | {ends['refused']} | {ends['the same body']} | {less} |"
+            f"| {f'{asked.max():.0e}' if len(asked) else ''} | {ends['refused']} | {ends['the same body']} | {less} |"
         )
     close = sum(apart <= CLOSE for rows in found.values() for apart, _, _ in rows)
     lines.append(f"| all | {options.count} | {close} | | | | | | |")
     text = (
         f"{seconds * 1e3:.0f} ms for each mesh, both readings and the judges; an OBJ file does not say where it ends. "
         f"Python {platform.python_version()}, {platform.machine()}; seed {options.seed}; "
-        f"command: `.venv/bin/python benchmarks/mesh_readers.py`."
+        f"command: `.venv/bin/python benchmarks/mesh_readers.py --count {options.count}`."
     )
     options.out.write_text("\n".join([*lines, "", text, ""]))
     print(options.out.read_text())
