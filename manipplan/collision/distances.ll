@@ -1,20 +1,23 @@
-; distances.c d080fb881902381446ad8511a3b2977fd79a3b91fb26420349acacc1b9a89262: written by make kernel
+; distances.c 8d84d68da283b11aa8bb6a58c263af6be9c50b458e7bea127bc8397a843a919b: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
-%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
+%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr, i64, i32, i32, ptr, ptr, i32, double }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
+%struct.Two = type { ptr, i64, [12 x double], [9 x double], double, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
+%struct.Part = type { i64, i64, i64 }
 
-@place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
-@box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
+@hull_core.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @reduce.face = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @__const.reduce.chosen = private unnamed_addr constant [3 x i32] [i32 0, i32 1, i32 2], align 4
 @within.ray = internal constant [3 x [3 x double]] [[3 x double] [double 6.123720e-01, double 3.535530e-01, double 7.071070e-01], [3 x double] [double -4.177900e-01, double 0x3FEA99C38B04AB60, double -3.670100e-01], [3 x double] [double 1.173100e-01, double -5.144900e-01, double -8.494300e-01]], align 16
+@box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
 @begin.solid = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 2, i32 1], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 3, i32 2], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @begin.beside = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 1, i32 2, i32 3], [3 x i32] [i32 2, i32 0, i32 3], [3 x i32] [i32 1, i32 0, i32 4], [3 x i32] [i32 2, i32 1, i32 4], [3 x i32] [i32 0, i32 2, i32 4]], align 16
 @begin.around = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 2, i32 3, i32 1], [3 x i32] [i32 3, i32 4, i32 1], [3 x i32] [i32 4, i32 2, i32 1], [3 x i32] [i32 3, i32 2, i32 0], [3 x i32] [i32 4, i32 3, i32 0], [3 x i32] [i32 2, i32 4, i32 0]], align 16
+@place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
@@ -40,14 +43,14 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 16:                                               ; preds = %14
   %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %18 = icmp eq ptr %3, null
-  br i1 %18, label %246, label %19
+  br i1 %18, label %250, label %19
 
 19:                                               ; preds = %16
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
   %22 = load i64, ptr %17, align 8
   %23 = icmp sgt i64 %22, 0
-  br i1 %23, label %24, label %246
+  br i1 %23, label %24, label %250
 
 24:                                               ; preds = %19
   %25 = load ptr, ptr %20, align 8
@@ -59,7 +62,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %29 = phi i64 [ %36, %27 ], [ 0, %5 ]
   %30 = getelementptr inbounds double, ptr %1, i64 %29
   %31 = load double, ptr %30, align 8
-  %32 = tail call double @llvm.fabs.f64(double %31) #14
+  %32 = tail call double @llvm.fabs.f64(double %31) #17
   %33 = fcmp one double %32, 0x7FF0000000000000
   %34 = zext i1 %33 to i32
   %35 = and i32 %28, %34
@@ -79,14 +82,14 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %44 = add nuw nsw i64 %39, 1
   %45 = load i64, ptr %17, align 8
   %46 = icmp slt i64 %44, %45
-  br i1 %46, label %38, label %246
+  br i1 %46, label %38, label %250
 
 47:                                               ; preds = %5, %14
   %48 = icmp eq ptr %3, null
   br i1 %48, label %52, label %49
 
 49:                                               ; preds = %47
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
   %51 = load ptr, ptr %50, align 8
   br label %52
 
@@ -96,13 +99,13 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
   %55 = load i64, ptr %54, align 8
   %56 = icmp sgt i64 %55, 0
-  br i1 %56, label %57, label %164
+  br i1 %56, label %57, label %166
 
 57:                                               ; preds = %52
   %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
   %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
   %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
-  %61 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %61 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %62 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
   %63 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
   %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
@@ -117,255 +120,263 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
   %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
   %75 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
-  %76 = icmp ne ptr %53, null
-  br label %77
+  %76 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 12
+  %77 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 18
+  %78 = icmp ne ptr %53, null
+  br label %79
 
-77:                                               ; preds = %57, %159
-  %78 = phi i64 [ %55, %57 ], [ %160, %159 ]
-  %79 = phi i32 [ 0, %57 ], [ %161, %159 ]
-  %80 = phi i64 [ 0, %57 ], [ %162, %159 ]
-  %81 = load i64, ptr %58, align 8
-  %82 = icmp sgt i64 %81, -1
-  br i1 %82, label %83, label %164
+79:                                               ; preds = %57, %161
+  %80 = phi i64 [ %55, %57 ], [ %162, %161 ]
+  %81 = phi i32 [ 0, %57 ], [ %163, %161 ]
+  %82 = phi i64 [ 0, %57 ], [ %164, %161 ]
+  %83 = load i64, ptr %58, align 8
+  %84 = icmp sgt i64 %83, -1
+  br i1 %84, label %85, label %166
 
-83:                                               ; preds = %77
-  %84 = load ptr, ptr %59, align 8
-  %85 = mul nsw i64 %80, 3
-  %86 = getelementptr inbounds i64, ptr %84, i64 %85
-  %87 = load ptr, ptr %60, align 8
-  %88 = shl nsw i64 %80, 2
-  %89 = getelementptr inbounds double, ptr %87, i64 %88
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %90 = getelementptr inbounds double, ptr %89, i64 3
-  %91 = load double, ptr %90, align 8
-  %92 = load ptr, ptr %61, align 8
-  %93 = load i64, ptr %86, align 8
-  %94 = mul nsw i64 %93, 12
-  %95 = getelementptr inbounds double, ptr %92, i64 %94
-  %96 = getelementptr inbounds double, ptr %89, i64 1
-  %97 = getelementptr inbounds double, ptr %89, i64 2
-  br label %98
+85:                                               ; preds = %79
+  %86 = load ptr, ptr %59, align 8
+  %87 = mul nsw i64 %82, 3
+  %88 = getelementptr inbounds i64, ptr %86, i64 %87
+  %89 = load ptr, ptr %60, align 8
+  %90 = shl nsw i64 %82, 2
+  %91 = getelementptr inbounds double, ptr %89, i64 %90
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %92 = getelementptr inbounds double, ptr %91, i64 3
+  %93 = load double, ptr %92, align 8
+  %94 = load ptr, ptr %61, align 8
+  %95 = load i64, ptr %88, align 8
+  %96 = mul nsw i64 %95, 12
+  %97 = getelementptr inbounds double, ptr %94, i64 %96
+  %98 = getelementptr inbounds double, ptr %91, i64 1
+  %99 = getelementptr inbounds double, ptr %91, i64 2
+  br label %100
 
-98:                                               ; preds = %98, %83
-  %99 = phi i64 [ 0, %83 ], [ %122, %98 ]
-  %100 = mul nuw nsw i64 %99, 3
-  %101 = getelementptr inbounds double, ptr %95, i64 %100
-  %102 = load double, ptr %101, align 8
-  %103 = load double, ptr %89, align 8
-  %104 = fmul double %102, %103
-  %105 = add nuw nsw i64 %100, 1
-  %106 = getelementptr inbounds double, ptr %95, i64 %105
-  %107 = load double, ptr %106, align 8
-  %108 = load double, ptr %96, align 8
-  %109 = fmul double %107, %108
-  %110 = fadd double %104, %109
-  %111 = add nuw nsw i64 %100, 2
-  %112 = getelementptr inbounds double, ptr %95, i64 %111
-  %113 = load double, ptr %112, align 8
-  %114 = load double, ptr %97, align 8
-  %115 = fmul double %113, %114
-  %116 = fadd double %110, %115
-  %117 = add nuw nsw i64 %99, 9
-  %118 = getelementptr inbounds double, ptr %95, i64 %117
-  %119 = load double, ptr %118, align 8
-  %120 = fadd double %119, %116
-  %121 = getelementptr inbounds double, ptr %6, i64 %99
-  store double %120, ptr %121, align 8
-  %122 = add nuw nsw i64 %99, 1
-  %123 = icmp eq i64 %122, 3
-  br i1 %123, label %124, label %98
+100:                                              ; preds = %100, %85
+  %101 = phi i64 [ 0, %85 ], [ %124, %100 ]
+  %102 = mul nuw nsw i64 %101, 3
+  %103 = getelementptr inbounds double, ptr %97, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = load double, ptr %91, align 8
+  %106 = fmul double %104, %105
+  %107 = add nuw nsw i64 %102, 1
+  %108 = getelementptr inbounds double, ptr %97, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = load double, ptr %98, align 8
+  %111 = fmul double %109, %110
+  %112 = fadd double %106, %111
+  %113 = add nuw nsw i64 %102, 2
+  %114 = getelementptr inbounds double, ptr %97, i64 %113
+  %115 = load double, ptr %114, align 8
+  %116 = load double, ptr %99, align 8
+  %117 = fmul double %115, %116
+  %118 = fadd double %112, %117
+  %119 = add nuw nsw i64 %101, 9
+  %120 = getelementptr inbounds double, ptr %97, i64 %119
+  %121 = load double, ptr %120, align 8
+  %122 = fadd double %121, %118
+  %123 = getelementptr inbounds double, ptr %6, i64 %101
+  store double %122, ptr %123, align 8
+  %124 = add nuw nsw i64 %101, 1
+  %125 = icmp eq i64 %124, 3
+  br i1 %125, label %126, label %100
 
-124:                                              ; preds = %98
-  %125 = fadd double %91, %2
-  %126 = fmul double %125, %125
-  %127 = call fastcc i32 @is_near(ptr noundef %0, ptr noundef nonnull %6, double noundef %126, i64 noundef %81)
-  %128 = icmp eq i32 %127, 0
-  br i1 %128, label %159, label %129
+126:                                              ; preds = %100
+  %127 = fadd double %93, %2
+  %128 = fmul double %127, %127
+  %129 = call fastcc i32 @is_near(ptr noundef %0, ptr noundef nonnull %6, double noundef %128, i64 noundef %83)
+  %130 = icmp eq i32 %129, 0
+  br i1 %130, label %161, label %131
 
-129:                                              ; preds = %124
-  %130 = getelementptr inbounds i64, ptr %86, i64 1
-  %131 = getelementptr inbounds i64, ptr %86, i64 2
-  %132 = load i64, ptr %131, align 8
-  %133 = icmp sgt i64 %132, 0
-  br i1 %133, label %134, label %159
+131:                                              ; preds = %126
+  %132 = getelementptr inbounds i64, ptr %88, i64 1
+  %133 = getelementptr inbounds i64, ptr %88, i64 2
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp sgt i64 %134, 0
+  br i1 %135, label %136, label %161
 
-134:                                              ; preds = %129
-  %135 = load i64, ptr %130, align 8
-  br label %142
+136:                                              ; preds = %131
+  %137 = load i64, ptr %132, align 8
+  br label %144
 
-136:                                              ; preds = %142
-  %137 = add nsw i64 %144, 1
-  %138 = load i64, ptr %130, align 8
-  %139 = load i64, ptr %131, align 8
-  %140 = add nsw i64 %139, %138
-  %141 = icmp slt i64 %137, %140
-  br i1 %141, label %142, label %157
+138:                                              ; preds = %144
+  %139 = add nsw i64 %146, 1
+  %140 = load i64, ptr %132, align 8
+  %141 = load i64, ptr %133, align 8
+  %142 = add nsw i64 %141, %140
+  %143 = icmp slt i64 %139, %142
+  br i1 %143, label %144, label %159
 
-142:                                              ; preds = %134, %136
-  %143 = phi i32 [ %153, %136 ], [ %79, %134 ]
-  %144 = phi i64 [ %137, %136 ], [ %135, %134 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %8) #15
+144:                                              ; preds = %136, %138
+  %145 = phi i32 [ %155, %138 ], [ %81, %136 ]
+  %146 = phi i64 [ %139, %138 ], [ %137, %136 ]
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %8) #18
   store ptr %0, ptr %8, align 8
-  %145 = load ptr, ptr %63, align 8
-  %146 = getelementptr inbounds i64, ptr %145, i64 %144
-  %147 = load i64, ptr %146, align 8
-  store i64 %147, ptr %62, align 8
+  %147 = load ptr, ptr %63, align 8
+  %148 = getelementptr inbounds i64, ptr %147, i64 %146
+  %149 = load i64, ptr %148, align 8
+  store i64 %149, ptr %62, align 8
   store ptr %7, ptr %64, align 8
-  %148 = load ptr, ptr %66, align 8
-  %149 = load i64, ptr %67, align 8
-  %150 = mul nsw i64 %149, %144
-  %151 = getelementptr inbounds i64, ptr %148, i64 %150
-  store ptr %151, ptr %65, align 8
+  %150 = load ptr, ptr %66, align 8
+  %151 = load i64, ptr %67, align 8
+  %152 = mul nsw i64 %151, %146
+  %153 = getelementptr inbounds i64, ptr %150, i64 %152
+  store ptr %153, ptr %65, align 8
   store i64 -1, ptr %68, align 8
   store double %2, ptr %69, align 8
   store ptr %53, ptr %70, align 8
   store ptr %3, ptr %71, align 8
-  store i32 %143, ptr %72, align 8
+  store i32 %145, ptr %72, align 8
   store i64 -1, ptr %73, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %74, i8 0, i64 32, i1 false)
   store ptr %4, ptr %75, align 8
-  call fastcc void @core_of(ptr noundef %0, i64 noundef %147, ptr noundef nonnull %7)
-  %152 = load i64, ptr %58, align 8
-  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %152)
-  %153 = load i32, ptr %72, align 8
-  %154 = icmp ne i32 %153, 1
-  %155 = select i1 %76, i1 true, i1 %154
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #15
-  br i1 %155, label %136, label %156
+  store double 0.000000e+00, ptr %77, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %76, i8 0, i64 36, i1 false)
+  call fastcc void @core_of(ptr noundef %0, i64 noundef %149, ptr noundef nonnull %7)
+  %154 = load i64, ptr %58, align 8
+  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %154)
+  %155 = load i32, ptr %72, align 8
+  %156 = icmp ne i32 %155, 1
+  %157 = select i1 %78, i1 true, i1 %156
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #18
+  br i1 %157, label %138, label %158
 
-156:                                              ; preds = %142
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %246
+158:                                              ; preds = %144
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  br label %250
 
-157:                                              ; preds = %136
-  %158 = load i64, ptr %54, align 8
-  br label %159
+159:                                              ; preds = %138
+  %160 = load i64, ptr %54, align 8
+  br label %161
 
-159:                                              ; preds = %157, %129, %124
-  %160 = phi i64 [ %78, %124 ], [ %78, %129 ], [ %158, %157 ]
-  %161 = phi i32 [ %79, %124 ], [ %79, %129 ], [ %153, %157 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %162 = add nuw nsw i64 %80, 1
-  %163 = icmp slt i64 %162, %160
-  br i1 %163, label %77, label %164
+161:                                              ; preds = %159, %131, %126
+  %162 = phi i64 [ %80, %126 ], [ %80, %131 ], [ %160, %159 ]
+  %163 = phi i32 [ %81, %126 ], [ %81, %131 ], [ %155, %159 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  %164 = add nuw nsw i64 %82, 1
+  %165 = icmp slt i64 %164, %162
+  br i1 %165, label %79, label %166
 
-164:                                              ; preds = %159, %77, %52
-  %165 = phi i32 [ 0, %52 ], [ %79, %77 ], [ %161, %159 ]
-  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
-  %167 = load i64, ptr %166, align 8
-  %168 = icmp sgt i64 %167, 0
-  br i1 %168, label %169, label %246
+166:                                              ; preds = %161, %79, %52
+  %167 = phi i32 [ 0, %52 ], [ %81, %79 ], [ %163, %161 ]
+  %168 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
+  %169 = load i64, ptr %168, align 8
+  %170 = icmp sgt i64 %169, 0
+  br i1 %170, label %171, label %250
 
-169:                                              ; preds = %164
-  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
-  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
-  %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
-  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  %184 = icmp eq ptr %53, null
-  br label %185
+171:                                              ; preds = %166
+  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
+  %173 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %174 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
+  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %184 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %185 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %186 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %187 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  %188 = icmp eq ptr %53, null
+  br label %189
 
-185:                                              ; preds = %169, %241
-  %186 = phi i64 [ %167, %169 ], [ %242, %241 ]
-  %187 = phi i32 [ %165, %169 ], [ %243, %241 ]
-  %188 = phi i64 [ 0, %169 ], [ %244, %241 ]
-  %189 = load ptr, ptr %170, align 8
-  %190 = mul nuw nsw i64 %188, 3
-  %191 = getelementptr inbounds i64, ptr %189, i64 %190
-  %192 = load i64, ptr %191, align 8
-  %193 = add nuw nsw i64 %190, 1
-  %194 = getelementptr inbounds i64, ptr %189, i64 %193
-  %195 = load i64, ptr %194, align 8
-  %196 = load ptr, ptr %171, align 8
-  %197 = mul nsw i64 %192, 3
-  %198 = getelementptr inbounds double, ptr %196, i64 %197
-  %199 = mul nsw i64 %195, 3
-  %200 = getelementptr inbounds double, ptr %196, i64 %199
-  %201 = load double, ptr %198, align 8
-  %202 = load double, ptr %200, align 8
-  %203 = fsub double %201, %202
-  %204 = getelementptr inbounds double, ptr %198, i64 1
-  %205 = load double, ptr %204, align 8
-  %206 = getelementptr inbounds double, ptr %200, i64 1
-  %207 = load double, ptr %206, align 8
-  %208 = fsub double %205, %207
-  %209 = getelementptr inbounds double, ptr %198, i64 2
-  %210 = load double, ptr %209, align 8
-  %211 = getelementptr inbounds double, ptr %200, i64 2
-  %212 = load double, ptr %211, align 8
-  %213 = fsub double %210, %212
-  %214 = load ptr, ptr %172, align 8
-  %215 = shl nsw i64 %192, 2
-  %216 = or i64 %215, 3
-  %217 = getelementptr inbounds double, ptr %214, i64 %216
-  %218 = load double, ptr %217, align 8
-  %219 = fadd double %218, %2
-  %220 = shl nsw i64 %195, 2
-  %221 = or i64 %220, 3
-  %222 = getelementptr inbounds double, ptr %214, i64 %221
-  %223 = load double, ptr %222, align 8
-  %224 = fadd double %219, %223
-  %225 = fmul double %203, %203
-  %226 = fmul double %208, %208
-  %227 = fadd double %225, %226
-  %228 = fmul double %213, %213
-  %229 = fadd double %227, %228
-  %230 = fmul double %224, %224
-  %231 = fcmp ogt double %229, %230
-  br i1 %231, label %241, label %232
+189:                                              ; preds = %171, %245
+  %190 = phi i64 [ %169, %171 ], [ %246, %245 ]
+  %191 = phi i32 [ %167, %171 ], [ %247, %245 ]
+  %192 = phi i64 [ 0, %171 ], [ %248, %245 ]
+  %193 = load ptr, ptr %172, align 8
+  %194 = mul nuw nsw i64 %192, 3
+  %195 = getelementptr inbounds i64, ptr %193, i64 %194
+  %196 = load i64, ptr %195, align 8
+  %197 = add nuw nsw i64 %194, 1
+  %198 = getelementptr inbounds i64, ptr %193, i64 %197
+  %199 = load i64, ptr %198, align 8
+  %200 = load ptr, ptr %173, align 8
+  %201 = mul nsw i64 %196, 3
+  %202 = getelementptr inbounds double, ptr %200, i64 %201
+  %203 = mul nsw i64 %199, 3
+  %204 = getelementptr inbounds double, ptr %200, i64 %203
+  %205 = load double, ptr %202, align 8
+  %206 = load double, ptr %204, align 8
+  %207 = fsub double %205, %206
+  %208 = getelementptr inbounds double, ptr %202, i64 1
+  %209 = load double, ptr %208, align 8
+  %210 = getelementptr inbounds double, ptr %204, i64 1
+  %211 = load double, ptr %210, align 8
+  %212 = fsub double %209, %211
+  %213 = getelementptr inbounds double, ptr %202, i64 2
+  %214 = load double, ptr %213, align 8
+  %215 = getelementptr inbounds double, ptr %204, i64 2
+  %216 = load double, ptr %215, align 8
+  %217 = fsub double %214, %216
+  %218 = load ptr, ptr %174, align 8
+  %219 = shl nsw i64 %196, 2
+  %220 = or i64 %219, 3
+  %221 = getelementptr inbounds double, ptr %218, i64 %220
+  %222 = load double, ptr %221, align 8
+  %223 = fadd double %222, %2
+  %224 = shl nsw i64 %199, 2
+  %225 = or i64 %224, 3
+  %226 = getelementptr inbounds double, ptr %218, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fadd double %223, %227
+  %229 = fmul double %207, %207
+  %230 = fmul double %212, %212
+  %231 = fadd double %229, %230
+  %232 = fmul double %217, %217
+  %233 = fadd double %231, %232
+  %234 = fmul double %228, %228
+  %235 = fcmp ogt double %233, %234
+  br i1 %235, label %245, label %236
 
-232:                                              ; preds = %185
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %192, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+236:                                              ; preds = %189
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %196, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
   store ptr %0, ptr %10, align 8
-  store i64 %192, ptr %173, align 8
-  store ptr %9, ptr %174, align 8
-  store ptr null, ptr %175, align 8
-  %233 = add nuw nsw i64 %190, 2
-  %234 = getelementptr inbounds i64, ptr %189, i64 %233
-  %235 = load i64, ptr %234, align 8
-  store i64 %235, ptr %176, align 8
-  store double %2, ptr %177, align 8
-  store ptr %53, ptr %178, align 8
-  store ptr %3, ptr %179, align 8
-  store i32 %187, ptr %180, align 8
-  store i64 -1, ptr %181, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %182, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %183, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %195, ptr noundef null)
-  %236 = load i32, ptr %180, align 8
-  %237 = icmp eq i32 %236, 1
-  %238 = select i1 %184, i1 %237, i1 false
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br i1 %238, label %246, label %239
+  store i64 %196, ptr %175, align 8
+  store ptr %9, ptr %176, align 8
+  store ptr null, ptr %177, align 8
+  %237 = add nuw nsw i64 %194, 2
+  %238 = getelementptr inbounds i64, ptr %193, i64 %237
+  %239 = load i64, ptr %238, align 8
+  store i64 %239, ptr %178, align 8
+  store double %2, ptr %179, align 8
+  store ptr %53, ptr %180, align 8
+  store ptr %3, ptr %181, align 8
+  store i32 %191, ptr %182, align 8
+  store i64 -1, ptr %183, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %184, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %185, align 8
+  store double 0.000000e+00, ptr %187, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %186, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %199, ptr noundef null)
+  %240 = load i32, ptr %182, align 8
+  %241 = icmp eq i32 %240, 1
+  %242 = select i1 %188, i1 %241, i1 false
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  br i1 %242, label %250, label %243
 
-239:                                              ; preds = %232
-  %240 = load i64, ptr %166, align 8
-  br label %241
+243:                                              ; preds = %236
+  %244 = load i64, ptr %168, align 8
+  br label %245
 
-241:                                              ; preds = %239, %185
-  %242 = phi i64 [ %186, %185 ], [ %240, %239 ]
-  %243 = phi i32 [ %187, %185 ], [ %236, %239 ]
-  %244 = add nuw nsw i64 %188, 1
-  %245 = icmp slt i64 %244, %242
-  br i1 %245, label %185, label %246
+245:                                              ; preds = %243, %189
+  %246 = phi i64 [ %190, %189 ], [ %244, %243 ]
+  %247 = phi i32 [ %191, %189 ], [ %240, %243 ]
+  %248 = add nuw nsw i64 %192, 1
+  %249 = icmp slt i64 %248, %246
+  br i1 %249, label %189, label %250
 
-246:                                              ; preds = %232, %241, %38, %19, %164, %16, %156
-  %247 = phi i32 [ 1, %156 ], [ 2, %16 ], [ %165, %164 ], [ 2, %19 ], [ 2, %38 ], [ 1, %232 ], [ %243, %241 ]
-  ret i32 %247
+250:                                              ; preds = %236, %245, %38, %19, %166, %16, %158
+  %251 = phi i32 [ 1, %158 ], [ 2, %16 ], [ %167, %166 ], [ 2, %19 ], [ 2, %38 ], [ 1, %236 ], [ %247, %245 ]
+  ret i32 %251
 }
 
 define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
@@ -403,7 +414,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %7, label %15, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %12 = load i64, ptr %11, align 8
@@ -420,8 +431,8 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   %18 = phi ptr [ %14, %8 ], [ null, %15 ]
   %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
   %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
   br label %24
 
 23:                                               ; preds = %47, %15
@@ -430,7 +441,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 24:                                               ; preds = %17, %47
   %25 = phi i64 [ 0, %17 ], [ %48, %47 ]
   %26 = phi ptr [ %4, %17 ], [ %49, %47 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #18
   store i64 0, ptr %6, align 8
   %27 = load i64, ptr %19, align 8
   %28 = mul nsw i64 %27, %25
@@ -462,7 +473,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %46, label %35, label %41
 
 47:                                               ; preds = %51, %35
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #18
   %48 = add nuw nsw i64 %25, 1
   %49 = getelementptr inbounds double, ptr %26, i64 %33
   %50 = icmp eq i64 %48, %2
@@ -488,7 +499,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   br i1 %9, label %17, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   %12 = load ptr, ptr %11, align 8
   %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %14 = load i64, ptr %13, align 8
@@ -504,9 +515,9 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 19:                                               ; preds = %10, %17
   %20 = phi ptr [ %16, %10 ], [ null, %17 ]
   %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
   %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
   br label %27
 
 25:                                               ; preds = %41, %17
@@ -516,7 +527,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 27:                                               ; preds = %19, %41
   %28 = phi i64 [ 0, %19 ], [ %42, %41 ]
   %29 = phi i64 [ 0, %19 ], [ %43, %41 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
   store i64 0, ptr %8, align 8
   %30 = load i64, ptr %21, align 8
   %31 = mul nsw i64 %30, %29
@@ -535,7 +546,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 41:                                               ; preds = %59, %27
   %42 = phi i64 [ %28, %27 ], [ %62, %59 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
   %43 = add nuw nsw i64 %29, 1
   %44 = icmp eq i64 %43, %2
   br i1 %44, label %25, label %27
@@ -576,8 +587,8 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   store i64 -1, ptr %7, align 8
   %10 = icmp sgt i64 %2, 0
   %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
   br label %14
 
 14:                                               ; preds = %78, %8
@@ -595,7 +606,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %23, label %24, label %70
 
 24:                                               ; preds = %17
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
   store i64 0, ptr %9, align 8
   %25 = load double, ptr %5, align 8
   %26 = load i64, ptr %11, align 8
@@ -608,7 +619,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %32, label %34, label %33
 
 33:                                               ; preds = %24
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
   br label %70
 
 34:                                               ; preds = %24
@@ -619,7 +630,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
 
 38:                                               ; preds = %66
   %39 = icmp eq i32 %49, 0
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
   br i1 %39, label %74, label %70
 
 40:                                               ; preds = %34, %66
@@ -695,160 +706,152 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   ret i32 %83
 }
 
-define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
-  %8 = alloca [3 x double], align 16
+define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
+  %8 = alloca double, align 8
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Search, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  %11 = icmp sgt i64 %2, 0
-  br i1 %11, label %12, label %24
+  %11 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  %12 = icmp sgt i64 %2, 0
+  br i1 %12, label %13, label %27
 
-12:                                               ; preds = %7
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  br label %25
+13:                                               ; preds = %7
+  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %24 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %25 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %26 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  br label %28
 
-24:                                               ; preds = %88, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+27:                                               ; preds = %83, %7
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
   ret void
 
-25:                                               ; preds = %12, %88
-  %26 = phi i64 [ 0, %12 ], [ %89, %88 ]
-  %27 = shl nuw nsw i64 %26, 1
-  %28 = getelementptr inbounds i64, ptr %3, i64 %27
-  %29 = load i64, ptr %28, align 8
-  %30 = or i64 %27, 1
+28:                                               ; preds = %13, %83
+  %29 = phi i64 [ 0, %13 ], [ %86, %83 ]
+  %30 = shl nuw nsw i64 %29, 1
   %31 = getelementptr inbounds i64, ptr %3, i64 %30
   %32 = load i64, ptr %31, align 8
-  %33 = icmp eq i64 %26, 0
-  br i1 %33, label %45, label %34
+  %33 = or i64 %30, 1
+  %34 = getelementptr inbounds i64, ptr %3, i64 %33
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp eq i64 %29, 0
+  br i1 %36, label %58, label %37
 
-34:                                               ; preds = %25
-  %35 = add nsw i64 %27, -2
-  %36 = getelementptr inbounds i64, ptr %3, i64 %35
-  %37 = load i64, ptr %36, align 8
-  %38 = icmp eq i64 %29, %37
-  br i1 %38, label %39, label %44
+37:                                               ; preds = %28
+  %38 = add nsw i64 %30, -2
+  %39 = getelementptr inbounds i64, ptr %3, i64 %38
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp eq i64 %32, %40
+  br i1 %41, label %42, label %47
 
-39:                                               ; preds = %34
-  %40 = add nsw i64 %27, -1
-  %41 = getelementptr inbounds i64, ptr %3, i64 %40
-  %42 = load i64, ptr %41, align 8
-  %43 = icmp eq i64 %32, %42
-  br i1 %43, label %45, label %44
+42:                                               ; preds = %37
+  %43 = add nsw i64 %30, -1
+  %44 = getelementptr inbounds i64, ptr %3, i64 %43
+  %45 = load i64, ptr %44, align 8
+  %46 = icmp eq i64 %35, %45
+  br i1 %46, label %48, label %47
 
-44:                                               ; preds = %39, %34
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  br label %45
+47:                                               ; preds = %42, %37
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  br label %48
 
-45:                                               ; preds = %44, %39, %25
-  %46 = load i64, ptr %13, align 8
-  %47 = icmp sgt i64 %46, 0
-  br i1 %47, label %48, label %67
+48:                                               ; preds = %42, %47
+  %49 = load i64, ptr %14, align 8
+  %50 = mul nsw i64 %49, %29
+  %51 = getelementptr inbounds double, ptr %1, i64 %50
+  %52 = add nsw i64 %29, -1
+  %53 = mul nsw i64 %49, %52
+  %54 = getelementptr inbounds double, ptr %1, i64 %53
+  %55 = shl i64 %49, 3
+  %56 = call i32 @bcmp(ptr %51, ptr %54, i64 %55)
+  %57 = icmp eq i32 %56, 0
+  br i1 %57, label %63, label %58
 
-48:                                               ; preds = %45
-  %49 = mul nsw i64 %46, %26
-  br label %55
+58:                                               ; preds = %28, %48
+  %59 = phi i64 [ %50, %48 ], [ 0, %28 ]
+  %60 = getelementptr inbounds double, ptr %1, i64 %59
+  call fastcc void @place(ptr noundef %0, ptr noundef %60)
+  %61 = load i64, ptr %14, align 8
+  %62 = mul nsw i64 %61, %29
+  br label %63
 
-50:                                               ; preds = %55
-  %51 = icmp eq i32 %64, 0
-  br i1 %51, label %52, label %67
+63:                                               ; preds = %58, %48
+  %64 = phi i64 [ %62, %58 ], [ %50, %48 ]
+  %65 = getelementptr inbounds double, ptr %1, i64 %64
+  %66 = getelementptr inbounds double, ptr %4, i64 %29
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds i64, ptr %6, i64 %29
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  store double %67, ptr %8, align 8
+  store i64 -1, ptr %68, align 8
+  %69 = load i64, ptr %14, align 8
+  %70 = icmp sgt i64 %69, 0
+  br i1 %70, label %74, label %80
 
-52:                                               ; preds = %50
-  %53 = getelementptr inbounds double, ptr %5, i64 %26
-  store double 0x7FF8000000000000, ptr %53, align 8
-  %54 = getelementptr inbounds i64, ptr %6, i64 %26
-  store i64 -1, ptr %54, align 8
-  br label %88
+71:                                               ; preds = %74
+  %72 = add nuw nsw i64 %75, 1
+  %73 = icmp eq i64 %72, %69
+  br i1 %73, label %80, label %74
 
-55:                                               ; preds = %48, %55
-  %56 = phi i64 [ 0, %48 ], [ %65, %55 ]
-  %57 = phi i32 [ 1, %48 ], [ %64, %55 ]
-  %58 = add nsw i64 %49, %56
-  %59 = getelementptr inbounds double, ptr %1, i64 %58
-  %60 = load double, ptr %59, align 8
-  %61 = call double @llvm.fabs.f64(double %60) #14
-  %62 = fcmp one double %61, 0x7FF0000000000000
-  %63 = zext i1 %62 to i32
-  %64 = and i32 %57, %63
-  %65 = add nuw nsw i64 %56, 1
-  %66 = icmp eq i64 %65, %46
-  br i1 %66, label %50, label %55
+74:                                               ; preds = %63, %71
+  %75 = phi i64 [ %72, %71 ], [ 0, %63 ]
+  %76 = getelementptr inbounds double, ptr %65, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = call double @llvm.fabs.f64(double %77) #17
+  %79 = fcmp ueq double %78, 0x7FF0000000000000
+  br i1 %79, label %83, label %71
 
-67:                                               ; preds = %45, %50
-  %68 = getelementptr inbounds double, ptr %4, i64 %26
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr inbounds double, ptr %5, i64 %26
-  store double %69, ptr %70, align 8
-  %71 = getelementptr inbounds i64, ptr %6, i64 %26
-  store i64 -1, ptr %71, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  br i1 %33, label %82, label %72
-
-72:                                               ; preds = %67
-  %73 = load i64, ptr %13, align 8
-  %74 = mul nsw i64 %73, %26
-  %75 = getelementptr inbounds double, ptr %1, i64 %74
-  %76 = add nsw i64 %26, -1
-  %77 = mul nsw i64 %73, %76
-  %78 = getelementptr inbounds double, ptr %1, i64 %77
-  %79 = shl i64 %73, 3
-  %80 = call i32 @bcmp(ptr %75, ptr %78, i64 %79)
-  %81 = icmp eq i32 %80, 0
-  br i1 %81, label %85, label %82
-
-82:                                               ; preds = %67, %72
-  %83 = phi i64 [ %74, %72 ], [ 0, %67 ]
-  %84 = getelementptr inbounds double, ptr %1, i64 %83
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %84)
-  br label %85
-
-85:                                               ; preds = %82, %72
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %29, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+80:                                               ; preds = %71, %63
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %32, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
   store ptr %0, ptr %10, align 8
-  store i64 %29, ptr %14, align 8
-  store ptr %9, ptr %15, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %16, i8 0, i64 16, i1 false)
-  %86 = load double, ptr %68, align 8
-  store double %86, ptr %17, align 8
-  store ptr %70, ptr %18, align 8
-  store ptr null, ptr %19, align 8
-  store i32 0, ptr %20, align 8
-  store i64 -1, ptr %21, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %22, i8 0, i64 32, i1 false)
-  store ptr %8, ptr %23, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %32, ptr noundef null)
-  %87 = load i64, ptr %21, align 8
-  store i64 %87, ptr %71, align 8
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br label %88
+  store i64 %32, ptr %15, align 8
+  store ptr %9, ptr %16, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %17, i8 0, i64 16, i1 false)
+  store double %67, ptr %18, align 8
+  store ptr %8, ptr %19, align 8
+  store ptr null, ptr %20, align 8
+  store i32 0, ptr %21, align 8
+  store i64 -1, ptr %22, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %23, i8 0, i64 32, i1 false)
+  store ptr %11, ptr %24, align 8
+  store double 0.000000e+00, ptr %26, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %25, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %35, ptr noundef null)
+  %81 = load i64, ptr %22, align 8
+  store i64 %81, ptr %68, align 8
+  %82 = load double, ptr %8, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  br label %83
 
-88:                                               ; preds = %52, %85
-  %89 = add nuw nsw i64 %26, 1
-  %90 = icmp eq i64 %89, %2
-  br i1 %90, label %24, label %25
+83:                                               ; preds = %74, %80
+  %84 = phi double [ %82, %80 ], [ 0x7FF8000000000000, %74 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  %85 = getelementptr inbounds double, ptr %5, i64 %29
+  store double %84, ptr %85, align 8
+  %86 = add nuw nsw i64 %29, 1
+  %87 = icmp eq i64 %86, %2
+  br i1 %87, label %27, label %28
 }
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
 
-declare double @llvm.fabs.f64(double) #3
-
-define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #4 {
+define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #3 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %6 = load ptr, ptr %5, align 8
   tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %6, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
   %7 = load i64, ptr %0, align 8
@@ -893,14 +896,14 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %41 = load ptr, ptr %40, align 8
   %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
-  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
   br label %213
 
 44:                                               ; preds = %9, %210
   %45 = phi i64 [ 0, %9 ], [ %161, %210 ]
   %46 = mul nsw i64 %45, 3
   %47 = getelementptr inbounds double, ptr %11, i64 %46
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #18
   %48 = getelementptr inbounds double, ptr %13, i64 %45
   %49 = load double, ptr %48, align 8
   %50 = getelementptr inbounds i64, ptr %15, i64 %45
@@ -978,7 +981,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br label %104
 
 104:                                              ; preds = %62, %71
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #18
   %105 = getelementptr inbounds i64, ptr %32, i64 %45
   %106 = load i64, ptr %105, align 8
   %107 = mul nsw i64 %106, 12
@@ -1105,8 +1108,8 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %209, label %178, label %191
 
 210:                                              ; preds = %178
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #18
   %211 = icmp eq i64 %161, %7
   br i1 %211, label %35, label %44
 
@@ -1168,8 +1171,572 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %257, label %212, label %213
 }
 
+define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
+  %10 = alloca double, align 8
+  %11 = alloca %struct.Core, align 8
+  %12 = alloca %struct.Search, align 8
+  %13 = alloca double, align 8
+  %14 = alloca %struct.Core, align 8
+  %15 = alloca %struct.Search, align 8
+  %16 = alloca [3 x double], align 16
+  %17 = alloca [3 x double], align 16
+  %18 = alloca %struct.Core, align 8
+  %19 = alloca %struct.Core, align 8
+  %20 = alloca %struct.Plane, align 8
+  %21 = alloca double, align 8
+  %22 = alloca double, align 8
+  %23 = alloca [3 x double], align 16
+  %24 = alloca [3 x double], align 16
+  %25 = alloca [12 x double], align 16
+  %26 = alloca [3 x double], align 16
+  %27 = alloca [3 x double], align 16
+  %28 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  %29 = icmp sgt i64 %3, 0
+  br i1 %29, label %30, label %71
+
+30:                                               ; preds = %9
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %35 = getelementptr inbounds double, ptr %16, i64 1
+  %36 = getelementptr inbounds double, ptr %16, i64 2
+  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %38 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
+  %39 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 2
+  %40 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %41 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %42 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  %43 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  %44 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  %45 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  %46 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  %47 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
+  %48 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  %49 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 18
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %52 = getelementptr inbounds double, ptr %20, i64 1
+  %53 = getelementptr inbounds double, ptr %24, i64 1
+  %54 = getelementptr inbounds double, ptr %20, i64 2
+  %55 = getelementptr inbounds double, ptr %24, i64 2
+  %56 = getelementptr inbounds double, ptr %23, i64 1
+  %57 = getelementptr inbounds double, ptr %23, i64 2
+  %58 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 1
+  %59 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 2
+  %60 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 3
+  %61 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 5
+  %62 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 6
+  %63 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 7
+  %64 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 8
+  %65 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 9
+  %66 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 10
+  %67 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 11
+  %68 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 12
+  %69 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 18
+  %70 = getelementptr inbounds i8, ptr %25, i64 72
+  br label %72
+
+71:                                               ; preds = %369, %9
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
+  ret void
+
+72:                                               ; preds = %30, %369
+  %73 = phi ptr [ %2, %30 ], [ %372, %369 ]
+  %74 = phi i64 [ 0, %30 ], [ %370, %369 ]
+  %75 = shl nuw nsw i64 %74, 1
+  %76 = getelementptr inbounds i64, ptr %4, i64 %75
+  %77 = load i64, ptr %76, align 8
+  %78 = or i64 %75, 1
+  %79 = getelementptr inbounds i64, ptr %4, i64 %78
+  %80 = load i64, ptr %79, align 8
+  %81 = icmp eq i64 %74, 0
+  br i1 %81, label %93, label %82
+
+82:                                               ; preds = %72
+  %83 = add nsw i64 %75, -2
+  %84 = getelementptr inbounds i64, ptr %4, i64 %83
+  %85 = load i64, ptr %84, align 8
+  %86 = icmp eq i64 %77, %85
+  br i1 %86, label %87, label %92
+
+87:                                               ; preds = %82
+  %88 = add nsw i64 %75, -1
+  %89 = getelementptr inbounds i64, ptr %4, i64 %88
+  %90 = load i64, ptr %89, align 8
+  %91 = icmp eq i64 %80, %90
+  br i1 %91, label %94, label %92
+
+92:                                               ; preds = %87, %82
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  br label %94
+
+93:                                               ; preds = %72
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  br label %104
+
+94:                                               ; preds = %87, %92
+  %95 = load i64, ptr %31, align 8
+  %96 = mul nsw i64 %95, %74
+  %97 = getelementptr inbounds double, ptr %1, i64 %96
+  %98 = add nsw i64 %74, -1
+  %99 = mul nsw i64 %95, %98
+  %100 = getelementptr inbounds double, ptr %1, i64 %99
+  %101 = shl i64 %95, 3
+  %102 = call i32 @bcmp(ptr %97, ptr %100, i64 %101)
+  %103 = icmp eq i32 %102, 0
+  br i1 %103, label %107, label %104
+
+104:                                              ; preds = %93, %94
+  %105 = phi i64 [ 0, %93 ], [ %96, %94 ]
+  %106 = getelementptr inbounds double, ptr %1, i64 %105
+  call fastcc void @place(ptr noundef %0, ptr noundef %106)
+  br label %107
+
+107:                                              ; preds = %104, %94
+  %108 = getelementptr inbounds double, ptr %8, i64 %74
+  store double 0xFFF0000000000000, ptr %108, align 8
+  %109 = load ptr, ptr %32, align 8
+  %110 = getelementptr inbounds i64, ptr %109, i64 %80
+  %111 = load i64, ptr %110, align 8
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %113, label %120
+
+113:                                              ; preds = %107
+  %114 = load ptr, ptr %33, align 8
+  %115 = getelementptr inbounds i64, ptr %114, i64 %77
+  %116 = load i64, ptr %115, align 8
+  %117 = getelementptr inbounds i64, ptr %114, i64 %80
+  %118 = load i64, ptr %117, align 8
+  %119 = icmp slt i64 %116, %118
+  br label %120
+
+120:                                              ; preds = %113, %107
+  %121 = phi i1 [ false, %107 ], [ %119, %113 ]
+  %122 = getelementptr inbounds i64, ptr %109, i64 %77
+  %123 = load i64, ptr %122, align 8
+  %124 = icmp sgt i64 %123, 2
+  %125 = icmp sgt i64 %111, 3
+  %126 = select i1 %124, i1 true, i1 %125
+  %127 = select i1 %126, i1 true, i1 %121
+  br i1 %127, label %133, label %128
+
+128:                                              ; preds = %120
+  %129 = getelementptr inbounds double, ptr %6, i64 %74
+  %130 = load double, ptr %129, align 8
+  %131 = call double @llvm.fabs.f64(double %130) #17
+  %132 = fcmp ueq double %131, 0x7FF0000000000000
+  br i1 %132, label %133, label %163
+
+133:                                              ; preds = %128, %120
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %17, i8 0, i64 24, i1 false)
+  %134 = load i64, ptr %122, align 8
+  %135 = icmp eq i64 %134, 4
+  br i1 %135, label %136, label %141
+
+136:                                              ; preds = %133
+  %137 = load i64, ptr %110, align 8
+  %138 = freeze i64 %137
+  %139 = icmp eq i64 %138, 4
+  %140 = select i1 %139, ptr %16, ptr %17
+  br label %141
+
+141:                                              ; preds = %133, %136
+  %142 = phi ptr [ %140, %136 ], [ %17, %133 ]
+  %143 = load i64, ptr %31, align 8
+  %144 = mul nsw i64 %143, %74
+  %145 = getelementptr inbounds double, ptr %1, i64 %144
+  %146 = getelementptr inbounds double, ptr %5, i64 %74
+  %147 = load double, ptr %146, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
+  store double %147, ptr %13, align 8
+  %148 = icmp sgt i64 %143, 0
+  br i1 %148, label %152, label %158
+
+149:                                              ; preds = %152
+  %150 = add nuw nsw i64 %153, 1
+  %151 = icmp eq i64 %150, %143
+  br i1 %151, label %158, label %152
+
+152:                                              ; preds = %141, %149
+  %153 = phi i64 [ %150, %149 ], [ 0, %141 ]
+  %154 = getelementptr inbounds double, ptr %145, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = call double @llvm.fabs.f64(double %155) #17
+  %157 = fcmp ueq double %156, 0x7FF0000000000000
+  br i1 %157, label %160, label %149
+
+158:                                              ; preds = %149, %141
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %14)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %15) #18
+  store ptr %0, ptr %15, align 8
+  store i64 %77, ptr %58, align 8
+  store ptr %14, ptr %59, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %60, i8 0, i64 16, i1 false)
+  store double %147, ptr %61, align 8
+  store ptr %13, ptr %62, align 8
+  store ptr null, ptr %63, align 8
+  store i32 0, ptr %64, align 8
+  store i64 -1, ptr %65, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %66, i8 0, i64 32, i1 false)
+  store ptr %142, ptr %67, align 8
+  store double 0.000000e+00, ptr %69, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %68, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %15, i64 noundef %80, ptr noundef null)
+  %159 = load double, ptr %13, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #18
+  br label %160
+
+160:                                              ; preds = %152, %158
+  %161 = phi double [ %159, %158 ], [ 0x7FF8000000000000, %152 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
+  %162 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %161, ptr %162, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  br label %369
+
+163:                                              ; preds = %128
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %18) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %21) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %22) #18
+  %164 = load ptr, ptr %34, align 8
+  %165 = getelementptr inbounds double, ptr %164, i64 %77
+  %166 = load double, ptr %165, align 8
+  %167 = getelementptr inbounds double, ptr %164, i64 %80
+  %168 = load double, ptr %167, align 8
+  %169 = fadd double %166, %168
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %18)
+  %170 = load i64, ptr %110, align 8
+  %171 = icmp eq i64 %170, 3
+  br i1 %171, label %172, label %243
+
+172:                                              ; preds = %163
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %25) #18
+  %173 = load ptr, ptr %50, align 8
+  %174 = load ptr, ptr %33, align 8
+  %175 = getelementptr inbounds i64, ptr %174, i64 %80
+  %176 = load i64, ptr %175, align 8
+  %177 = mul nsw i64 %176, 12
+  %178 = getelementptr inbounds double, ptr %173, i64 %177
+  %179 = load ptr, ptr %51, align 8
+  %180 = mul nsw i64 %80, 12
+  %181 = getelementptr inbounds double, ptr %179, i64 %180
+  %182 = getelementptr inbounds double, ptr %181, i64 9
+  %183 = getelementptr inbounds double, ptr %181, i64 10
+  %184 = getelementptr inbounds double, ptr %181, i64 11
+  %185 = load double, ptr %182, align 8
+  %186 = load double, ptr %183, align 8
+  %187 = load double, ptr %184, align 8
+  br label %188
+
+188:                                              ; preds = %199, %172
+  %189 = phi i64 [ 0, %172 ], [ %210, %199 ]
+  %190 = mul nuw nsw i64 %189, 3
+  %191 = getelementptr inbounds double, ptr %178, i64 %190
+  %192 = add nuw nsw i64 %190, 1
+  %193 = getelementptr inbounds double, ptr %178, i64 %192
+  %194 = add nuw nsw i64 %190, 2
+  %195 = getelementptr inbounds double, ptr %178, i64 %194
+  %196 = load double, ptr %191, align 8
+  %197 = load double, ptr %193, align 8
+  %198 = load double, ptr %195, align 8
+  br label %213
+
+199:                                              ; preds = %213
+  %200 = fmul double %196, %185
+  %201 = fmul double %197, %186
+  %202 = fadd double %200, %201
+  %203 = fmul double %198, %187
+  %204 = fadd double %202, %203
+  %205 = add nuw nsw i64 %189, 9
+  %206 = getelementptr inbounds double, ptr %178, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = fadd double %207, %204
+  %209 = getelementptr inbounds double, ptr %25, i64 %205
+  store double %208, ptr %209, align 8
+  %210 = add nuw nsw i64 %189, 1
+  %211 = icmp eq i64 %210, 3
+  br i1 %211, label %212, label %188
+
+212:                                              ; preds = %199
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %24, ptr noundef nonnull align 8 dereferenceable(24) %70, i64 24, i1 false)
+  br label %234
+
+213:                                              ; preds = %213, %188
+  %214 = phi i64 [ 0, %188 ], [ %230, %213 ]
+  %215 = getelementptr inbounds double, ptr %181, i64 %214
+  %216 = load double, ptr %215, align 8
+  %217 = fmul double %196, %216
+  %218 = add nuw nsw i64 %214, 3
+  %219 = getelementptr inbounds double, ptr %181, i64 %218
+  %220 = load double, ptr %219, align 8
+  %221 = fmul double %197, %220
+  %222 = fadd double %217, %221
+  %223 = add nuw nsw i64 %214, 6
+  %224 = getelementptr inbounds double, ptr %181, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fmul double %198, %225
+  %227 = fadd double %222, %226
+  %228 = add nuw nsw i64 %214, %190
+  %229 = getelementptr inbounds double, ptr %25, i64 %228
+  store double %227, ptr %229, align 8
+  %230 = add nuw nsw i64 %214, 1
+  %231 = icmp eq i64 %230, 3
+  br i1 %231, label %199, label %213
+
+232:                                              ; preds = %234
+  %233 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %77, ptr noundef nonnull %18, i64 noundef %80)
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %25) #18
+  br label %304
+
+234:                                              ; preds = %212, %234
+  %235 = phi i64 [ 0, %212 ], [ %241, %234 ]
+  %236 = mul nuw nsw i64 %235, 3
+  %237 = add nuw nsw i64 %236, 2
+  %238 = getelementptr inbounds [12 x double], ptr %25, i64 0, i64 %237
+  %239 = load double, ptr %238, align 8
+  %240 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %235
+  store double %239, ptr %240, align 8
+  %241 = add nuw nsw i64 %235, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %232, label %234
+
+243:                                              ; preds = %163
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %80, ptr noundef nonnull %19)
+  %244 = load double, ptr %16, align 16
+  %245 = fmul double %244, %244
+  %246 = load double, ptr %35, align 8
+  %247 = fmul double %246, %246
+  %248 = fadd double %245, %247
+  %249 = load double, ptr %36, align 16
+  %250 = fmul double %249, %249
+  %251 = fadd double %248, %250
+  %252 = fcmp ogt double %251, 0.000000e+00
+  br i1 %252, label %269, label %253
+
+253:                                              ; preds = %243
+  %254 = load ptr, ptr %37, align 8
+  %255 = mul nsw i64 %77, 3
+  %256 = mul nsw i64 %80, 3
+  br label %257
+
+257:                                              ; preds = %253, %257
+  %258 = phi i64 [ 0, %253 ], [ %267, %257 ]
+  %259 = add nsw i64 %255, %258
+  %260 = getelementptr inbounds double, ptr %254, i64 %259
+  %261 = load double, ptr %260, align 8
+  %262 = add nsw i64 %256, %258
+  %263 = getelementptr inbounds double, ptr %254, i64 %262
+  %264 = load double, ptr %263, align 8
+  %265 = fsub double %261, %264
+  %266 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %258
+  store double %265, ptr %266, align 8
+  %267 = add nuw nsw i64 %258, 1
+  %268 = icmp eq i64 %267, 3
+  br i1 %268, label %269, label %257
+
+269:                                              ; preds = %257, %243
+  %270 = getelementptr inbounds double, ptr %5, i64 %74
+  %271 = load double, ptr %270, align 8
+  %272 = load double, ptr %165, align 8
+  %273 = load double, ptr %167, align 8
+  %274 = fadd double %272, %273
+  %275 = fadd double %271, %274
+  %276 = fadd double %274, 0xFFF0000000000000
+  %277 = call fastcc i32 @bounds(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %275, double noundef %276, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null)
+  %278 = icmp eq i32 %277, 0
+  br i1 %278, label %279, label %299
+
+279:                                              ; preds = %269
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %26, i8 0, i64 24, i1 false)
+  %280 = load i64, ptr %31, align 8
+  %281 = mul nsw i64 %280, %74
+  %282 = getelementptr inbounds double, ptr %1, i64 %281
+  %283 = load double, ptr %270, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  store double %283, ptr %10, align 8
+  %284 = icmp sgt i64 %280, 0
+  br i1 %284, label %288, label %294
+
+285:                                              ; preds = %288
+  %286 = add nuw nsw i64 %289, 1
+  %287 = icmp eq i64 %286, %280
+  br i1 %287, label %294, label %288
+
+288:                                              ; preds = %279, %285
+  %289 = phi i64 [ %286, %285 ], [ 0, %279 ]
+  %290 = getelementptr inbounds double, ptr %282, i64 %289
+  %291 = load double, ptr %290, align 8
+  %292 = call double @llvm.fabs.f64(double %291) #17
+  %293 = fcmp ueq double %292, 0x7FF0000000000000
+  br i1 %293, label %296, label %285
+
+294:                                              ; preds = %285, %279
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %11)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  store ptr %0, ptr %12, align 8
+  store i64 %77, ptr %38, align 8
+  store ptr %11, ptr %39, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %40, i8 0, i64 16, i1 false)
+  store double %283, ptr %41, align 8
+  store ptr %10, ptr %42, align 8
+  store ptr null, ptr %43, align 8
+  store i32 0, ptr %44, align 8
+  store i64 -1, ptr %45, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %46, i8 0, i64 32, i1 false)
+  store ptr %26, ptr %47, align 8
+  store double 0.000000e+00, ptr %49, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %48, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %12, i64 noundef %80, ptr noundef null)
+  %295 = load double, ptr %10, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
+  br label %296
+
+296:                                              ; preds = %288, %294
+  %297 = phi double [ %295, %294 ], [ 0x7FF8000000000000, %288 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  %298 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %297, ptr %298, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
+  br label %368
+
+299:                                              ; preds = %269
+  %300 = load double, ptr %22, align 8
+  %301 = fsub double %300, %274
+  %302 = load double, ptr %21, align 8
+  %303 = fsub double %302, %274
+  call fastcc void @support(ptr noundef nonnull %19, ptr noundef nonnull %20, ptr noundef nonnull %24)
+  br label %304
+
+304:                                              ; preds = %299, %232
+  %305 = phi double [ %301, %299 ], [ %233, %232 ]
+  %306 = phi double [ %303, %299 ], [ %233, %232 ]
+  %307 = getelementptr inbounds double, ptr %5, i64 %74
+  %308 = load double, ptr %307, align 8
+  %309 = fcmp ogt double %306, %308
+  br i1 %309, label %315, label %310
+
+310:                                              ; preds = %304
+  %311 = fsub double %305, %306
+  %312 = fcmp ugt double %311, 1.000000e-08
+  br i1 %312, label %313, label %315
+
+313:                                              ; preds = %310
+  %314 = getelementptr inbounds double, ptr %7, i64 %74
+  store double 0x7FF8000000000000, ptr %314, align 8
+  br label %368
+
+315:                                              ; preds = %310, %304
+  %316 = phi double [ %308, %304 ], [ %305, %310 ]
+  %317 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %316, ptr %317, align 8
+  %318 = fcmp uno double %316, 0.000000e+00
+  br i1 %318, label %368, label %319
+
+319:                                              ; preds = %315
+  %320 = load double, ptr %307, align 8
+  %321 = fcmp ult double %316, %320
+  br i1 %321, label %322, label %368
+
+322:                                              ; preds = %319
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #18
+  %323 = load ptr, ptr %33, align 8
+  %324 = getelementptr inbounds i64, ptr %323, i64 %77
+  %325 = load i64, ptr %324, align 8
+  %326 = getelementptr inbounds i64, ptr %323, i64 %80
+  %327 = load i64, ptr %326, align 8
+  %328 = icmp slt i64 %325, %327
+  br i1 %328, label %355, label %329
+
+329:                                              ; preds = %322
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %327, i64 noundef %325, ptr noundef %73, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %330 = load double, ptr %20, align 8
+  %331 = load double, ptr %24, align 16
+  %332 = fmul double %330, %331
+  %333 = load double, ptr %52, align 8
+  %334 = load double, ptr %53, align 8
+  %335 = fmul double %333, %334
+  %336 = fadd double %332, %335
+  %337 = load double, ptr %54, align 8
+  %338 = load double, ptr %55, align 16
+  %339 = fmul double %337, %338
+  %340 = fadd double %336, %339
+  %341 = call fastcc double @stays_apart(ptr noundef nonnull %18, double noundef %340, ptr noundef nonnull %20, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %363
+
+342:                                              ; preds = %355
+  call fastcc void @support(ptr noundef nonnull %18, ptr noundef nonnull %23, ptr noundef nonnull %24)
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %325, i64 noundef %327, ptr noundef %73, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %343 = load double, ptr %23, align 16
+  %344 = load double, ptr %24, align 16
+  %345 = fmul double %343, %344
+  %346 = load double, ptr %56, align 8
+  %347 = load double, ptr %53, align 8
+  %348 = fmul double %346, %347
+  %349 = fadd double %345, %348
+  %350 = load double, ptr %57, align 16
+  %351 = load double, ptr %55, align 16
+  %352 = fmul double %350, %351
+  %353 = fadd double %349, %352
+  %354 = call fastcc double @stays_apart(ptr noundef nonnull %19, double noundef %353, ptr noundef nonnull %23, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %363
+
+355:                                              ; preds = %322, %355
+  %356 = phi i64 [ %361, %355 ], [ 0, %322 ]
+  %357 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %356
+  %358 = load double, ptr %357, align 8
+  %359 = fneg double %358
+  %360 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %356
+  store double %359, ptr %360, align 8
+  %361 = add nuw nsw i64 %356, 1
+  %362 = icmp eq i64 %361, 3
+  br i1 %362, label %342, label %355
+
+363:                                              ; preds = %342, %329
+  %364 = phi double [ %354, %342 ], [ %341, %329 ]
+  %365 = fsub double %364, %169
+  %366 = load double, ptr %129, align 8
+  %367 = fsub double %365, %366
+  store double %367, ptr %108, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
+  br label %368
+
+368:                                              ; preds = %313, %315, %319, %363, %296
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %20) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %19) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %18) #18
+  br label %369
+
+369:                                              ; preds = %368, %160
+  %370 = add nuw nsw i64 %74, 1
+  %371 = load i64, ptr %31, align 8
+  %372 = getelementptr inbounds double, ptr %73, i64 %371
+  %373 = icmp eq i64 %370, %3
+  br i1 %373, label %71, label %72
+}
+
+declare double @llvm.fabs.f64(double) #4
+
 define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %7 = load ptr, ptr %6, align 8
@@ -1294,1034 +1861,98 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   ret void
 }
 
-define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #0 {
-  %4 = alloca double, align 8
-  %5 = alloca double, align 8
-  %6 = alloca %struct.Plane, align 8
-  %7 = alloca %struct.Plane, align 8
-  %8 = alloca [3 x double], align 16
-  %9 = alloca [3 x double], align 16
-  %10 = alloca %struct.Core, align 8
-  %11 = alloca %struct.Simplex, align 8
-  %12 = alloca double, align 8
-  %13 = load ptr, ptr %0, align 8
-  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %15 = load ptr, ptr %14, align 8
-  %16 = icmp eq ptr %15, null
-  %17 = getelementptr inbounds i64, ptr %15, i64 %1
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %19 = select i1 %16, ptr %18, ptr %17
-  %20 = load i64, ptr %19, align 8
-  %21 = icmp slt i64 %20, 0
-  br i1 %21, label %308, label %22
-
-22:                                               ; preds = %3
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %24 = load ptr, ptr %23, align 8
-  %25 = icmp eq ptr %24, null
-  br i1 %25, label %30, label %26
-
-26:                                               ; preds = %22
-  %27 = getelementptr inbounds double, ptr %24, i64 %20
-  %28 = load double, ptr %27, align 8
-  %29 = fcmp uno double %28, 0.000000e+00
-  br i1 %29, label %308, label %34
-
-30:                                               ; preds = %22
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %32 = load i32, ptr %31, align 8
-  %33 = icmp eq i32 %32, 1
-  br i1 %33, label %308, label %34
-
-34:                                               ; preds = %26, %30
-  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 12
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds i64, ptr %36, i64 %1
-  %38 = load i64, ptr %37, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #15
-  store double 0xFFF0000000000000, ptr %4, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #15
-  store double 0x7FF0000000000000, ptr %5, align 8
-  %39 = icmp eq i64 %38, 5
-  br i1 %39, label %47, label %40
-
-40:                                               ; preds = %34
-  %41 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %42 = load i64, ptr %41, align 8
-  %43 = getelementptr inbounds i64, ptr %36, i64 %42
-  %44 = load i64, ptr %43, align 8
-  %45 = add i64 %44, -3
-  %46 = icmp ult i64 %45, 3
-  br i1 %46, label %47, label %81
-
-47:                                               ; preds = %40, %34
-  br i1 %25, label %68, label %48
-
-48:                                               ; preds = %47
-  %49 = getelementptr inbounds double, ptr %24, i64 %20
-  %50 = load double, ptr %49, align 8
-  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %52 = load double, ptr %51, align 8
-  %53 = tail call double @llvm.minnum.f64(double %50, double %52)
-  %54 = fcmp ugt double %53, 0xFFF0000000000000
-  br i1 %54, label %55, label %307
-
-55:                                               ; preds = %48
-  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %57 = load ptr, ptr %56, align 8
-  %58 = icmp ne ptr %57, null
-  %59 = fcmp oeq double %50, 0x7FF0000000000000
-  %60 = select i1 %58, i1 %59, i1 false
-  br i1 %60, label %61, label %67
-
-61:                                               ; preds = %55
-  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 40
-  %63 = load ptr, ptr %62, align 8
-  %64 = load i64, ptr %57, align 8
-  %65 = add nsw i64 %64, 1
-  store i64 %65, ptr %57, align 8
-  %66 = getelementptr inbounds i64, ptr %63, i64 %64
-  store i64 %20, ptr %66, align 8
-  br label %67
-
-67:                                               ; preds = %61, %55
-  store double 0x7FF8000000000000, ptr %49, align 8
-  br label %307
-
-68:                                               ; preds = %47
-  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %70 = load double, ptr %69, align 8
-  %71 = fcmp ult double %70, 0x7FF0000000000000
-  br i1 %71, label %74, label %72
-
-72:                                               ; preds = %68
-  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  store i32 1, ptr %73, align 8
-  br label %307
-
-74:                                               ; preds = %68
-  %75 = fcmp ult double %70, 0xFFF0000000000000
-  br i1 %75, label %307, label %76
-
-76:                                               ; preds = %74
-  %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %78 = load i32, ptr %77, align 8
-  %79 = icmp eq i32 %78, 0
-  br i1 %79, label %80, label %307
-
-80:                                               ; preds = %76
-  store i32 2, ptr %77, align 8
-  br label %307
-
-81:                                               ; preds = %40
-  switch i64 %38, label %142 [
-    i64 3, label %82
-    i64 4, label %99
-  ]
-
-82:                                               ; preds = %81
-  %83 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %84 = load ptr, ptr %83, align 8
-  %85 = tail call fastcc double @over_plane(ptr noundef nonnull %13, i64 noundef %42, ptr noundef %84, i64 noundef %1)
-  br i1 %25, label %92, label %86
-
-86:                                               ; preds = %82
-  %87 = getelementptr inbounds double, ptr %24, i64 %20
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %90 = load double, ptr %89, align 8
-  %91 = tail call double @llvm.minnum.f64(double %88, double %90)
-  br label %95
-
-92:                                               ; preds = %82
-  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %94 = load double, ptr %93, align 8
-  br label %95
-
-95:                                               ; preds = %86, %92
-  %96 = phi double [ %91, %86 ], [ %94, %92 ]
-  %97 = fcmp ugt double %85, %96
-  br i1 %97, label %307, label %98
-
-98:                                               ; preds = %95
-  tail call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 1, double noundef %85, double noundef %85)
-  br label %307
-
-99:                                               ; preds = %81
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
-  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
-  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 33
-  %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 35
-  %104 = load ptr, ptr %103, align 8
-  %105 = getelementptr inbounds i64, ptr %104, i64 %1
-  %106 = load i64, ptr %105, align 8
-  %107 = mul nsw i64 %106, 6
-  %108 = getelementptr inbounds double, ptr %102, i64 %107
-  call fastcc void @facing(ptr nonnull sret(%struct.Plane) align 8 %7, ptr noundef nonnull %13, i64 noundef %42, ptr noundef %108)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %100, ptr noundef nonnull align 8 dereferenceable(32) %7, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %6, ptr noundef nonnull align 8 dereferenceable(32) %100, i64 32, i1 false)
-  %109 = load ptr, ptr %103, align 8
-  %110 = getelementptr inbounds i64, ptr %109, i64 %1
-  %111 = load i64, ptr %110, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %111, ptr noundef nonnull %6)
-  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 17
-  %113 = load ptr, ptr %112, align 8
-  %114 = mul nsw i64 %1, 3
-  %115 = getelementptr inbounds double, ptr %113, i64 %114
-  %116 = load double, ptr %115, align 8
-  %117 = fcmp ogt double %116, 0.000000e+00
-  br i1 %117, label %118, label %141
-
-118:                                              ; preds = %99
-  %119 = load ptr, ptr %23, align 8
-  %120 = icmp eq ptr %119, null
-  br i1 %120, label %130, label %121
-
-121:                                              ; preds = %118
-  %122 = load ptr, ptr %14, align 8
-  %123 = icmp eq ptr %122, null
-  %124 = getelementptr inbounds i64, ptr %122, i64 %1
-  %125 = select i1 %123, ptr %18, ptr %124
-  %126 = load i64, ptr %125, align 8
-  %127 = getelementptr inbounds double, ptr %119, i64 %126
-  %128 = load double, ptr %127, align 8
-  %129 = fcmp uno double %128, 0.000000e+00
-  br i1 %129, label %141, label %134
-
-130:                                              ; preds = %118
-  %131 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %132 = load i32, ptr %131, align 8
-  %133 = icmp eq i32 %132, 1
-  br i1 %133, label %141, label %134
-
-134:                                              ; preds = %121, %130
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  %135 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %136 = load ptr, ptr %135, align 8
-  call fastcc void @support(ptr noundef %136, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %8)
-  %137 = call fastcc i32 @within(ptr noundef nonnull %13, i64 noundef %1, ptr noundef nonnull %8)
-  %138 = icmp eq i32 %137, 0
-  br i1 %138, label %140, label %139
-
-139:                                              ; preds = %134
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 0, double noundef 0xFFF0000000000000, double noundef 0x7FF0000000000000)
-  br label %140
-
-140:                                              ; preds = %139, %134
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  br label %141
-
-141:                                              ; preds = %121, %140, %130, %99
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #15
-  br label %307
-
-142:                                              ; preds = %81
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  br i1 %25, label %149, label %143
-
-143:                                              ; preds = %142
-  %144 = getelementptr inbounds double, ptr %24, i64 %20
-  %145 = load double, ptr %144, align 8
-  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %147 = load double, ptr %146, align 8
-  %148 = tail call double @llvm.minnum.f64(double %145, double %147)
-  br label %152
-
-149:                                              ; preds = %142
-  %150 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %151 = load double, ptr %150, align 8
-  br label %152
-
-152:                                              ; preds = %143, %149
-  %153 = phi double [ 0xFFF0000000000000, %143 ], [ %151, %149 ]
-  %154 = phi double [ %148, %143 ], [ %151, %149 ]
-  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 38
-  %156 = load ptr, ptr %155, align 8
-  %157 = mul nsw i64 %42, 3
-  %158 = getelementptr inbounds double, ptr %156, i64 %157
-  %159 = mul nsw i64 %1, 3
-  %160 = getelementptr inbounds double, ptr %156, i64 %159
-  br label %186
-
-161:                                              ; preds = %186
-  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 18
-  %163 = load ptr, ptr %162, align 8
-  %164 = shl nsw i64 %42, 2
-  %165 = or i64 %164, 3
-  %166 = getelementptr inbounds double, ptr %163, i64 %165
-  %167 = load double, ptr %166, align 8
-  %168 = fadd double %154, %167
-  %169 = shl nsw i64 %1, 2
-  %170 = or i64 %169, 3
-  %171 = getelementptr inbounds double, ptr %163, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = fadd double %168, %172
-  %174 = load double, ptr %9, align 16
-  %175 = fmul double %174, %174
-  %176 = getelementptr inbounds double, ptr %9, i64 1
-  %177 = load double, ptr %176, align 8
-  %178 = fmul double %177, %177
-  %179 = fadd double %175, %178
-  %180 = getelementptr inbounds double, ptr %9, i64 2
-  %181 = load double, ptr %180, align 16
-  %182 = fmul double %181, %181
-  %183 = fadd double %179, %182
-  %184 = fmul double %173, %173
-  %185 = fcmp ogt double %183, %184
-  br i1 %185, label %306, label %196
-
-186:                                              ; preds = %152, %186
-  %187 = phi i64 [ 0, %152 ], [ %194, %186 ]
-  %188 = getelementptr inbounds double, ptr %158, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = getelementptr inbounds double, ptr %160, i64 %187
-  %191 = load double, ptr %190, align 8
-  %192 = fsub double %189, %191
-  %193 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %187
-  store double %192, ptr %193, align 8
-  %194 = add nuw nsw i64 %187, 1
-  %195 = icmp eq i64 %194, 3
-  br i1 %195, label %161, label %186
-
-196:                                              ; preds = %161
-  %197 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %160, double noundef %172, i64 noundef %42, double noundef %154)
-  %198 = icmp eq i32 %197, 0
-  br i1 %198, label %199, label %306
-
-199:                                              ; preds = %196
-  %200 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %158, double noundef %167, i64 noundef %1, double noundef %154)
-  %201 = icmp eq i32 %200, 0
-  br i1 %201, label %202, label %306
-
-202:                                              ; preds = %199
-  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %204 = load ptr, ptr %203, align 8
-  %205 = icmp eq ptr %204, null
-  br i1 %205, label %221, label %206
-
-206:                                              ; preds = %202
-  %207 = mul nsw i64 %20, 3
-  %208 = getelementptr inbounds double, ptr %204, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = fmul double %209, %209
-  %211 = getelementptr inbounds double, ptr %208, i64 1
-  %212 = load double, ptr %211, align 8
-  %213 = fmul double %212, %212
-  %214 = fadd double %210, %213
-  %215 = getelementptr inbounds double, ptr %208, i64 2
-  %216 = load double, ptr %215, align 8
-  %217 = fmul double %216, %216
-  %218 = fadd double %214, %217
-  %219 = fcmp ogt double %218, 0.000000e+00
-  br i1 %219, label %220, label %221
-
-220:                                              ; preds = %206
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %9, ptr noundef nonnull align 8 dereferenceable(24) %208, i64 24, i1 false)
-  br label %267
-
-221:                                              ; preds = %202, %206
-  %222 = phi ptr [ %208, %206 ], [ null, %202 ]
-  %223 = icmp eq ptr %2, null
-  br i1 %223, label %267, label %224
-
-224:                                              ; preds = %221, %224
-  %225 = phi i64 [ %242, %224 ], [ 0, %221 ]
-  %226 = phi double [ %241, %224 ], [ 0.000000e+00, %221 ]
-  %227 = getelementptr inbounds double, ptr %2, i64 %225
-  %228 = load double, ptr %227, align 8
-  %229 = getelementptr inbounds double, ptr %158, i64 %225
-  %230 = load double, ptr %229, align 8
-  %231 = fsub double %228, %230
-  %232 = add nuw nsw i64 %225, 3
-  %233 = getelementptr inbounds double, ptr %2, i64 %232
-  %234 = load double, ptr %233, align 8
-  %235 = fsub double %230, %234
-  %236 = fcmp ogt double %231, %235
-  %237 = select i1 %236, double %231, double %235
-  %238 = fcmp ogt double %237, 0.000000e+00
-  %239 = select i1 %238, double %237, double 0.000000e+00
-  %240 = fmul double %239, %239
-  %241 = fadd double %226, %240
-  %242 = add nuw nsw i64 %225, 1
-  %243 = icmp eq i64 %242, 3
-  br i1 %243, label %244, label %224
-
-244:                                              ; preds = %224
-  %245 = fcmp ogt double %241, 0.000000e+00
-  br i1 %245, label %246, label %267
-
-246:                                              ; preds = %244, %262
-  %247 = phi i64 [ %265, %262 ], [ 0, %244 ]
-  %248 = getelementptr inbounds double, ptr %158, i64 %247
-  %249 = load double, ptr %248, align 8
-  %250 = getelementptr inbounds double, ptr %2, i64 %247
-  %251 = load double, ptr %250, align 8
-  %252 = fcmp olt double %249, %251
-  br i1 %252, label %253, label %255
-
-253:                                              ; preds = %246
-  %254 = fsub double %249, %251
-  br label %262
-
-255:                                              ; preds = %246
-  %256 = add nuw nsw i64 %247, 3
-  %257 = getelementptr inbounds double, ptr %2, i64 %256
-  %258 = load double, ptr %257, align 8
-  %259 = fcmp ogt double %249, %258
-  br i1 %259, label %260, label %262
-
-260:                                              ; preds = %255
-  %261 = fsub double %249, %258
-  br label %262
-
-262:                                              ; preds = %260, %255, %253
-  %263 = phi double [ %254, %253 ], [ %261, %260 ], [ 0.000000e+00, %255 ]
-  %264 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %247
-  store double %263, ptr %264, align 8
-  %265 = add nuw nsw i64 %247, 1
-  %266 = icmp eq i64 %265, 3
-  br i1 %266, label %267, label %246
-
-267:                                              ; preds = %262, %221, %244, %220
-  %268 = phi ptr [ %222, %221 ], [ %222, %244 ], [ %208, %220 ], [ %222, %262 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
-  call fastcc void @core_of(ptr noundef %13, i64 noundef %1, ptr noundef nonnull %10)
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %12) #15
-  %269 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %270 = load ptr, ptr %269, align 8
-  %271 = call fastcc i32 @shape_bounds(ptr noundef %13, i64 noundef %42, ptr noundef %270, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %154, double noundef %153, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %11)
-  br i1 %205, label %273, label %272
-
-272:                                              ; preds = %267
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %268, ptr noundef nonnull align 16 dereferenceable(24) %9, i64 24, i1 false)
-  br label %273
-
-273:                                              ; preds = %272, %267
-  %274 = icmp eq i32 %271, 0
-  br i1 %274, label %277, label %275
-
-275:                                              ; preds = %273
-  %276 = load double, ptr %4, align 8
-  br label %298
-
-277:                                              ; preds = %273
-  %278 = load ptr, ptr %23, align 8
-  %279 = icmp eq ptr %278, null
-  br i1 %279, label %296, label %280
-
-280:                                              ; preds = %277
-  %281 = load ptr, ptr %269, align 8
-  %282 = call fastcc i32 @depth_of(ptr noundef %281, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, ptr noundef null, ptr noundef null, ptr noundef null)
-  %283 = icmp eq i32 %282, 0
-  br i1 %283, label %296, label %284
-
-284:                                              ; preds = %280
-  %285 = load double, ptr %12, align 8
-  %286 = fneg double %285
-  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 15
-  %288 = load ptr, ptr %287, align 8
-  %289 = load i64, ptr %41, align 8
-  %290 = getelementptr inbounds double, ptr %288, i64 %289
-  %291 = load double, ptr %290, align 8
-  %292 = fsub double %286, %291
-  %293 = getelementptr inbounds double, ptr %288, i64 %1
-  %294 = load double, ptr %293, align 8
-  %295 = fsub double %292, %294
-  store double %295, ptr %5, align 8
-  br label %298
-
-296:                                              ; preds = %280, %277
-  %297 = load double, ptr %4, align 8
-  br label %301
-
-298:                                              ; preds = %275, %284
-  %299 = phi double [ %276, %275 ], [ %295, %284 ]
-  %300 = fcmp ugt double %299, %154
-  br i1 %300, label %305, label %301
-
-301:                                              ; preds = %296, %298
-  %302 = phi double [ %297, %296 ], [ %299, %298 ]
-  %303 = phi i32 [ 0, %296 ], [ 1, %298 ]
-  %304 = load double, ptr %5, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %303, double noundef %302, double noundef %304)
-  br label %305
-
-305:                                              ; preds = %298, %301
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %307
-
-306:                                              ; preds = %161, %196, %199
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %307
-
-307:                                              ; preds = %80, %76, %74, %72, %67, %48, %141, %95, %98, %305, %306
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #15
-  br label %308
-
-308:                                              ; preds = %26, %3, %30, %307
-  ret void
-}
-
-define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr noundef %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
-  %10 = alloca [3 x double], align 16
-  %11 = alloca i64, align 8
-  %12 = alloca %struct.Core, align 8
-  %13 = alloca %struct.Core, align 8
-  %14 = alloca %struct.Plane, align 8
-  %15 = alloca double, align 8
-  %16 = alloca double, align 8
-  %17 = alloca [3 x double], align 16
-  %18 = alloca [3 x double], align 16
-  %19 = alloca [12 x double], align 16
-  %20 = alloca [3 x double], align 16
-  %21 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  %22 = icmp sgt i64 %3, 0
-  br i1 %22, label %23, label %40
-
-23:                                               ; preds = %9
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
-  %28 = getelementptr inbounds double, ptr %10, i64 1
-  %29 = getelementptr inbounds double, ptr %10, i64 2
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
-  %33 = getelementptr inbounds double, ptr %14, i64 1
-  %34 = getelementptr inbounds double, ptr %18, i64 1
-  %35 = getelementptr inbounds double, ptr %14, i64 2
-  %36 = getelementptr inbounds double, ptr %18, i64 2
-  %37 = getelementptr inbounds double, ptr %17, i64 1
-  %38 = getelementptr inbounds double, ptr %17, i64 2
-  %39 = getelementptr inbounds i8, ptr %19, i64 72
-  br label %41
-
-40:                                               ; preds = %299, %9
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  ret void
-
-41:                                               ; preds = %23, %299
-  %42 = phi ptr [ %2, %23 ], [ %302, %299 ]
-  %43 = phi i64 [ 0, %23 ], [ %300, %299 ]
-  %44 = shl nuw nsw i64 %43, 1
-  %45 = getelementptr inbounds i64, ptr %4, i64 %44
-  %46 = load i64, ptr %45, align 8
-  %47 = or i64 %44, 1
-  %48 = getelementptr inbounds i64, ptr %4, i64 %47
-  %49 = load i64, ptr %48, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #15
-  %50 = icmp eq i64 %43, 0
-  br i1 %50, label %62, label %51
-
-51:                                               ; preds = %41
-  %52 = add nsw i64 %44, -2
-  %53 = getelementptr inbounds i64, ptr %4, i64 %52
-  %54 = load i64, ptr %53, align 8
-  %55 = icmp eq i64 %46, %54
-  br i1 %55, label %56, label %61
-
-56:                                               ; preds = %51
-  %57 = add nsw i64 %44, -1
-  %58 = getelementptr inbounds i64, ptr %4, i64 %57
-  %59 = load i64, ptr %58, align 8
-  %60 = icmp eq i64 %49, %59
-  br i1 %60, label %63, label %61
-
-61:                                               ; preds = %56, %51
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %63
-
-62:                                               ; preds = %41
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %73
-
-63:                                               ; preds = %56, %61
-  %64 = load i64, ptr %24, align 8
-  %65 = mul nsw i64 %64, %43
-  %66 = getelementptr inbounds double, ptr %1, i64 %65
-  %67 = add nsw i64 %43, -1
-  %68 = mul nsw i64 %64, %67
-  %69 = getelementptr inbounds double, ptr %1, i64 %68
-  %70 = shl i64 %64, 3
-  %71 = call i32 @bcmp(ptr %66, ptr %69, i64 %70)
-  %72 = icmp eq i32 %71, 0
-  br i1 %72, label %76, label %73
-
-73:                                               ; preds = %62, %63
-  %74 = phi i64 [ 0, %62 ], [ %65, %63 ]
-  %75 = getelementptr inbounds double, ptr %1, i64 %74
-  call fastcc void @place(ptr noundef %0, ptr noundef %75)
-  br label %76
-
-76:                                               ; preds = %73, %63
-  %77 = getelementptr inbounds double, ptr %8, i64 %43
-  store double 0xFFF0000000000000, ptr %77, align 8
-  %78 = load ptr, ptr %25, align 8
-  %79 = getelementptr inbounds i64, ptr %78, i64 %49
-  %80 = load i64, ptr %79, align 8
-  %81 = icmp eq i64 %80, 3
-  br i1 %81, label %82, label %89
-
-82:                                               ; preds = %76
-  %83 = load ptr, ptr %26, align 8
-  %84 = getelementptr inbounds i64, ptr %83, i64 %46
-  %85 = load i64, ptr %84, align 8
-  %86 = getelementptr inbounds i64, ptr %83, i64 %49
-  %87 = load i64, ptr %86, align 8
-  %88 = icmp slt i64 %85, %87
-  br label %89
-
-89:                                               ; preds = %82, %76
-  %90 = phi i1 [ false, %76 ], [ %88, %82 ]
-  %91 = getelementptr inbounds i64, ptr %78, i64 %46
-  %92 = load i64, ptr %91, align 8
-  %93 = icmp sgt i64 %92, 2
-  %94 = icmp sgt i64 %80, 3
-  %95 = select i1 %93, i1 true, i1 %94
-  %96 = select i1 %95, i1 true, i1 %90
-  br i1 %96, label %102, label %97
-
-97:                                               ; preds = %89
-  %98 = getelementptr inbounds double, ptr %6, i64 %43
-  %99 = load double, ptr %98, align 8
-  %100 = call double @llvm.fabs.f64(double %99) #14
-  %101 = fcmp ueq double %100, 0x7FF0000000000000
-  br i1 %101, label %102, label %108
-
-102:                                              ; preds = %97, %89
-  %103 = load i64, ptr %24, align 8
-  %104 = mul nsw i64 %103, %43
-  %105 = getelementptr inbounds double, ptr %1, i64 %104
-  %106 = getelementptr inbounds double, ptr %5, i64 %43
-  %107 = getelementptr inbounds double, ptr %7, i64 %43
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %105, i64 noundef 1, ptr noundef nonnull %45, ptr noundef %106, ptr noundef %107, ptr noundef nonnull %11)
-  br label %299
-
-108:                                              ; preds = %97
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %16) #15
-  %109 = load ptr, ptr %27, align 8
-  %110 = getelementptr inbounds double, ptr %109, i64 %46
-  %111 = load double, ptr %110, align 8
-  %112 = getelementptr inbounds double, ptr %109, i64 %49
-  %113 = load double, ptr %112, align 8
-  %114 = fadd double %111, %113
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %46, ptr noundef nonnull %12)
-  %115 = load i64, ptr %79, align 8
-  %116 = icmp eq i64 %115, 3
-  br i1 %116, label %117, label %188
-
-117:                                              ; preds = %108
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #15
-  %118 = load ptr, ptr %31, align 8
-  %119 = load ptr, ptr %26, align 8
-  %120 = getelementptr inbounds i64, ptr %119, i64 %49
-  %121 = load i64, ptr %120, align 8
-  %122 = mul nsw i64 %121, 12
-  %123 = getelementptr inbounds double, ptr %118, i64 %122
-  %124 = load ptr, ptr %32, align 8
-  %125 = mul nsw i64 %49, 12
-  %126 = getelementptr inbounds double, ptr %124, i64 %125
-  %127 = getelementptr inbounds double, ptr %126, i64 9
-  %128 = getelementptr inbounds double, ptr %126, i64 10
-  %129 = getelementptr inbounds double, ptr %126, i64 11
-  %130 = load double, ptr %127, align 8
-  %131 = load double, ptr %128, align 8
-  %132 = load double, ptr %129, align 8
-  br label %133
-
-133:                                              ; preds = %144, %117
-  %134 = phi i64 [ 0, %117 ], [ %155, %144 ]
-  %135 = mul nuw nsw i64 %134, 3
-  %136 = getelementptr inbounds double, ptr %123, i64 %135
-  %137 = add nuw nsw i64 %135, 1
-  %138 = getelementptr inbounds double, ptr %123, i64 %137
-  %139 = add nuw nsw i64 %135, 2
-  %140 = getelementptr inbounds double, ptr %123, i64 %139
-  %141 = load double, ptr %136, align 8
-  %142 = load double, ptr %138, align 8
-  %143 = load double, ptr %140, align 8
-  br label %158
-
-144:                                              ; preds = %158
-  %145 = fmul double %141, %130
-  %146 = fmul double %142, %131
-  %147 = fadd double %145, %146
-  %148 = fmul double %143, %132
-  %149 = fadd double %147, %148
-  %150 = add nuw nsw i64 %134, 9
-  %151 = getelementptr inbounds double, ptr %123, i64 %150
-  %152 = load double, ptr %151, align 8
-  %153 = fadd double %152, %149
-  %154 = getelementptr inbounds double, ptr %19, i64 %150
-  store double %153, ptr %154, align 8
-  %155 = add nuw nsw i64 %134, 1
-  %156 = icmp eq i64 %155, 3
-  br i1 %156, label %157, label %133
-
-157:                                              ; preds = %144
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %39, i64 24, i1 false)
-  br label %179
-
-158:                                              ; preds = %158, %133
-  %159 = phi i64 [ 0, %133 ], [ %175, %158 ]
-  %160 = getelementptr inbounds double, ptr %126, i64 %159
-  %161 = load double, ptr %160, align 8
-  %162 = fmul double %141, %161
-  %163 = add nuw nsw i64 %159, 3
-  %164 = getelementptr inbounds double, ptr %126, i64 %163
-  %165 = load double, ptr %164, align 8
-  %166 = fmul double %142, %165
-  %167 = fadd double %162, %166
-  %168 = add nuw nsw i64 %159, 6
-  %169 = getelementptr inbounds double, ptr %126, i64 %168
-  %170 = load double, ptr %169, align 8
-  %171 = fmul double %143, %170
-  %172 = fadd double %167, %171
-  %173 = add nuw nsw i64 %159, %135
-  %174 = getelementptr inbounds double, ptr %19, i64 %173
-  store double %172, ptr %174, align 8
-  %175 = add nuw nsw i64 %159, 1
-  %176 = icmp eq i64 %175, 3
-  br i1 %176, label %144, label %158
-
-177:                                              ; preds = %179
-  %178 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %46, ptr noundef nonnull %12, i64 noundef %49)
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
-  br label %234
-
-179:                                              ; preds = %157, %179
-  %180 = phi i64 [ 0, %157 ], [ %186, %179 ]
-  %181 = mul nuw nsw i64 %180, 3
-  %182 = add nuw nsw i64 %181, 2
-  %183 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %182
-  %184 = load double, ptr %183, align 8
-  %185 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %180
-  store double %184, ptr %185, align 8
-  %186 = add nuw nsw i64 %180, 1
-  %187 = icmp eq i64 %186, 3
-  br i1 %187, label %177, label %179
-
-188:                                              ; preds = %108
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %49, ptr noundef nonnull %13)
-  %189 = load double, ptr %10, align 16
-  %190 = fmul double %189, %189
-  %191 = load double, ptr %28, align 8
-  %192 = fmul double %191, %191
-  %193 = fadd double %190, %192
-  %194 = load double, ptr %29, align 16
-  %195 = fmul double %194, %194
-  %196 = fadd double %193, %195
-  %197 = fcmp ogt double %196, 0.000000e+00
-  br i1 %197, label %214, label %198
-
-198:                                              ; preds = %188
-  %199 = load ptr, ptr %30, align 8
-  %200 = mul nsw i64 %46, 3
-  %201 = mul nsw i64 %49, 3
-  br label %202
-
-202:                                              ; preds = %198, %202
-  %203 = phi i64 [ 0, %198 ], [ %212, %202 ]
-  %204 = add nsw i64 %200, %203
-  %205 = getelementptr inbounds double, ptr %199, i64 %204
-  %206 = load double, ptr %205, align 8
-  %207 = add nsw i64 %201, %203
-  %208 = getelementptr inbounds double, ptr %199, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = fsub double %206, %209
-  %211 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %203
-  store double %210, ptr %211, align 8
-  %212 = add nuw nsw i64 %203, 1
-  %213 = icmp eq i64 %212, 3
-  br i1 %213, label %214, label %202
-
-214:                                              ; preds = %202, %188
-  %215 = getelementptr inbounds double, ptr %5, i64 %43
-  %216 = load double, ptr %215, align 8
-  %217 = load double, ptr %110, align 8
-  %218 = load double, ptr %112, align 8
-  %219 = fadd double %217, %218
-  %220 = fadd double %216, %219
-  %221 = fadd double %219, 0xFFF0000000000000
-  %222 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %220, double noundef %221, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
-  %223 = icmp eq i32 %222, 0
-  br i1 %223, label %224, label %229
-
-224:                                              ; preds = %214
-  %225 = load i64, ptr %24, align 8
-  %226 = mul nsw i64 %225, %43
-  %227 = getelementptr inbounds double, ptr %1, i64 %226
-  %228 = getelementptr inbounds double, ptr %7, i64 %43
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %227, i64 noundef 1, ptr noundef nonnull %45, ptr noundef nonnull %215, ptr noundef %228, ptr noundef nonnull %11)
-  br label %298
-
-229:                                              ; preds = %214
-  %230 = load double, ptr %16, align 8
-  %231 = fsub double %230, %219
-  %232 = load double, ptr %15, align 8
-  %233 = fsub double %232, %219
-  call fastcc void @support(ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef nonnull %18)
-  br label %234
-
-234:                                              ; preds = %229, %177
-  %235 = phi double [ %231, %229 ], [ %178, %177 ]
-  %236 = phi double [ %233, %229 ], [ %178, %177 ]
-  %237 = getelementptr inbounds double, ptr %5, i64 %43
-  %238 = load double, ptr %237, align 8
-  %239 = fcmp ogt double %236, %238
-  br i1 %239, label %245, label %240
-
-240:                                              ; preds = %234
-  %241 = fsub double %235, %236
-  %242 = fcmp ugt double %241, 1.000000e-08
-  br i1 %242, label %243, label %245
-
-243:                                              ; preds = %240
-  %244 = getelementptr inbounds double, ptr %7, i64 %43
-  store double 0x7FF8000000000000, ptr %244, align 8
-  br label %298
-
-245:                                              ; preds = %240, %234
-  %246 = phi double [ %238, %234 ], [ %235, %240 ]
-  %247 = getelementptr inbounds double, ptr %7, i64 %43
-  store double %246, ptr %247, align 8
-  %248 = fcmp uno double %246, 0.000000e+00
-  br i1 %248, label %298, label %249
-
-249:                                              ; preds = %245
-  %250 = load double, ptr %237, align 8
-  %251 = fcmp ult double %246, %250
-  br i1 %251, label %252, label %298
-
-252:                                              ; preds = %249
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  %253 = load ptr, ptr %26, align 8
-  %254 = getelementptr inbounds i64, ptr %253, i64 %46
-  %255 = load i64, ptr %254, align 8
-  %256 = getelementptr inbounds i64, ptr %253, i64 %49
-  %257 = load i64, ptr %256, align 8
-  %258 = icmp slt i64 %255, %257
-  br i1 %258, label %285, label %259
-
-259:                                              ; preds = %252
-  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %257, i64 noundef %255, ptr noundef %42, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %260 = load double, ptr %14, align 8
-  %261 = load double, ptr %18, align 16
-  %262 = fmul double %260, %261
-  %263 = load double, ptr %33, align 8
-  %264 = load double, ptr %34, align 8
-  %265 = fmul double %263, %264
-  %266 = fadd double %262, %265
-  %267 = load double, ptr %35, align 8
-  %268 = load double, ptr %36, align 16
-  %269 = fmul double %267, %268
-  %270 = fadd double %266, %269
-  %271 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %270, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %293
-
-272:                                              ; preds = %285
-  call fastcc void @support(ptr noundef nonnull %12, ptr noundef nonnull %17, ptr noundef nonnull %18)
-  call fastcc void @twist_of(ptr noundef %0, i64 noundef %255, i64 noundef %257, ptr noundef %42, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %273 = load double, ptr %17, align 16
-  %274 = load double, ptr %18, align 16
-  %275 = fmul double %273, %274
-  %276 = load double, ptr %37, align 8
-  %277 = load double, ptr %34, align 8
-  %278 = fmul double %276, %277
-  %279 = fadd double %275, %278
-  %280 = load double, ptr %38, align 16
-  %281 = load double, ptr %36, align 16
-  %282 = fmul double %280, %281
-  %283 = fadd double %279, %282
-  %284 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %283, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %293
-
-285:                                              ; preds = %252, %285
-  %286 = phi i64 [ %291, %285 ], [ 0, %252 ]
-  %287 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %286
-  %288 = load double, ptr %287, align 8
-  %289 = fneg double %288
-  %290 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %286
-  store double %289, ptr %290, align 8
-  %291 = add nuw nsw i64 %286, 1
-  %292 = icmp eq i64 %291, 3
-  br i1 %292, label %272, label %285
-
-293:                                              ; preds = %272, %259
-  %294 = phi double [ %284, %272 ], [ %271, %259 ]
-  %295 = fsub double %294, %114
-  %296 = load double, ptr %98, align 8
-  %297 = fsub double %295, %296
-  store double %297, ptr %77, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %298
-
-298:                                              ; preds = %243, %245, %249, %293, %224
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #15
-  br label %299
-
-299:                                              ; preds = %298, %102
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #15
-  %300 = add nuw nsw i64 %43, 1
-  %301 = load i64, ptr %24, align 8
-  %302 = getelementptr inbounds double, ptr %42, i64 %301
-  %303 = icmp eq i64 %300, %3
-  br i1 %303, label %40, label %41
-}
-
-define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #6 {
+define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #3 {
   %5 = alloca [12 x double], align 16
   %6 = alloca [3 x double], align 16
-  %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i64, ptr %11, i64 %3
-  %13 = load i64, ptr %12, align 8
-  %14 = mul nsw i64 %13, 12
-  %15 = getelementptr inbounds double, ptr %9, i64 %14
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
-  %17 = load ptr, ptr %16, align 8
-  %18 = mul nsw i64 %3, 12
-  %19 = getelementptr inbounds double, ptr %17, i64 %18
-  %20 = getelementptr inbounds double, ptr %19, i64 9
-  %21 = getelementptr inbounds double, ptr %19, i64 10
-  %22 = getelementptr inbounds double, ptr %19, i64 11
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i64, ptr %10, i64 %3
+  %12 = load i64, ptr %11, align 8
+  %13 = mul nsw i64 %12, 12
+  %14 = getelementptr inbounds double, ptr %8, i64 %13
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %16 = load ptr, ptr %15, align 8
+  %17 = mul nsw i64 %3, 12
+  %18 = getelementptr inbounds double, ptr %16, i64 %17
+  %19 = getelementptr inbounds double, ptr %18, i64 9
+  %20 = getelementptr inbounds double, ptr %18, i64 10
+  %21 = getelementptr inbounds double, ptr %18, i64 11
+  %22 = load double, ptr %19, align 8
   %23 = load double, ptr %20, align 8
   %24 = load double, ptr %21, align 8
-  %25 = load double, ptr %22, align 8
-  br label %26
+  br label %25
 
-26:                                               ; preds = %37, %4
-  %27 = phi i64 [ 0, %4 ], [ %48, %37 ]
-  %28 = mul nuw nsw i64 %27, 3
-  %29 = getelementptr inbounds double, ptr %15, i64 %28
-  %30 = add nuw nsw i64 %28, 1
-  %31 = getelementptr inbounds double, ptr %15, i64 %30
-  %32 = add nuw nsw i64 %28, 2
-  %33 = getelementptr inbounds double, ptr %15, i64 %32
-  %34 = load double, ptr %29, align 8
-  %35 = load double, ptr %31, align 8
-  %36 = load double, ptr %33, align 8
-  br label %50
+25:                                               ; preds = %36, %4
+  %26 = phi i64 [ 0, %4 ], [ %47, %36 ]
+  %27 = mul nuw nsw i64 %26, 3
+  %28 = getelementptr inbounds double, ptr %14, i64 %27
+  %29 = add nuw nsw i64 %27, 1
+  %30 = getelementptr inbounds double, ptr %14, i64 %29
+  %31 = add nuw nsw i64 %27, 2
+  %32 = getelementptr inbounds double, ptr %14, i64 %31
+  %33 = load double, ptr %28, align 8
+  %34 = load double, ptr %30, align 8
+  %35 = load double, ptr %32, align 8
+  br label %49
 
-37:                                               ; preds = %50
+36:                                               ; preds = %49
+  %37 = fmul double %33, %22
   %38 = fmul double %34, %23
-  %39 = fmul double %35, %24
-  %40 = fadd double %38, %39
-  %41 = fmul double %36, %25
-  %42 = fadd double %40, %41
-  %43 = add nuw nsw i64 %27, 9
-  %44 = getelementptr inbounds double, ptr %15, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = fadd double %45, %42
-  %47 = getelementptr inbounds double, ptr %5, i64 %43
-  store double %46, ptr %47, align 8
-  %48 = add nuw nsw i64 %27, 1
-  %49 = icmp eq i64 %48, 3
-  br i1 %49, label %70, label %26
+  %39 = fadd double %37, %38
+  %40 = fmul double %35, %24
+  %41 = fadd double %39, %40
+  %42 = add nuw nsw i64 %26, 9
+  %43 = getelementptr inbounds double, ptr %14, i64 %42
+  %44 = load double, ptr %43, align 8
+  %45 = fadd double %44, %41
+  %46 = getelementptr inbounds double, ptr %5, i64 %42
+  store double %45, ptr %46, align 8
+  %47 = add nuw nsw i64 %26, 1
+  %48 = icmp eq i64 %47, 3
+  br i1 %48, label %68, label %25
 
-50:                                               ; preds = %50, %26
-  %51 = phi i64 [ 0, %26 ], [ %67, %50 ]
-  %52 = getelementptr inbounds double, ptr %19, i64 %51
-  %53 = load double, ptr %52, align 8
-  %54 = fmul double %34, %53
-  %55 = add nuw nsw i64 %51, 3
-  %56 = getelementptr inbounds double, ptr %19, i64 %55
-  %57 = load double, ptr %56, align 8
-  %58 = fmul double %35, %57
-  %59 = fadd double %54, %58
-  %60 = add nuw nsw i64 %51, 6
-  %61 = getelementptr inbounds double, ptr %19, i64 %60
-  %62 = load double, ptr %61, align 8
-  %63 = fmul double %36, %62
-  %64 = fadd double %59, %63
-  %65 = add nuw nsw i64 %51, %28
-  %66 = getelementptr inbounds double, ptr %5, i64 %65
-  store double %64, ptr %66, align 8
-  %67 = add nuw nsw i64 %51, 1
-  %68 = icmp eq i64 %67, 3
-  br i1 %68, label %37, label %50
+49:                                               ; preds = %49, %25
+  %50 = phi i64 [ 0, %25 ], [ %66, %49 ]
+  %51 = getelementptr inbounds double, ptr %18, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fmul double %33, %52
+  %54 = add nuw nsw i64 %50, 3
+  %55 = getelementptr inbounds double, ptr %18, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = fmul double %34, %56
+  %58 = fadd double %53, %57
+  %59 = add nuw nsw i64 %50, 6
+  %60 = getelementptr inbounds double, ptr %18, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = fmul double %35, %61
+  %63 = fadd double %58, %62
+  %64 = add nuw nsw i64 %50, %27
+  %65 = getelementptr inbounds double, ptr %5, i64 %64
+  store double %63, ptr %65, align 8
+  %66 = add nuw nsw i64 %50, 1
+  %67 = icmp eq i64 %66, 3
+  br i1 %67, label %36, label %49
 
-69:                                               ; preds = %70
-  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef nonnull %7)
-  br label %89
-
-70:                                               ; preds = %37, %70
-  %71 = phi i64 [ %78, %70 ], [ 0, %37 ]
-  %72 = mul nuw nsw i64 %71, 3
-  %73 = add nuw nsw i64 %72, 2
-  %74 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %73
-  %75 = load double, ptr %74, align 8
-  %76 = fneg double %75
-  %77 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %71
-  store double %76, ptr %77, align 8
-  %78 = add nuw nsw i64 %71, 1
-  %79 = icmp eq i64 %78, 3
-  br i1 %79, label %69, label %70
-
-80:                                               ; preds = %89
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
-  %82 = load ptr, ptr %81, align 8
-  %83 = getelementptr inbounds double, ptr %82, i64 %1
-  %84 = load double, ptr %83, align 8
-  %85 = fsub double %101, %84
-  %86 = getelementptr inbounds double, ptr %82, i64 %3
-  %87 = load double, ptr %86, align 8
-  %88 = fsub double %85, %87
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
-  ret double %88
-
-89:                                               ; preds = %69, %89
-  %90 = phi i64 [ 0, %69 ], [ %102, %89 ]
-  %91 = phi double [ 0.000000e+00, %69 ], [ %101, %89 ]
-  %92 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %90
-  %93 = load double, ptr %92, align 8
-  %94 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
-  %95 = load double, ptr %94, align 8
-  %96 = add nuw nsw i64 %90, 9
-  %97 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %96
-  %98 = load double, ptr %97, align 8
-  %99 = fsub double %95, %98
-  %100 = fmul double %93, %99
-  %101 = fsub double %91, %100
-  %102 = add nuw nsw i64 %90, 1
-  %103 = icmp eq i64 %102, 3
-  br i1 %103, label %80, label %89
+68:                                               ; preds = %36
+  %69 = call fastcc double @lowest(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef nonnull %5, ptr noundef nonnull %6)
+  %70 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %1
+  %73 = load double, ptr %72, align 8
+  %74 = fsub double %69, %73
+  %75 = getelementptr inbounds double, ptr %71, i64 %3
+  %76 = load double, ptr %75, align 8
+  %77 = fsub double %74, %76
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #18
+  ret double %77
 }
 
-define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
+define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #6 {
   %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %1
@@ -2341,13 +1972,13 @@ define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 
   ret i32 %22
 }
 
-define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #6 {
+define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #7 {
   %4 = alloca [64 x double], align 16
   %5 = alloca [8 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
   %8 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds double, ptr %1, i64 1
@@ -2380,7 +2011,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 
 33:                                               ; preds = %15
   %34 = load i64, ptr %0, align 8
-  switch i64 %34, label %158 [
+  switch i64 %34, label %186 [
     i64 0, label %38
     i64 1, label %35
   ]
@@ -2388,7 +2019,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 35:                                               ; preds = %33
   %36 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
   %37 = load ptr, ptr %36, align 8
-  br label %146
+  br label %174
 
 38:                                               ; preds = %33
   %39 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 2
@@ -2397,11 +2028,11 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %42 = load ptr, ptr %41, align 8
   %43 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 4
   %44 = load ptr, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #18
   %45 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
   %46 = load i64, ptr %45, align 8
-  %47 = icmp sgt i64 %46, 0
-  br i1 %47, label %48, label %138
+  %47 = icmp slt i64 %46, 4
+  br i1 %47, label %54, label %48
 
 48:                                               ; preds = %38
   %49 = getelementptr inbounds double, ptr %6, i64 1
@@ -2409,236 +2040,270 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %51 = load double, ptr %6, align 16
   %52 = load double, ptr %49, align 8
   %53 = load double, ptr %50, align 16
-  br label %54
+  br label %82
 
-54:                                               ; preds = %132, %48
-  %55 = phi i64 [ %46, %48 ], [ %137, %132 ]
-  %56 = phi double [ 0xFFF0000000000000, %48 ], [ %134, %132 ]
-  %57 = phi i64 [ 0, %48 ], [ %135, %132 ]
-  %58 = phi i64 [ 0, %48 ], [ %133, %132 ]
-  %59 = tail call i64 @llvm.smin.i64(i64 %55, i64 64)
-  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #15
+54:                                               ; preds = %38
+  %55 = icmp sgt i64 %46, 0
+  br i1 %55, label %56, label %166
+
+56:                                               ; preds = %54
+  %57 = load double, ptr %6, align 16
+  %58 = getelementptr inbounds double, ptr %6, i64 1
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds double, ptr %6, i64 2
+  %61 = load double, ptr %60, align 16
   br label %62
 
-60:                                               ; preds = %62
-  %61 = tail call i64 @llvm.smax.i64(i64 %59, i64 1)
-  br label %70
-
-62:                                               ; preds = %62, %54
-  %63 = phi i64 [ 0, %54 ], [ %65, %62 ]
-  %64 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %63
-  store double 0xFFF0000000000000, ptr %64, align 8
-  %65 = add nuw nsw i64 %63, 1
-  %66 = icmp eq i64 %65, 8
-  br i1 %66, label %60, label %62
-
-67:                                               ; preds = %70
-  %68 = and i64 %61, 7
-  %69 = icmp eq i64 %68, 0
-  br i1 %69, label %87, label %89
-
-70:                                               ; preds = %60, %70
-  %71 = phi i64 [ %85, %70 ], [ 0, %60 ]
-  %72 = add nuw nsw i64 %71, %57
-  %73 = getelementptr inbounds double, ptr %40, i64 %72
+62:                                               ; preds = %62, %56
+  %63 = phi double [ 0xFFF0000000000000, %56 ], [ %79, %62 ]
+  %64 = phi i64 [ 0, %56 ], [ %80, %62 ]
+  %65 = phi i64 [ 0, %56 ], [ %78, %62 ]
+  %66 = getelementptr inbounds double, ptr %40, i64 %64
+  %67 = load double, ptr %66, align 8
+  %68 = fmul double %57, %67
+  %69 = getelementptr inbounds double, ptr %42, i64 %64
+  %70 = load double, ptr %69, align 8
+  %71 = fmul double %59, %70
+  %72 = fadd double %68, %71
+  %73 = getelementptr inbounds double, ptr %44, i64 %64
   %74 = load double, ptr %73, align 8
-  %75 = fmul double %51, %74
-  %76 = getelementptr inbounds double, ptr %42, i64 %72
-  %77 = load double, ptr %76, align 8
-  %78 = fmul double %52, %77
-  %79 = fadd double %75, %78
-  %80 = getelementptr inbounds double, ptr %44, i64 %72
-  %81 = load double, ptr %80, align 8
-  %82 = fmul double %53, %81
-  %83 = fadd double %79, %82
-  %84 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %71
-  store double %83, ptr %84, align 8
-  %85 = add nuw nsw i64 %71, 1
-  %86 = icmp eq i64 %85, %61
-  br i1 %86, label %67, label %70
+  %75 = fmul double %61, %74
+  %76 = fadd double %72, %75
+  %77 = fcmp ogt double %76, %63
+  %78 = select i1 %77, i64 %64, i64 %65
+  %79 = select i1 %77, double %76, double %63
+  %80 = add nuw nsw i64 %64, 1
+  %81 = icmp eq i64 %80, %46
+  br i1 %81, label %166, label %62
 
-87:                                               ; preds = %89, %67
-  %88 = phi i64 [ %61, %67 ], [ %92, %89 ]
-  br label %95
+82:                                               ; preds = %160, %48
+  %83 = phi i64 [ %46, %48 ], [ %165, %160 ]
+  %84 = phi i64 [ 0, %48 ], [ %163, %160 ]
+  %85 = phi double [ 0xFFF0000000000000, %48 ], [ %162, %160 ]
+  %86 = phi i64 [ 0, %48 ], [ %161, %160 ]
+  %87 = tail call i64 @llvm.smin.i64(i64 %83, i64 64)
+  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #18
+  br label %90
 
-89:                                               ; preds = %67, %89
-  %90 = phi i64 [ %92, %89 ], [ %61, %67 ]
-  %91 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %90
-  store double 0xFFF0000000000000, ptr %91, align 8
-  %92 = add nuw nsw i64 %90, 1
-  %93 = and i64 %92, 7
-  %94 = icmp eq i64 %93, 0
-  br i1 %94, label %87, label %89
+88:                                               ; preds = %90
+  %89 = tail call i64 @llvm.smax.i64(i64 %87, i64 1)
+  br label %98
 
-95:                                               ; preds = %99, %87
-  %96 = phi i64 [ %100, %99 ], [ 0, %87 ]
-  br label %102
+90:                                               ; preds = %90, %82
+  %91 = phi i64 [ 0, %82 ], [ %93, %90 ]
+  %92 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %91
+  store double 0xFFF0000000000000, ptr %92, align 8
+  %93 = add nuw nsw i64 %91, 1
+  %94 = icmp eq i64 %93, 8
+  br i1 %94, label %88, label %90
 
-97:                                               ; preds = %99
-  %98 = load double, ptr %5, align 16
-  br label %115
+95:                                               ; preds = %98
+  %96 = and i64 %89, 7
+  %97 = icmp eq i64 %96, 0
+  br i1 %97, label %115, label %117
 
-99:                                               ; preds = %102
-  %100 = add nuw nsw i64 %96, 8
-  %101 = icmp ult i64 %100, %88
-  br i1 %101, label %95, label %97
+98:                                               ; preds = %88, %98
+  %99 = phi i64 [ %113, %98 ], [ 0, %88 ]
+  %100 = add nuw nsw i64 %99, %84
+  %101 = getelementptr inbounds double, ptr %40, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %51, %102
+  %104 = getelementptr inbounds double, ptr %42, i64 %100
+  %105 = load double, ptr %104, align 8
+  %106 = fmul double %52, %105
+  %107 = fadd double %103, %106
+  %108 = getelementptr inbounds double, ptr %44, i64 %100
+  %109 = load double, ptr %108, align 8
+  %110 = fmul double %53, %109
+  %111 = fadd double %107, %110
+  %112 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %99
+  store double %111, ptr %112, align 8
+  %113 = add nuw nsw i64 %99, 1
+  %114 = icmp eq i64 %113, %89
+  br i1 %114, label %95, label %98
 
-102:                                              ; preds = %102, %95
-  %103 = phi i64 [ 0, %95 ], [ %111, %102 ]
-  %104 = add nuw nsw i64 %103, %96
-  %105 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %103
-  %108 = load double, ptr %107, align 8
-  %109 = fcmp ogt double %106, %108
-  %110 = select i1 %109, double %106, double %108
-  store double %110, ptr %107, align 8
-  %111 = add nuw nsw i64 %103, 1
-  %112 = icmp eq i64 %111, 8
-  br i1 %112, label %99, label %102
+115:                                              ; preds = %117, %95
+  %116 = phi i64 [ %89, %95 ], [ %120, %117 ]
+  br label %123
 
-113:                                              ; preds = %115
-  %114 = fcmp ogt double %121, %56
-  br i1 %114, label %124, label %132
+117:                                              ; preds = %95, %117
+  %118 = phi i64 [ %120, %117 ], [ %89, %95 ]
+  %119 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %118
+  store double 0xFFF0000000000000, ptr %119, align 8
+  %120 = add nuw nsw i64 %118, 1
+  %121 = and i64 %120, 7
+  %122 = icmp eq i64 %121, 0
+  br i1 %122, label %115, label %117
 
-115:                                              ; preds = %115, %97
-  %116 = phi i64 [ 1, %97 ], [ %122, %115 ]
-  %117 = phi double [ %98, %97 ], [ %121, %115 ]
-  %118 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %116
-  %119 = load double, ptr %118, align 8
-  %120 = fcmp ogt double %119, %117
-  %121 = select i1 %120, double %119, double %117
-  %122 = add nuw nsw i64 %116, 1
-  %123 = icmp eq i64 %122, 8
-  br i1 %123, label %113, label %115
+123:                                              ; preds = %127, %115
+  %124 = phi i64 [ %128, %127 ], [ 0, %115 ]
+  br label %130
 
-124:                                              ; preds = %113, %124
-  %125 = phi i64 [ %129, %124 ], [ 0, %113 ]
-  %126 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %125
-  %127 = load double, ptr %126, align 8
-  %128 = fcmp une double %127, %121
-  %129 = add nuw nsw i64 %125, 1
-  br i1 %128, label %124, label %130
+125:                                              ; preds = %127
+  %126 = load double, ptr %5, align 16
+  br label %143
 
-130:                                              ; preds = %124
-  %131 = add nuw nsw i64 %125, %57
-  br label %132
+127:                                              ; preds = %130
+  %128 = add nuw nsw i64 %124, 8
+  %129 = icmp ult i64 %128, %116
+  br i1 %129, label %123, label %125
 
-132:                                              ; preds = %130, %113
-  %133 = phi i64 [ %131, %130 ], [ %58, %113 ]
-  %134 = phi double [ %121, %130 ], [ %56, %113 ]
-  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #15
-  %135 = add nuw nsw i64 %57, 64
-  %136 = icmp sgt i64 %46, %135
-  %137 = add i64 %55, -64
-  br i1 %136, label %54, label %138
+130:                                              ; preds = %130, %123
+  %131 = phi i64 [ 0, %123 ], [ %139, %130 ]
+  %132 = add nuw nsw i64 %131, %124
+  %133 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %131
+  %136 = load double, ptr %135, align 8
+  %137 = fcmp ogt double %134, %136
+  %138 = select i1 %137, double %134, double %136
+  store double %138, ptr %135, align 8
+  %139 = add nuw nsw i64 %131, 1
+  %140 = icmp eq i64 %139, 8
+  br i1 %140, label %127, label %130
 
-138:                                              ; preds = %132, %38
-  %139 = phi i64 [ 0, %38 ], [ %133, %132 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
-  %140 = getelementptr inbounds double, ptr %40, i64 %139
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr inbounds double, ptr %42, i64 %139
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds double, ptr %44, i64 %139
-  %145 = load double, ptr %144, align 8
-  br label %191
+141:                                              ; preds = %143
+  %142 = fcmp ogt double %149, %85
+  br i1 %142, label %152, label %160
 
-146:                                              ; preds = %35, %146
-  %147 = phi i64 [ 0, %35 ], [ %156, %146 ]
-  %148 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = fcmp ult double %149, 0.000000e+00
-  %151 = getelementptr inbounds double, ptr %37, i64 %147
-  %152 = load double, ptr %151, align 8
-  %153 = fneg double %152
-  %154 = select i1 %150, double %153, double %152
-  %155 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %147
-  store double %154, ptr %155, align 8
-  %156 = add nuw nsw i64 %147, 1
-  %157 = icmp eq i64 %156, 3
-  br i1 %157, label %185, label %146
+143:                                              ; preds = %143, %125
+  %144 = phi i64 [ 1, %125 ], [ %150, %143 ]
+  %145 = phi double [ %126, %125 ], [ %149, %143 ]
+  %146 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %144
+  %147 = load double, ptr %146, align 8
+  %148 = fcmp ogt double %147, %145
+  %149 = select i1 %148, double %147, double %145
+  %150 = add nuw nsw i64 %144, 1
+  %151 = icmp eq i64 %150, 8
+  br i1 %151, label %141, label %143
 
-158:                                              ; preds = %33
-  %159 = load double, ptr %6, align 16
-  %160 = fmul double %159, %159
-  %161 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %162 = load double, ptr %161, align 8
-  %163 = fmul double %162, %162
-  %164 = fadd double %160, %163
-  %165 = tail call double @llvm.sqrt.f64(double %164)
-  %166 = fcmp ogt double %165, 0.000000e+00
-  br i1 %166, label %167, label %172
+152:                                              ; preds = %141, %152
+  %153 = phi i64 [ %157, %152 ], [ 0, %141 ]
+  %154 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = fcmp une double %155, %149
+  %157 = add nuw nsw i64 %153, 1
+  br i1 %156, label %152, label %158
 
-167:                                              ; preds = %158
-  %168 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %169 = load ptr, ptr %168, align 8
-  %170 = load double, ptr %169, align 8
-  %171 = fdiv double %170, %165
-  br label %172
+158:                                              ; preds = %152
+  %159 = add nuw nsw i64 %153, %84
+  br label %160
 
-172:                                              ; preds = %158, %167
-  %173 = phi double [ %171, %167 ], [ 0.000000e+00, %158 ]
-  %174 = fmul double %159, %173
-  %175 = fmul double %162, %173
-  %176 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %177 = load double, ptr %176, align 16
+160:                                              ; preds = %158, %141
+  %161 = phi i64 [ %159, %158 ], [ %86, %141 ]
+  %162 = phi double [ %149, %158 ], [ %85, %141 ]
+  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #18
+  %163 = add nuw nsw i64 %84, 64
+  %164 = icmp sgt i64 %46, %163
+  %165 = add i64 %83, -64
+  br i1 %164, label %82, label %166
+
+166:                                              ; preds = %160, %62, %54
+  %167 = phi i64 [ 0, %54 ], [ %78, %62 ], [ %161, %160 ]
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #18
+  %168 = getelementptr inbounds double, ptr %40, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = getelementptr inbounds double, ptr %42, i64 %167
+  %171 = load double, ptr %170, align 8
+  %172 = getelementptr inbounds double, ptr %44, i64 %167
+  %173 = load double, ptr %172, align 8
+  br label %219
+
+174:                                              ; preds = %35, %174
+  %175 = phi i64 [ 0, %35 ], [ %184, %174 ]
+  %176 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %175
+  %177 = load double, ptr %176, align 8
   %178 = fcmp ult double %177, 0.000000e+00
-  %179 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %180 = load ptr, ptr %179, align 8
-  %181 = getelementptr inbounds double, ptr %180, i64 1
-  %182 = load double, ptr %181, align 8
-  %183 = fneg double %182
-  %184 = select i1 %178, double %183, double %182
-  br label %191
+  %179 = getelementptr inbounds double, ptr %37, i64 %175
+  %180 = load double, ptr %179, align 8
+  %181 = fneg double %180
+  %182 = select i1 %178, double %181, double %180
+  %183 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %175
+  store double %182, ptr %183, align 8
+  %184 = add nuw nsw i64 %175, 1
+  %185 = icmp eq i64 %184, 3
+  br i1 %185, label %213, label %174
 
-185:                                              ; preds = %146
-  %186 = load double, ptr %7, align 16
-  %187 = getelementptr inbounds double, ptr %7, i64 1
-  %188 = load double, ptr %187, align 8
-  %189 = getelementptr inbounds double, ptr %7, i64 2
-  %190 = load double, ptr %189, align 16
-  br label %191
+186:                                              ; preds = %33
+  %187 = load double, ptr %6, align 16
+  %188 = fmul double %187, %187
+  %189 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %190 = load double, ptr %189, align 8
+  %191 = fmul double %190, %190
+  %192 = fadd double %188, %191
+  %193 = tail call double @llvm.sqrt.f64(double %192)
+  %194 = fcmp ogt double %193, 0.000000e+00
+  br i1 %194, label %195, label %200
 
-191:                                              ; preds = %185, %172, %138
-  %192 = phi double [ %190, %185 ], [ %184, %172 ], [ %145, %138 ]
-  %193 = phi double [ %188, %185 ], [ %175, %172 ], [ %143, %138 ]
-  %194 = phi double [ %186, %185 ], [ %174, %172 ], [ %141, %138 ]
-  br label %195
+195:                                              ; preds = %186
+  %196 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %197 = load ptr, ptr %196, align 8
+  %198 = load double, ptr %197, align 8
+  %199 = fdiv double %198, %193
+  br label %200
 
-195:                                              ; preds = %195, %191
-  %196 = phi i64 [ 0, %191 ], [ %216, %195 ]
-  %197 = mul nuw nsw i64 %196, 3
-  %198 = getelementptr inbounds double, ptr %9, i64 %197
-  %199 = load double, ptr %198, align 8
-  %200 = fmul double %199, %194
-  %201 = add nuw nsw i64 %197, 1
-  %202 = getelementptr inbounds double, ptr %9, i64 %201
-  %203 = load double, ptr %202, align 8
-  %204 = fmul double %203, %193
-  %205 = fadd double %200, %204
-  %206 = add nuw nsw i64 %197, 2
-  %207 = getelementptr inbounds double, ptr %9, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = fmul double %208, %192
-  %210 = fadd double %205, %209
-  %211 = add nuw nsw i64 %196, 9
-  %212 = getelementptr inbounds double, ptr %9, i64 %211
-  %213 = load double, ptr %212, align 8
-  %214 = fadd double %213, %210
-  %215 = getelementptr inbounds double, ptr %2, i64 %196
-  store double %214, ptr %215, align 8
-  %216 = add nuw nsw i64 %196, 1
-  %217 = icmp eq i64 %216, 3
-  br i1 %217, label %218, label %195
+200:                                              ; preds = %186, %195
+  %201 = phi double [ %199, %195 ], [ 0.000000e+00, %186 ]
+  %202 = fmul double %187, %201
+  %203 = fmul double %190, %201
+  %204 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %205 = load double, ptr %204, align 16
+  %206 = fcmp ult double %205, 0.000000e+00
+  %207 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %208 = load ptr, ptr %207, align 8
+  %209 = getelementptr inbounds double, ptr %208, i64 1
+  %210 = load double, ptr %209, align 8
+  %211 = fneg double %210
+  %212 = select i1 %206, double %211, double %210
+  br label %219
 
-218:                                              ; preds = %195
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+213:                                              ; preds = %174
+  %214 = load double, ptr %7, align 16
+  %215 = getelementptr inbounds double, ptr %7, i64 1
+  %216 = load double, ptr %215, align 8
+  %217 = getelementptr inbounds double, ptr %7, i64 2
+  %218 = load double, ptr %217, align 16
+  br label %219
+
+219:                                              ; preds = %213, %200, %166
+  %220 = phi double [ %218, %213 ], [ %212, %200 ], [ %173, %166 ]
+  %221 = phi double [ %216, %213 ], [ %203, %200 ], [ %171, %166 ]
+  %222 = phi double [ %214, %213 ], [ %202, %200 ], [ %169, %166 ]
+  br label %223
+
+223:                                              ; preds = %223, %219
+  %224 = phi i64 [ 0, %219 ], [ %244, %223 ]
+  %225 = mul nuw nsw i64 %224, 3
+  %226 = getelementptr inbounds double, ptr %9, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %227, %222
+  %229 = add nuw nsw i64 %225, 1
+  %230 = getelementptr inbounds double, ptr %9, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = fmul double %231, %221
+  %233 = fadd double %228, %232
+  %234 = add nuw nsw i64 %225, 2
+  %235 = getelementptr inbounds double, ptr %9, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = fmul double %236, %220
+  %238 = fadd double %233, %237
+  %239 = add nuw nsw i64 %224, 9
+  %240 = getelementptr inbounds double, ptr %9, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = fadd double %241, %238
+  %243 = getelementptr inbounds double, ptr %2, i64 %224
+  store double %242, ptr %243, align 8
+  %244 = add nuw nsw i64 %224, 1
+  %245 = icmp eq i64 %244, 3
+  br i1 %245, label %246, label %223
+
+246:                                              ; preds = %223
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret void
 }
 
-define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #6 {
+define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #7 {
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
   br label %25
@@ -2656,7 +2321,7 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %18, label %31, label %19
 
 19:                                               ; preds = %9
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
   %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
   %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
@@ -2702,8 +2367,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   %53 = icmp eq i64 %37, 0
   %54 = fneg double %52
   %55 = select i1 %53, double %54, double %52
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %56 = load ptr, ptr %23, align 8
   %57 = mul nsw i64 %44, 3
   %58 = getelementptr inbounds double, ptr %56, i64 %57
@@ -2774,8 +2439,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %112, label %64, label %95
 
 113:                                              ; preds = %124
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
   br label %131
 
 114:                                              ; preds = %90, %124
@@ -2809,11 +2474,11 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %133, label %31, label %32
 }
 
-define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #7 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
   br label %9
 
 9:                                                ; preds = %9, %5
@@ -2856,14 +2521,14 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
 
 42:                                               ; preds = %48
   %43 = fsub double %73, %1
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret double %43
 
 44:                                               ; preds = %33, %48
   %45 = phi i32 [ -1, %33 ], [ %74, %48 ]
   %46 = phi double [ 0x7FF0000000000000, %33 ], [ %73, %48 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %47 = sitofp i32 %45 to double
   br label %76
 
@@ -2894,8 +2559,8 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   %71 = fadd double %67, %70
   %72 = fsub double %60, %71
   %73 = tail call double @llvm.minnum.f64(double %46, double %72)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
   %74 = add nsw i32 %45, 2
   %75 = icmp slt i32 %45, 0
   br i1 %75, label %44, label %42
@@ -2919,1012 +2584,1163 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
 define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4) local_unnamed_addr #0 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  %8 = alloca [3 x double], align 16
+  %8 = alloca double, align 8
   %9 = alloca [3 x double], align 16
-  %10 = alloca %struct.Core, align 8
-  %11 = alloca %struct.Core, align 8
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [3 x double], align 16
   %12 = alloca [3 x double], align 16
-  %13 = alloca [9 x double], align 16
-  %14 = alloca double, align 8
-  %15 = alloca double, align 8
-  %16 = alloca [12 x double], align 16
-  %17 = alloca [3 x double], align 16
-  %18 = alloca double, align 8
-  %19 = alloca %struct.Search, align 8
-  %20 = alloca %struct.Simplex, align 8
-  %21 = alloca [3 x double], align 16
-  %22 = alloca [3 x double], align 16
-  %23 = alloca double, align 8
-  %24 = alloca [3 x double], align 16
-  %25 = alloca [3 x double], align 16
-  %26 = alloca [3 x double], align 16
-  %27 = alloca [3 x double], align 16
-  %28 = alloca [3 x double], align 16
-  %29 = icmp sgt i64 %2, 0
-  br i1 %29, label %30, label %83
+  %13 = alloca [3 x double], align 16
+  %14 = icmp sgt i64 %2, 0
+  br i1 %14, label %15, label %36
 
-30:                                               ; preds = %5
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
-  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
-  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
-  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
-  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
-  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
-  %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
-  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
-  %42 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  %46 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  %47 = getelementptr inbounds double, ptr %13, i64 3
-  %48 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  %49 = getelementptr inbounds double, ptr %13, i64 6
-  %50 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
-  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %54 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
-  %55 = getelementptr inbounds double, ptr %7, i64 1
-  %56 = getelementptr inbounds double, ptr %7, i64 2
-  %57 = getelementptr inbounds double, ptr %8, i64 1
-  %58 = getelementptr inbounds double, ptr %8, i64 2
-  %59 = getelementptr inbounds double, ptr %9, i64 1
-  %60 = getelementptr inbounds double, ptr %9, i64 2
-  %61 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %62 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
-  %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
-  %65 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
-  %67 = getelementptr inbounds double, ptr %24, i64 1
-  %68 = getelementptr inbounds double, ptr %24, i64 2
-  %69 = getelementptr inbounds double, ptr %25, i64 1
-  %70 = getelementptr inbounds double, ptr %25, i64 2
-  %71 = getelementptr inbounds double, ptr %21, i64 1
-  %72 = getelementptr inbounds double, ptr %21, i64 2
-  %73 = getelementptr inbounds double, ptr %22, i64 1
-  %74 = getelementptr inbounds double, ptr %22, i64 2
-  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %76 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %77 = getelementptr inbounds double, ptr %27, i64 1
-  %78 = getelementptr inbounds double, ptr %27, i64 2
-  %79 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
-  %80 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %82 = load i64, ptr %32, align 8
-  br label %84
+15:                                               ; preds = %5
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %20 = getelementptr inbounds double, ptr %9, i64 1
+  %21 = getelementptr inbounds double, ptr %9, i64 2
+  %22 = getelementptr inbounds double, ptr %10, i64 1
+  %23 = getelementptr inbounds double, ptr %10, i64 2
+  %24 = getelementptr inbounds double, ptr %6, i64 1
+  %25 = getelementptr inbounds double, ptr %6, i64 2
+  %26 = getelementptr inbounds double, ptr %7, i64 1
+  %27 = getelementptr inbounds double, ptr %7, i64 2
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %30 = getelementptr inbounds double, ptr %12, i64 1
+  %31 = getelementptr inbounds double, ptr %12, i64 2
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %35 = load i64, ptr %17, align 8
+  br label %37
 
-83:                                               ; preds = %710, %5
+36:                                               ; preds = %340, %5
   ret void
 
-84:                                               ; preds = %30, %710
-  %85 = phi i64 [ %82, %30 ], [ %712, %710 ]
-  %86 = phi ptr [ %1, %30 ], [ %713, %710 ]
-  %87 = phi ptr [ %4, %30 ], [ %715, %710 ]
-  %88 = phi i64 [ 0, %30 ], [ %711, %710 ]
-  %89 = shl nuw nsw i64 %88, 1
-  %90 = getelementptr inbounds i64, ptr %3, i64 %89
-  %91 = load i64, ptr %90, align 8
-  %92 = or i64 %89, 1
-  %93 = getelementptr inbounds i64, ptr %3, i64 %92
-  %94 = load i64, ptr %93, align 8
-  %95 = load ptr, ptr %31, align 8
-  %96 = getelementptr inbounds i64, ptr %95, i64 %91
-  %97 = load i64, ptr %96, align 8
-  %98 = getelementptr inbounds i64, ptr %95, i64 %94
-  %99 = load i64, ptr %98, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  %100 = icmp sgt i64 %85, 0
-  br i1 %100, label %103, label %114
+37:                                               ; preds = %15, %340
+  %38 = phi i64 [ %35, %15 ], [ %342, %340 ]
+  %39 = phi ptr [ %1, %15 ], [ %343, %340 ]
+  %40 = phi ptr [ %4, %15 ], [ %345, %340 ]
+  %41 = phi i64 [ 0, %15 ], [ %341, %340 ]
+  %42 = shl nuw nsw i64 %41, 1
+  %43 = getelementptr inbounds i64, ptr %3, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = or i64 %42, 1
+  %46 = getelementptr inbounds i64, ptr %3, i64 %45
+  %47 = load i64, ptr %46, align 8
+  %48 = load ptr, ptr %16, align 8
+  %49 = getelementptr inbounds i64, ptr %48, i64 %44
+  %50 = load i64, ptr %49, align 8
+  %51 = getelementptr inbounds i64, ptr %48, i64 %47
+  %52 = load i64, ptr %51, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  %53 = icmp sgt i64 %38, 0
+  br i1 %53, label %56, label %67
 
-101:                                              ; preds = %103
-  %102 = icmp eq i32 %111, 0
-  br i1 %102, label %442, label %114
+54:                                               ; preds = %56
+  %55 = icmp eq i32 %64, 0
+  br i1 %55, label %72, label %67
 
-103:                                              ; preds = %84, %103
-  %104 = phi i32 [ %111, %103 ], [ 1, %84 ]
-  %105 = phi i64 [ %112, %103 ], [ 0, %84 ]
-  %106 = getelementptr inbounds double, ptr %86, i64 %105
-  %107 = load double, ptr %106, align 8
-  %108 = call double @llvm.fabs.f64(double %107) #14
-  %109 = fcmp one double %108, 0x7FF0000000000000
-  %110 = zext i1 %109 to i32
-  %111 = and i32 %104, %110
-  %112 = add nuw nsw i64 %105, 1
-  %113 = icmp eq i64 %112, %85
-  br i1 %113, label %101, label %103
+56:                                               ; preds = %37, %56
+  %57 = phi i32 [ %64, %56 ], [ 1, %37 ]
+  %58 = phi i64 [ %65, %56 ], [ 0, %37 ]
+  %59 = getelementptr inbounds double, ptr %39, i64 %58
+  %60 = load double, ptr %59, align 8
+  %61 = call double @llvm.fabs.f64(double %60) #17
+  %62 = fcmp one double %61, 0x7FF0000000000000
+  %63 = zext i1 %62 to i32
+  %64 = and i32 %57, %63
+  %65 = add nuw nsw i64 %58, 1
+  %66 = icmp eq i64 %65, %38
+  br i1 %66, label %54, label %56
 
-114:                                              ; preds = %84, %101
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %86)
-  %115 = load ptr, ptr %33, align 8
-  %116 = getelementptr inbounds i64, ptr %115, i64 %91
-  %117 = load i64, ptr %116, align 8
-  %118 = icmp sgt i64 %117, 2
-  br i1 %118, label %442, label %119
+67:                                               ; preds = %37, %54
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %39)
+  %68 = call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %44, i64 noundef %47, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9)
+  %69 = icmp eq i32 %68, 0
+  br i1 %69, label %70, label %83
 
-119:                                              ; preds = %114
-  %120 = getelementptr inbounds i64, ptr %115, i64 %94
-  %121 = load i64, ptr %120, align 8
-  %122 = icmp eq i64 %121, 5
-  br i1 %122, label %442, label %123
+70:                                               ; preds = %67
+  %71 = load i64, ptr %17, align 8
+  br label %72
 
-123:                                              ; preds = %119
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %91, ptr noundef nonnull %10)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  %124 = load i64, ptr %120, align 8
-  switch i64 %124, label %273 [
-    i64 3, label %125
-    i64 4, label %224
-  ]
+72:                                               ; preds = %70, %54
+  %73 = phi i64 [ %71, %70 ], [ %38, %54 ]
+  %74 = icmp sgt i64 %73, -13
+  br i1 %74, label %75, label %340
 
-125:                                              ; preds = %123
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  %126 = load ptr, ptr %51, align 8
-  %127 = load ptr, ptr %31, align 8
-  %128 = getelementptr inbounds i64, ptr %127, i64 %94
-  %129 = load i64, ptr %128, align 8
-  %130 = mul nsw i64 %129, 12
-  %131 = getelementptr inbounds double, ptr %126, i64 %130
-  %132 = load ptr, ptr %52, align 8
-  %133 = mul nsw i64 %94, 12
-  %134 = getelementptr inbounds double, ptr %132, i64 %133
-  %135 = getelementptr inbounds double, ptr %134, i64 9
-  %136 = getelementptr inbounds double, ptr %134, i64 10
-  %137 = getelementptr inbounds double, ptr %134, i64 11
-  %138 = load double, ptr %135, align 8
-  %139 = load double, ptr %136, align 8
-  %140 = load double, ptr %137, align 8
-  br label %141
+75:                                               ; preds = %72
+  %76 = add i64 %73, 12
+  %77 = call i64 @llvm.smax.i64(i64 %76, i64 0)
+  br label %78
 
-141:                                              ; preds = %152, %125
-  %142 = phi i64 [ 0, %125 ], [ %163, %152 ]
-  %143 = mul nuw nsw i64 %142, 3
-  %144 = getelementptr inbounds double, ptr %131, i64 %143
-  %145 = add nuw nsw i64 %143, 1
-  %146 = getelementptr inbounds double, ptr %131, i64 %145
-  %147 = add nuw nsw i64 %143, 2
-  %148 = getelementptr inbounds double, ptr %131, i64 %147
-  %149 = load double, ptr %144, align 8
-  %150 = load double, ptr %146, align 8
-  %151 = load double, ptr %148, align 8
-  br label %165
+78:                                               ; preds = %75, %78
+  %79 = phi i64 [ %81, %78 ], [ 0, %75 ]
+  %80 = getelementptr inbounds double, ptr %40, i64 %79
+  store double 0x7FF8000000000000, ptr %80, align 8
+  %81 = add nuw i64 %79, 1
+  %82 = icmp eq i64 %79, %77
+  br i1 %82, label %340, label %78
 
-152:                                              ; preds = %165
-  %153 = fmul double %138, %149
-  %154 = fmul double %139, %150
-  %155 = fadd double %153, %154
-  %156 = fmul double %140, %151
-  %157 = fadd double %155, %156
-  %158 = add nuw nsw i64 %142, 9
-  %159 = getelementptr inbounds double, ptr %131, i64 %158
+83:                                               ; preds = %67
+  %84 = load ptr, ptr %18, align 8
+  %85 = mul nsw i64 %50, 12
+  %86 = mul nsw i64 %52, 12
+  br label %220
+
+87:                                               ; preds = %220
+  %88 = getelementptr inbounds double, ptr %84, i64 %86
+  %89 = load double, ptr %8, align 8
+  %90 = load ptr, ptr %19, align 8
+  %91 = getelementptr inbounds double, ptr %90, i64 %44
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %89, %92
+  %94 = getelementptr inbounds double, ptr %90, i64 %47
+  %95 = load double, ptr %94, align 8
+  %96 = fsub double %93, %95
+  store double %96, ptr %40, align 8
+  %97 = getelementptr inbounds double, ptr %40, i64 1
+  %98 = load double, ptr %9, align 16
+  %99 = load double, ptr %20, align 8
+  %100 = load double, ptr %21, align 16
+  br label %101
+
+101:                                              ; preds = %101, %87
+  %102 = phi i64 [ 0, %87 ], [ %117, %101 ]
+  %103 = getelementptr inbounds double, ptr %88, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = fmul double %104, %98
+  %106 = add nuw nsw i64 %102, 3
+  %107 = getelementptr inbounds double, ptr %88, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = fmul double %108, %99
+  %110 = fadd double %105, %109
+  %111 = add nuw nsw i64 %102, 6
+  %112 = getelementptr inbounds double, ptr %88, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %113, %100
+  %115 = fadd double %110, %114
+  %116 = getelementptr inbounds double, ptr %97, i64 %102
+  store double %115, ptr %116, align 8
+  %117 = add nuw nsw i64 %102, 1
+  %118 = icmp eq i64 %117, 3
+  br i1 %118, label %119, label %101
+
+119:                                              ; preds = %101
+  %120 = getelementptr inbounds double, ptr %84, i64 %85
+  %121 = getelementptr inbounds double, ptr %40, i64 4
+  %122 = load double, ptr %10, align 16
+  %123 = load double, ptr %22, align 8
+  %124 = load double, ptr %23, align 16
+  br label %125
+
+125:                                              ; preds = %125, %119
+  %126 = phi i64 [ 0, %119 ], [ %141, %125 ]
+  %127 = getelementptr inbounds double, ptr %120, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = fmul double %128, %122
+  %130 = add nuw nsw i64 %126, 3
+  %131 = getelementptr inbounds double, ptr %120, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fmul double %132, %123
+  %134 = fadd double %129, %133
+  %135 = add nuw nsw i64 %126, 6
+  %136 = getelementptr inbounds double, ptr %120, i64 %135
+  %137 = load double, ptr %136, align 8
+  %138 = fmul double %137, %124
+  %139 = fadd double %134, %138
+  %140 = getelementptr inbounds double, ptr %121, i64 %126
+  store double %139, ptr %140, align 8
+  %141 = add nuw nsw i64 %126, 1
+  %142 = icmp eq i64 %141, 3
+  br i1 %142, label %143, label %125
+
+143:                                              ; preds = %125
+  %144 = getelementptr inbounds double, ptr %40, i64 7
+  %145 = load double, ptr %6, align 16
+  %146 = getelementptr inbounds double, ptr %120, i64 9
+  %147 = load double, ptr %146, align 8
+  %148 = fsub double %145, %147
+  %149 = load double, ptr %24, align 8
+  %150 = getelementptr inbounds double, ptr %120, i64 10
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = load double, ptr %25, align 16
+  %154 = getelementptr inbounds double, ptr %120, i64 11
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %153, %155
+  br label %157
+
+157:                                              ; preds = %157, %143
+  %158 = phi i64 [ 0, %143 ], [ %173, %157 ]
+  %159 = getelementptr inbounds double, ptr %120, i64 %158
   %160 = load double, ptr %159, align 8
-  %161 = fadd double %157, %160
-  %162 = getelementptr inbounds double, ptr %16, i64 %158
-  store double %161, ptr %162, align 8
-  %163 = add nuw nsw i64 %142, 1
-  %164 = icmp eq i64 %163, 3
-  br i1 %164, label %185, label %141
+  %161 = fmul double %148, %160
+  %162 = add nuw nsw i64 %158, 3
+  %163 = getelementptr inbounds double, ptr %120, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %152, %164
+  %166 = fadd double %161, %165
+  %167 = add nuw nsw i64 %158, 6
+  %168 = getelementptr inbounds double, ptr %120, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %156, %169
+  %171 = fadd double %166, %170
+  %172 = getelementptr inbounds double, ptr %144, i64 %158
+  store double %171, ptr %172, align 8
+  %173 = add nuw nsw i64 %158, 1
+  %174 = icmp eq i64 %173, 3
+  br i1 %174, label %175, label %157
 
-165:                                              ; preds = %165, %141
-  %166 = phi i64 [ 0, %141 ], [ %182, %165 ]
-  %167 = getelementptr inbounds double, ptr %134, i64 %166
-  %168 = load double, ptr %167, align 8
-  %169 = fmul double %149, %168
-  %170 = add nuw nsw i64 %166, 3
-  %171 = getelementptr inbounds double, ptr %134, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = fmul double %150, %172
-  %174 = fadd double %169, %173
-  %175 = add nuw nsw i64 %166, 6
-  %176 = getelementptr inbounds double, ptr %134, i64 %175
-  %177 = load double, ptr %176, align 8
-  %178 = fmul double %151, %177
-  %179 = fadd double %174, %178
-  %180 = add nuw nsw i64 %166, %143
-  %181 = getelementptr inbounds double, ptr %16, i64 %180
-  store double %179, ptr %181, align 8
-  %182 = add nuw nsw i64 %166, 1
-  %183 = icmp eq i64 %182, 3
-  br i1 %183, label %152, label %165
+175:                                              ; preds = %157
+  %176 = getelementptr inbounds double, ptr %40, i64 10
+  %177 = load double, ptr %7, align 16
+  %178 = getelementptr inbounds double, ptr %88, i64 9
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %177, %179
+  %181 = load double, ptr %26, align 8
+  %182 = getelementptr inbounds double, ptr %88, i64 10
+  %183 = load double, ptr %182, align 8
+  %184 = fsub double %181, %183
+  %185 = load double, ptr %27, align 16
+  %186 = getelementptr inbounds double, ptr %88, i64 11
+  %187 = load double, ptr %186, align 8
+  %188 = fsub double %185, %187
+  br label %189
 
-184:                                              ; preds = %185
-  call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %196
+189:                                              ; preds = %189, %175
+  %190 = phi i64 [ 0, %175 ], [ %205, %189 ]
+  %191 = getelementptr inbounds double, ptr %88, i64 %190
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %180, %192
+  %194 = add nuw nsw i64 %190, 3
+  %195 = getelementptr inbounds double, ptr %88, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = fmul double %184, %196
+  %198 = fadd double %193, %197
+  %199 = add nuw nsw i64 %190, 6
+  %200 = getelementptr inbounds double, ptr %88, i64 %199
+  %201 = load double, ptr %200, align 8
+  %202 = fmul double %188, %201
+  %203 = fadd double %198, %202
+  %204 = getelementptr inbounds double, ptr %176, i64 %190
+  store double %203, ptr %204, align 8
+  %205 = add nuw nsw i64 %190, 1
+  %206 = icmp eq i64 %205, 3
+  br i1 %206, label %207, label %189
 
-185:                                              ; preds = %152, %185
-  %186 = phi i64 [ %194, %185 ], [ 0, %152 ]
-  %187 = mul nuw nsw i64 %186, 3
-  %188 = add nuw nsw i64 %187, 2
-  %189 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %188
-  %190 = load double, ptr %189, align 8
-  %191 = getelementptr inbounds double, ptr %24, i64 %186
-  store double %190, ptr %191, align 8
-  %192 = fneg double %190
-  %193 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %186
-  store double %192, ptr %193, align 8
-  %194 = add nuw nsw i64 %186, 1
-  %195 = icmp eq i64 %194, 3
-  br i1 %195, label %184, label %185
+207:                                              ; preds = %189
+  %208 = getelementptr inbounds double, ptr %40, i64 13
+  %209 = load i64, ptr %17, align 8
+  %210 = shl i64 %209, 3
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 %208, i8 0, i64 %210, i1 false)
+  %211 = load i64, ptr %0, align 8
+  %212 = icmp slt i64 %211, 1
+  br i1 %212, label %340, label %213
 
-196:                                              ; preds = %196, %184
-  %197 = phi i64 [ 0, %184 ], [ %209, %196 ]
-  %198 = phi double [ 0.000000e+00, %184 ], [ %208, %196 ]
-  %199 = getelementptr inbounds double, ptr %24, i64 %197
-  %200 = load double, ptr %199, align 8
-  %201 = getelementptr inbounds double, ptr %21, i64 %197
-  %202 = load double, ptr %201, align 8
-  %203 = add nuw nsw i64 %197, 9
-  %204 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %203
-  %205 = load double, ptr %204, align 8
-  %206 = fsub double %202, %205
-  %207 = fmul double %200, %206
-  %208 = fadd double %198, %207
-  %209 = add nuw nsw i64 %197, 1
-  %210 = icmp eq i64 %209, 3
-  br i1 %210, label %211, label %196
+213:                                              ; preds = %207
+  %214 = load ptr, ptr %18, align 8
+  %215 = load ptr, ptr %28, align 8
+  %216 = load ptr, ptr %29, align 8
+  %217 = add nuw i64 %211, 1
+  %218 = load ptr, ptr %33, align 8
+  %219 = load ptr, ptr %34, align 8
+  br label %228
 
-211:                                              ; preds = %196
-  store double %208, ptr %23, align 8
-  br label %213
+220:                                              ; preds = %83, %220
+  %221 = phi i64 [ 0, %83 ], [ %226, %220 ]
+  %222 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %221
+  %223 = load double, ptr %222, align 8
+  %224 = fneg double %223
+  %225 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %221
+  store double %224, ptr %225, align 8
+  %226 = add nuw nsw i64 %221, 1
+  %227 = icmp eq i64 %226, 3
+  br i1 %227, label %87, label %220
 
-212:                                              ; preds = %213
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %453
+228:                                              ; preds = %213, %262
+  %229 = phi i64 [ 1, %213 ], [ %272, %262 ]
+  %230 = mul nuw nsw i64 %229, 12
+  %231 = getelementptr inbounds double, ptr %214, i64 %230
+  %232 = add nsw i64 %229, -1
+  %233 = mul nuw nsw i64 %232, 3
+  %234 = getelementptr inbounds double, ptr %215, i64 %233
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  %235 = load double, ptr %234, align 8
+  %236 = getelementptr inbounds double, ptr %234, i64 1
+  %237 = load double, ptr %236, align 8
+  %238 = getelementptr inbounds double, ptr %234, i64 2
+  %239 = load double, ptr %238, align 8
+  br label %245
 
-213:                                              ; preds = %211, %213
-  %214 = phi i64 [ %222, %213 ], [ 0, %211 ]
-  %215 = getelementptr inbounds double, ptr %21, i64 %214
-  %216 = load double, ptr %215, align 8
-  %217 = getelementptr inbounds double, ptr %24, i64 %214
-  %218 = load double, ptr %217, align 8
-  %219 = fmul double %208, %218
-  %220 = fsub double %216, %219
-  %221 = getelementptr inbounds double, ptr %22, i64 %214
-  store double %220, ptr %221, align 8
-  %222 = add nuw nsw i64 %214, 1
-  %223 = icmp eq i64 %222, 3
-  br i1 %223, label %212, label %213
+240:                                              ; preds = %245
+  %241 = getelementptr inbounds double, ptr %231, i64 9
+  %242 = getelementptr inbounds double, ptr %231, i64 10
+  %243 = getelementptr inbounds double, ptr %231, i64 11
+  %244 = load double, ptr %11, align 16
+  br label %274
 
-224:                                              ; preds = %123
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
-  store double 0x7FF0000000000000, ptr %18, align 8
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %19) #15
-  store ptr %0, ptr %19, align 8
-  store i64 %91, ptr %34, align 8
-  store ptr %10, ptr %35, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %36, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %37, align 8
-  store ptr %18, ptr %38, align 8
-  store ptr null, ptr %39, align 8
-  store i32 0, ptr %40, align 8
-  store i64 -1, ptr %41, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %42, i8 0, i64 40, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %94, ptr noundef null)
-  %225 = load double, ptr %18, align 8
-  %226 = fcmp ord double %225, 0.000000e+00
-  %227 = load i64, ptr %41, align 8
-  %228 = icmp sgt i64 %227, -1
-  %229 = select i1 %226, i1 %228, i1 false
-  br i1 %229, label %230, label %437
-
-230:                                              ; preds = %224
-  %231 = load ptr, ptr %43, align 8
-  %232 = mul nsw i64 %227, 9
-  %233 = getelementptr inbounds double, ptr %231, i64 %232
-  br label %234
-
-234:                                              ; preds = %264, %230
-  %235 = phi i64 [ 0, %230 ], [ %268, %264 ]
-  %236 = phi i32 [ 1, %230 ], [ %267, %264 ]
-  %237 = mul nuw nsw i64 %235, 3
-  br label %247
-
-238:                                              ; preds = %247
-  %239 = add nuw nsw i64 %235, 3
-  %240 = getelementptr inbounds double, ptr %233, i64 %239
-  %241 = load double, ptr %240, align 8
-  %242 = getelementptr inbounds double, ptr %233, i64 %235
-  %243 = load double, ptr %242, align 8
-  %244 = fsub double %241, %243
-  %245 = call double @llvm.fabs.f64(double %244)
-  %246 = fcmp olt double %245, 3.000000e-07
-  br i1 %246, label %257, label %264
-
-247:                                              ; preds = %247, %234
-  %248 = phi i64 [ 0, %234 ], [ %255, %247 ]
-  %249 = mul nuw nsw i64 %248, 3
-  %250 = add nuw nsw i64 %249, %235
-  %251 = getelementptr inbounds double, ptr %233, i64 %250
+245:                                              ; preds = %228, %245
+  %246 = phi i64 [ 0, %228 ], [ %260, %245 ]
+  %247 = mul nuw nsw i64 %246, 3
+  %248 = getelementptr inbounds double, ptr %231, i64 %247
+  %249 = load double, ptr %248, align 8
+  %250 = fmul double %249, %235
+  %251 = getelementptr inbounds double, ptr %248, i64 1
   %252 = load double, ptr %251, align 8
-  %253 = add nuw nsw i64 %248, %237
-  %254 = getelementptr inbounds double, ptr %13, i64 %253
-  store double %252, ptr %254, align 8
-  %255 = add nuw nsw i64 %248, 1
-  %256 = icmp eq i64 %255, 3
-  br i1 %256, label %238, label %247
+  %253 = fmul double %252, %237
+  %254 = fadd double %250, %253
+  %255 = getelementptr inbounds double, ptr %248, i64 2
+  %256 = load double, ptr %255, align 8
+  %257 = fmul double %256, %239
+  %258 = fadd double %254, %257
+  %259 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %246
+  store double %258, ptr %259, align 8
+  %260 = add nuw nsw i64 %246, 1
+  %261 = icmp eq i64 %260, 3
+  br i1 %261, label %240, label %245
 
-257:                                              ; preds = %238
-  %258 = add nuw nsw i64 %235, 6
-  %259 = getelementptr inbounds double, ptr %233, i64 %258
-  %260 = load double, ptr %259, align 8
-  %261 = fsub double %260, %243
-  %262 = call double @llvm.fabs.f64(double %261)
-  %263 = fcmp olt double %262, 3.000000e-07
-  br label %264
+262:                                              ; preds = %338
+  %263 = getelementptr inbounds double, ptr %218, i64 %232
+  %264 = load double, ptr %263, align 8
+  %265 = fmul double %339, %264
+  %266 = getelementptr inbounds i64, ptr %219, i64 %232
+  %267 = load i64, ptr %266, align 8
+  %268 = add nsw i64 %267, 13
+  %269 = getelementptr inbounds double, ptr %40, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fadd double %265, %270
+  store double %271, ptr %269, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  %272 = add nuw i64 %229, 1
+  %273 = icmp eq i64 %229, %211
+  br i1 %273, label %340, label %228
 
-264:                                              ; preds = %257, %238
-  %265 = phi i1 [ false, %238 ], [ %263, %257 ]
-  %266 = zext i1 %265 to i32
-  %267 = and i32 %236, %266
-  %268 = add nuw nsw i64 %235, 1
-  %269 = icmp eq i64 %268, 3
-  br i1 %269, label %270, label %234
+274:                                              ; preds = %240, %338
+  %275 = phi i1 [ true, %240 ], [ false, %338 ]
+  %276 = phi double [ 0.000000e+00, %240 ], [ %339, %338 ]
+  %277 = select i1 %275, i64 %50, i64 %52
+  %278 = mul nsw i64 %277, %217
+  %279 = add nsw i64 %278, %229
+  %280 = getelementptr inbounds i64, ptr %216, i64 %279
+  %281 = load i64, ptr %280, align 8
+  %282 = icmp eq i64 %281, 0
+  br i1 %282, label %338, label %283
 
-270:                                              ; preds = %264
-  store i64 0, ptr %11, align 8
-  %271 = icmp eq i32 %267, 0
-  %272 = select i1 %271, i64 3, i64 1
-  store i64 %272, ptr %44, align 8
-  store ptr @place.still, ptr %45, align 8
-  store ptr %13, ptr %46, align 8
-  store ptr %47, ptr %48, align 8
-  store ptr %49, ptr %50, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %42, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  br label %289
+283:                                              ; preds = %274
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  %284 = select i1 %275, double %145, double %177
+  %285 = load double, ptr %241, align 8
+  %286 = fsub double %284, %285
+  store double %286, ptr %12, align 16
+  %287 = select i1 %275, double %149, double %181
+  %288 = load double, ptr %242, align 8
+  %289 = fsub double %287, %288
+  store double %289, ptr %30, align 8
+  %290 = select i1 %275, double %153, double %185
+  %291 = load double, ptr %243, align 8
+  %292 = fsub double %290, %291
+  store double %292, ptr %31, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  br label %293
 
-273:                                              ; preds = %123
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %94, ptr noundef nonnull %11)
-  %274 = load ptr, ptr %53, align 8
-  %275 = mul nsw i64 %91, 3
-  %276 = mul nsw i64 %94, 3
-  br label %277
+293:                                              ; preds = %293, %283
+  %294 = phi i64 [ 0, %283 ], [ %295, %293 ]
+  %295 = add nuw nsw i64 %294, 1
+  %296 = icmp ult i64 %294, 2
+  %297 = add nuw nsw i64 %294, 4294967294
+  %298 = select i1 %296, i64 %295, i64 %297
+  %299 = and i64 %298, 4294967295
+  %300 = getelementptr inbounds double, ptr %11, i64 %299
+  %301 = load double, ptr %300, align 8
+  %302 = icmp eq i64 %294, 0
+  %303 = add nuw nsw i64 %294, 4294967295
+  %304 = and i64 %303, 4294967295
+  %305 = select i1 %302, i64 2, i64 %304
+  %306 = getelementptr inbounds double, ptr %12, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fmul double %301, %307
+  %309 = getelementptr inbounds double, ptr %11, i64 %305
+  %310 = load double, ptr %309, align 8
+  %311 = getelementptr inbounds double, ptr %12, i64 %299
+  %312 = load double, ptr %311, align 8
+  %313 = fmul double %310, %312
+  %314 = fsub double %308, %313
+  %315 = getelementptr inbounds double, ptr %13, i64 %294
+  store double %314, ptr %315, align 8
+  %316 = icmp eq i64 %295, 3
+  br i1 %316, label %317, label %293
 
-277:                                              ; preds = %277, %273
-  %278 = phi i64 [ 0, %273 ], [ %287, %277 ]
-  %279 = add nsw i64 %278, %275
-  %280 = getelementptr inbounds double, ptr %274, i64 %279
-  %281 = load double, ptr %280, align 8
-  %282 = add nsw i64 %278, %276
-  %283 = getelementptr inbounds double, ptr %274, i64 %282
-  %284 = load double, ptr %283, align 8
-  %285 = fsub double %281, %284
-  %286 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %278
-  store double %285, ptr %286, align 8
-  %287 = add nuw nsw i64 %278, 1
-  %288 = icmp eq i64 %287, 3
-  br i1 %288, label %289, label %277
+317:                                              ; preds = %293
+  %318 = load ptr, ptr %32, align 8
+  %319 = getelementptr inbounds i64, ptr %318, i64 %232
+  %320 = load i64, ptr %319, align 8
+  %321 = icmp eq i64 %320, 0
+  %322 = load double, ptr %13, align 16
+  %323 = select i1 %321, double %322, double %244
+  %324 = fmul double %98, %323
+  %325 = select i1 %321, ptr %13, ptr %11
+  %326 = getelementptr inbounds double, ptr %325, i64 1
+  %327 = load double, ptr %326, align 8
+  %328 = fmul double %99, %327
+  %329 = fadd double %324, %328
+  %330 = select i1 %321, ptr %13, ptr %11
+  %331 = getelementptr inbounds double, ptr %330, i64 2
+  %332 = load double, ptr %331, align 16
+  %333 = fmul double %100, %332
+  %334 = fadd double %329, %333
+  %335 = fneg double %334
+  %336 = select i1 %275, double %334, double %335
+  %337 = fadd double %276, %336
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  br label %338
 
-289:                                              ; preds = %277, %270
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
-  %290 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %291 = icmp eq i32 %290, 0
-  br i1 %291, label %292, label %303
+338:                                              ; preds = %274, %317
+  %339 = phi double [ %337, %317 ], [ %276, %274 ]
+  br i1 %275, label %274, label %262
 
-292:                                              ; preds = %289
-  %293 = load ptr, ptr %33, align 8
-  %294 = getelementptr inbounds i64, ptr %293, i64 %94
-  %295 = load i64, ptr %294, align 8
-  %296 = icmp eq i64 %295, 4
-  br i1 %296, label %438, label %297
-
-297:                                              ; preds = %292
-  %298 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
-  %299 = icmp eq i32 %298, 0
-  br i1 %299, label %438, label %300
-
-300:                                              ; preds = %297
-  %301 = load double, ptr %23, align 8
-  %302 = fneg double %301
-  store double %302, ptr %23, align 8
-  br label %439
-
-303:                                              ; preds = %289
-  %304 = load double, ptr %15, align 8
-  %305 = load double, ptr %14, align 8
-  %306 = fsub double %304, %305
-  %307 = fcmp ogt double %306, 1.000000e-08
-  %308 = fcmp olt double %304, 0x3EB0C6F7A0B5ED8D
-  %309 = or i1 %308, %307
-  br i1 %309, label %438, label %310
-
-310:                                              ; preds = %303
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %311 = load i32, ptr %54, align 8
-  %312 = add i32 %311, -4
-  %313 = icmp ult i32 %312, -3
-  br i1 %313, label %418, label %314
-
-314:                                              ; preds = %310
-  %315 = icmp ugt i32 %311, 1
-  br i1 %315, label %316, label %391
-
-316:                                              ; preds = %314
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %317 = icmp eq i32 %311, 3
-  br label %335
-
-318:                                              ; preds = %352
-  %319 = load double, ptr %7, align 16
-  %320 = fmul double %319, %319
-  %321 = load double, ptr %55, align 8
-  %322 = fmul double %321, %321
-  %323 = fadd double %320, %322
-  %324 = load double, ptr %56, align 16
-  %325 = fmul double %324, %324
-  %326 = fadd double %323, %325
-  %327 = load double, ptr %8, align 16
-  %328 = fmul double %319, %327
-  %329 = load double, ptr %57, align 8
-  %330 = fmul double %321, %329
-  %331 = fadd double %328, %330
-  %332 = load double, ptr %58, align 16
-  %333 = fmul double %324, %332
-  %334 = fadd double %331, %333
-  br i1 %317, label %355, label %361
-
-335:                                              ; preds = %352, %316
-  %336 = phi i64 [ 0, %316 ], [ %353, %352 ]
-  %337 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %336
-  %338 = load double, ptr %337, align 8
-  %339 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %336
-  %340 = load double, ptr %339, align 8
-  %341 = fsub double %338, %340
-  %342 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %336
-  store double %341, ptr %342, align 8
-  %343 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %336
-  %344 = load double, ptr %343, align 8
-  %345 = fsub double %344, %340
-  %346 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %336
-  store double %345, ptr %346, align 8
-  br i1 %317, label %347, label %352
-
-347:                                              ; preds = %335
-  %348 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %336
-  %349 = load double, ptr %348, align 8
-  %350 = fsub double %349, %340
-  %351 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %336
-  store double %350, ptr %351, align 8
-  br label %352
-
-352:                                              ; preds = %347, %335
-  %353 = add nuw nsw i64 %336, 1
-  %354 = icmp eq i64 %353, 3
-  br i1 %354, label %318, label %335
-
-355:                                              ; preds = %318
-  %356 = fmul double %327, %327
-  %357 = fmul double %329, %329
-  %358 = fadd double %356, %357
-  %359 = fmul double %332, %332
-  %360 = fadd double %358, %359
-  br label %361
-
-361:                                              ; preds = %355, %318
-  %362 = phi double [ %360, %355 ], [ 1.000000e+00, %318 ]
-  %363 = fmul double %326, %362
-  %364 = fmul double %334, %334
-  %365 = fsub double %363, %364
-  %366 = fcmp ogt double %365, 0.000000e+00
-  br i1 %366, label %367, label %417
-
-367:                                              ; preds = %361
-  %368 = load double, ptr %9, align 16
-  %369 = fmul double %319, %368
-  %370 = load double, ptr %59, align 8
-  %371 = fmul double %321, %370
-  %372 = fadd double %369, %371
-  %373 = load double, ptr %60, align 16
-  %374 = fmul double %324, %373
-  %375 = fadd double %372, %374
-  %376 = fmul double %362, %375
-  %377 = fmul double %327, %368
-  %378 = fmul double %329, %370
-  %379 = fadd double %377, %378
-  %380 = fmul double %332, %373
-  %381 = fadd double %379, %380
-  %382 = fmul double %334, %381
-  %383 = fsub double %376, %382
-  %384 = fdiv double %383, %365
-  store double %384, ptr %61, align 8
-  %385 = fmul double %326, %381
-  %386 = fmul double %334, %375
-  %387 = fsub double %385, %386
-  %388 = fdiv double %387, %365
-  store double %388, ptr %62, align 16
-  %389 = fsub double 1.000000e+00, %384
-  %390 = fsub double %389, %388
-  store double %390, ptr %6, align 16
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %391
-
-391:                                              ; preds = %367, %314
-  %392 = icmp sgt i32 %311, 0
-  %393 = zext i32 %311 to i64
-  br label %394
-
-394:                                              ; preds = %398, %391
-  %395 = phi i64 [ 0, %391 ], [ %404, %398 ]
-  %396 = getelementptr inbounds double, ptr %21, i64 %395
-  store double 0.000000e+00, ptr %396, align 8
-  br i1 %392, label %406, label %398
-
-397:                                              ; preds = %406
-  store double %414, ptr %396, align 8
-  br label %398
-
-398:                                              ; preds = %397, %394
-  %399 = phi double [ 0.000000e+00, %394 ], [ %414, %397 ]
-  %400 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %395
-  %401 = load double, ptr %400, align 8
-  %402 = fsub double %399, %401
-  %403 = getelementptr inbounds double, ptr %22, i64 %395
-  store double %402, ptr %403, align 8
-  %404 = add nuw nsw i64 %395, 1
-  %405 = icmp eq i64 %404, 3
-  br i1 %405, label %419, label %394
-
-406:                                              ; preds = %394, %406
-  %407 = phi i64 [ %415, %406 ], [ 0, %394 ]
-  %408 = phi double [ %414, %406 ], [ 0.000000e+00, %394 ]
-  %409 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %407
-  %410 = load double, ptr %409, align 8
-  %411 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %407, i64 %395
-  %412 = load double, ptr %411, align 8
-  %413 = fmul double %410, %412
-  %414 = fadd double %408, %413
-  %415 = add nuw nsw i64 %407, 1
-  %416 = icmp eq i64 %415, %393
-  br i1 %416, label %397, label %406
-
-417:                                              ; preds = %361
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %418
-
-418:                                              ; preds = %417, %310
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %438
-
-419:                                              ; preds = %398
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %420 = load double, ptr %63, align 8
-  %421 = fmul double %420, %420
-  %422 = load double, ptr %64, align 8
-  %423 = fmul double %422, %422
-  %424 = fadd double %421, %423
-  %425 = load double, ptr %65, align 8
-  %426 = fmul double %425, %425
-  %427 = fadd double %424, %426
-  %428 = call double @llvm.sqrt.f64(double %427)
-  store double %428, ptr %23, align 8
-  br label %429
-
-429:                                              ; preds = %429, %419
-  %430 = phi i64 [ 0, %419 ], [ %435, %429 ]
-  %431 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %430
-  %432 = load double, ptr %431, align 8
-  %433 = fdiv double %432, %428
-  %434 = getelementptr inbounds double, ptr %24, i64 %430
-  store double %433, ptr %434, align 8
-  %435 = add nuw nsw i64 %430, 1
-  %436 = icmp eq i64 %435, 3
-  br i1 %436, label %439, label %429
-
-437:                                              ; preds = %224
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %442
-
-438:                                              ; preds = %297, %292, %303, %418
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %442
-
-439:                                              ; preds = %429, %300
-  %440 = phi double [ %302, %300 ], [ %428, %429 ]
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  %441 = load ptr, ptr %51, align 8
-  br label %453
-
-442:                                              ; preds = %114, %119, %438, %437, %101
-  %443 = load i64, ptr %32, align 8
-  %444 = icmp sgt i64 %443, -13
-  br i1 %444, label %445, label %710
-
-445:                                              ; preds = %442
-  %446 = add i64 %443, 12
-  %447 = call i64 @llvm.smax.i64(i64 %446, i64 0)
-  br label %448
-
-448:                                              ; preds = %445, %448
-  %449 = phi i64 [ %451, %448 ], [ 0, %445 ]
-  %450 = getelementptr inbounds double, ptr %87, i64 %449
-  store double 0x7FF8000000000000, ptr %450, align 8
-  %451 = add nuw i64 %449, 1
-  %452 = icmp eq i64 %449, %447
-  br i1 %452, label %710, label %448
-
-453:                                              ; preds = %439, %212
-  %454 = phi double [ %440, %439 ], [ %208, %212 ]
-  %455 = phi ptr [ %441, %439 ], [ %126, %212 ]
-  %456 = mul nsw i64 %97, 12
-  %457 = mul nsw i64 %99, 12
-  br label %590
-
-458:                                              ; preds = %590
-  %459 = getelementptr inbounds double, ptr %455, i64 %457
-  %460 = load ptr, ptr %66, align 8
-  %461 = getelementptr inbounds double, ptr %460, i64 %91
-  %462 = load double, ptr %461, align 8
-  %463 = fsub double %454, %462
-  %464 = getelementptr inbounds double, ptr %460, i64 %94
-  %465 = load double, ptr %464, align 8
-  %466 = fsub double %463, %465
-  store double %466, ptr %87, align 8
-  %467 = getelementptr inbounds double, ptr %87, i64 1
-  %468 = load double, ptr %24, align 16
-  %469 = load double, ptr %67, align 8
-  %470 = load double, ptr %68, align 16
-  br label %471
-
-471:                                              ; preds = %471, %458
-  %472 = phi i64 [ 0, %458 ], [ %487, %471 ]
-  %473 = getelementptr inbounds double, ptr %459, i64 %472
-  %474 = load double, ptr %473, align 8
-  %475 = fmul double %474, %468
-  %476 = add nuw nsw i64 %472, 3
-  %477 = getelementptr inbounds double, ptr %459, i64 %476
-  %478 = load double, ptr %477, align 8
-  %479 = fmul double %478, %469
-  %480 = fadd double %475, %479
-  %481 = add nuw nsw i64 %472, 6
-  %482 = getelementptr inbounds double, ptr %459, i64 %481
-  %483 = load double, ptr %482, align 8
-  %484 = fmul double %483, %470
-  %485 = fadd double %480, %484
-  %486 = getelementptr inbounds double, ptr %467, i64 %472
-  store double %485, ptr %486, align 8
-  %487 = add nuw nsw i64 %472, 1
-  %488 = icmp eq i64 %487, 3
-  br i1 %488, label %489, label %471
-
-489:                                              ; preds = %471
-  %490 = getelementptr inbounds double, ptr %455, i64 %456
-  %491 = getelementptr inbounds double, ptr %87, i64 4
-  %492 = load double, ptr %25, align 16
-  %493 = load double, ptr %69, align 8
-  %494 = load double, ptr %70, align 16
-  br label %495
-
-495:                                              ; preds = %495, %489
-  %496 = phi i64 [ 0, %489 ], [ %511, %495 ]
-  %497 = getelementptr inbounds double, ptr %490, i64 %496
-  %498 = load double, ptr %497, align 8
-  %499 = fmul double %498, %492
-  %500 = add nuw nsw i64 %496, 3
-  %501 = getelementptr inbounds double, ptr %490, i64 %500
-  %502 = load double, ptr %501, align 8
-  %503 = fmul double %502, %493
-  %504 = fadd double %499, %503
-  %505 = add nuw nsw i64 %496, 6
-  %506 = getelementptr inbounds double, ptr %490, i64 %505
-  %507 = load double, ptr %506, align 8
-  %508 = fmul double %507, %494
-  %509 = fadd double %504, %508
-  %510 = getelementptr inbounds double, ptr %491, i64 %496
-  store double %509, ptr %510, align 8
-  %511 = add nuw nsw i64 %496, 1
-  %512 = icmp eq i64 %511, 3
-  br i1 %512, label %513, label %495
-
-513:                                              ; preds = %495
-  %514 = getelementptr inbounds double, ptr %87, i64 7
-  %515 = load double, ptr %21, align 16
-  %516 = getelementptr inbounds double, ptr %490, i64 9
-  %517 = load double, ptr %516, align 8
-  %518 = fsub double %515, %517
-  %519 = load double, ptr %71, align 8
-  %520 = getelementptr inbounds double, ptr %490, i64 10
-  %521 = load double, ptr %520, align 8
-  %522 = fsub double %519, %521
-  %523 = load double, ptr %72, align 16
-  %524 = getelementptr inbounds double, ptr %490, i64 11
-  %525 = load double, ptr %524, align 8
-  %526 = fsub double %523, %525
-  br label %527
-
-527:                                              ; preds = %527, %513
-  %528 = phi i64 [ 0, %513 ], [ %543, %527 ]
-  %529 = getelementptr inbounds double, ptr %490, i64 %528
-  %530 = load double, ptr %529, align 8
-  %531 = fmul double %518, %530
-  %532 = add nuw nsw i64 %528, 3
-  %533 = getelementptr inbounds double, ptr %490, i64 %532
-  %534 = load double, ptr %533, align 8
-  %535 = fmul double %522, %534
-  %536 = fadd double %531, %535
-  %537 = add nuw nsw i64 %528, 6
-  %538 = getelementptr inbounds double, ptr %490, i64 %537
-  %539 = load double, ptr %538, align 8
-  %540 = fmul double %526, %539
-  %541 = fadd double %536, %540
-  %542 = getelementptr inbounds double, ptr %514, i64 %528
-  store double %541, ptr %542, align 8
-  %543 = add nuw nsw i64 %528, 1
-  %544 = icmp eq i64 %543, 3
-  br i1 %544, label %545, label %527
-
-545:                                              ; preds = %527
-  %546 = getelementptr inbounds double, ptr %87, i64 10
-  %547 = load double, ptr %22, align 16
-  %548 = getelementptr inbounds double, ptr %459, i64 9
-  %549 = load double, ptr %548, align 8
-  %550 = fsub double %547, %549
-  %551 = load double, ptr %73, align 8
-  %552 = getelementptr inbounds double, ptr %459, i64 10
-  %553 = load double, ptr %552, align 8
-  %554 = fsub double %551, %553
-  %555 = load double, ptr %74, align 16
-  %556 = getelementptr inbounds double, ptr %459, i64 11
-  %557 = load double, ptr %556, align 8
-  %558 = fsub double %555, %557
-  br label %559
-
-559:                                              ; preds = %559, %545
-  %560 = phi i64 [ 0, %545 ], [ %575, %559 ]
-  %561 = getelementptr inbounds double, ptr %459, i64 %560
-  %562 = load double, ptr %561, align 8
-  %563 = fmul double %550, %562
-  %564 = add nuw nsw i64 %560, 3
-  %565 = getelementptr inbounds double, ptr %459, i64 %564
-  %566 = load double, ptr %565, align 8
-  %567 = fmul double %554, %566
-  %568 = fadd double %563, %567
-  %569 = add nuw nsw i64 %560, 6
-  %570 = getelementptr inbounds double, ptr %459, i64 %569
-  %571 = load double, ptr %570, align 8
-  %572 = fmul double %558, %571
-  %573 = fadd double %568, %572
-  %574 = getelementptr inbounds double, ptr %546, i64 %560
-  store double %573, ptr %574, align 8
-  %575 = add nuw nsw i64 %560, 1
-  %576 = icmp eq i64 %575, 3
-  br i1 %576, label %577, label %559
-
-577:                                              ; preds = %559
-  %578 = getelementptr inbounds double, ptr %87, i64 13
-  %579 = load i64, ptr %32, align 8
-  %580 = shl i64 %579, 3
-  call void @llvm.memset.p0.i64(ptr nonnull align 8 %578, i8 0, i64 %580, i1 false)
-  %581 = load i64, ptr %0, align 8
-  %582 = icmp slt i64 %581, 1
-  br i1 %582, label %710, label %583
-
-583:                                              ; preds = %577
-  %584 = load ptr, ptr %51, align 8
-  %585 = load ptr, ptr %75, align 8
-  %586 = load ptr, ptr %76, align 8
-  %587 = add nuw i64 %581, 1
-  %588 = load ptr, ptr %80, align 8
-  %589 = load ptr, ptr %81, align 8
-  br label %598
-
-590:                                              ; preds = %453, %590
-  %591 = phi i64 [ 0, %453 ], [ %596, %590 ]
-  %592 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %591
-  %593 = load double, ptr %592, align 8
-  %594 = fneg double %593
-  %595 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %591
-  store double %594, ptr %595, align 8
-  %596 = add nuw nsw i64 %591, 1
-  %597 = icmp eq i64 %596, 3
-  br i1 %597, label %458, label %590
-
-598:                                              ; preds = %583, %632
-  %599 = phi i64 [ 1, %583 ], [ %642, %632 ]
-  %600 = mul nuw nsw i64 %599, 12
-  %601 = getelementptr inbounds double, ptr %584, i64 %600
-  %602 = add nsw i64 %599, -1
-  %603 = mul nuw nsw i64 %602, 3
-  %604 = getelementptr inbounds double, ptr %585, i64 %603
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %605 = load double, ptr %604, align 8
-  %606 = getelementptr inbounds double, ptr %604, i64 1
-  %607 = load double, ptr %606, align 8
-  %608 = getelementptr inbounds double, ptr %604, i64 2
-  %609 = load double, ptr %608, align 8
-  br label %615
-
-610:                                              ; preds = %615
-  %611 = getelementptr inbounds double, ptr %601, i64 9
-  %612 = getelementptr inbounds double, ptr %601, i64 10
-  %613 = getelementptr inbounds double, ptr %601, i64 11
-  %614 = load double, ptr %26, align 16
-  br label %644
-
-615:                                              ; preds = %598, %615
-  %616 = phi i64 [ 0, %598 ], [ %630, %615 ]
-  %617 = mul nuw nsw i64 %616, 3
-  %618 = getelementptr inbounds double, ptr %601, i64 %617
-  %619 = load double, ptr %618, align 8
-  %620 = fmul double %619, %605
-  %621 = getelementptr inbounds double, ptr %618, i64 1
-  %622 = load double, ptr %621, align 8
-  %623 = fmul double %622, %607
-  %624 = fadd double %620, %623
-  %625 = getelementptr inbounds double, ptr %618, i64 2
-  %626 = load double, ptr %625, align 8
-  %627 = fmul double %626, %609
-  %628 = fadd double %624, %627
-  %629 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %616
-  store double %628, ptr %629, align 8
-  %630 = add nuw nsw i64 %616, 1
-  %631 = icmp eq i64 %630, 3
-  br i1 %631, label %610, label %615
-
-632:                                              ; preds = %708
-  %633 = getelementptr inbounds double, ptr %588, i64 %602
-  %634 = load double, ptr %633, align 8
-  %635 = fmul double %709, %634
-  %636 = getelementptr inbounds i64, ptr %589, i64 %602
-  %637 = load i64, ptr %636, align 8
-  %638 = add nsw i64 %637, 13
-  %639 = getelementptr inbounds double, ptr %87, i64 %638
-  %640 = load double, ptr %639, align 8
-  %641 = fadd double %635, %640
-  store double %641, ptr %639, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  %642 = add nuw i64 %599, 1
-  %643 = icmp eq i64 %599, %581
-  br i1 %643, label %710, label %598
-
-644:                                              ; preds = %610, %708
-  %645 = phi i1 [ true, %610 ], [ false, %708 ]
-  %646 = phi double [ 0.000000e+00, %610 ], [ %709, %708 ]
-  %647 = select i1 %645, i64 %97, i64 %99
-  %648 = mul nsw i64 %647, %587
-  %649 = add nsw i64 %648, %599
-  %650 = getelementptr inbounds i64, ptr %586, i64 %649
-  %651 = load i64, ptr %650, align 8
-  %652 = icmp eq i64 %651, 0
-  br i1 %652, label %708, label %653
-
-653:                                              ; preds = %644
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
-  %654 = select i1 %645, double %515, double %547
-  %655 = load double, ptr %611, align 8
-  %656 = fsub double %654, %655
-  store double %656, ptr %27, align 16
-  %657 = select i1 %645, double %519, double %551
-  %658 = load double, ptr %612, align 8
-  %659 = fsub double %657, %658
-  store double %659, ptr %77, align 8
-  %660 = select i1 %645, double %523, double %555
-  %661 = load double, ptr %613, align 8
-  %662 = fsub double %660, %661
-  store double %662, ptr %78, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #15
-  br label %663
-
-663:                                              ; preds = %663, %653
-  %664 = phi i64 [ 0, %653 ], [ %665, %663 ]
-  %665 = add nuw nsw i64 %664, 1
-  %666 = icmp ult i64 %664, 2
-  %667 = add nuw nsw i64 %664, 4294967294
-  %668 = select i1 %666, i64 %665, i64 %667
-  %669 = and i64 %668, 4294967295
-  %670 = getelementptr inbounds double, ptr %26, i64 %669
-  %671 = load double, ptr %670, align 8
-  %672 = icmp eq i64 %664, 0
-  %673 = add nuw nsw i64 %664, 4294967295
-  %674 = and i64 %673, 4294967295
-  %675 = select i1 %672, i64 2, i64 %674
-  %676 = getelementptr inbounds double, ptr %27, i64 %675
-  %677 = load double, ptr %676, align 8
-  %678 = fmul double %671, %677
-  %679 = getelementptr inbounds double, ptr %26, i64 %675
-  %680 = load double, ptr %679, align 8
-  %681 = getelementptr inbounds double, ptr %27, i64 %669
-  %682 = load double, ptr %681, align 8
-  %683 = fmul double %680, %682
-  %684 = fsub double %678, %683
-  %685 = getelementptr inbounds double, ptr %28, i64 %664
-  store double %684, ptr %685, align 8
-  %686 = icmp eq i64 %665, 3
-  br i1 %686, label %687, label %663
-
-687:                                              ; preds = %663
-  %688 = load ptr, ptr %79, align 8
-  %689 = getelementptr inbounds i64, ptr %688, i64 %602
-  %690 = load i64, ptr %689, align 8
-  %691 = icmp eq i64 %690, 0
-  %692 = load double, ptr %28, align 16
-  %693 = select i1 %691, double %692, double %614
-  %694 = fmul double %468, %693
-  %695 = select i1 %691, ptr %28, ptr %26
-  %696 = getelementptr inbounds double, ptr %695, i64 1
-  %697 = load double, ptr %696, align 8
-  %698 = fmul double %469, %697
-  %699 = fadd double %694, %698
-  %700 = select i1 %691, ptr %28, ptr %26
-  %701 = getelementptr inbounds double, ptr %700, i64 2
-  %702 = load double, ptr %701, align 16
-  %703 = fmul double %470, %702
-  %704 = fadd double %699, %703
-  %705 = fneg double %704
-  %706 = select i1 %645, double %704, double %705
-  %707 = fadd double %646, %706
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  br label %708
-
-708:                                              ; preds = %644, %687
-  %709 = phi double [ %707, %687 ], [ %646, %644 ]
-  br i1 %645, label %644, label %632
-
-710:                                              ; preds = %632, %448, %577, %442
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  %711 = add nuw nsw i64 %88, 1
-  %712 = load i64, ptr %32, align 8
-  %713 = getelementptr inbounds double, ptr %86, i64 %712
-  %714 = add nsw i64 %712, 13
-  %715 = getelementptr inbounds double, ptr %87, i64 %714
-  %716 = icmp eq i64 %711, %2
-  br i1 %716, label %83, label %84
+340:                                              ; preds = %262, %78, %207, %72
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  %341 = add nuw nsw i64 %41, 1
+  %342 = load i64, ptr %17, align 8
+  %343 = getelementptr inbounds double, ptr %39, i64 %342
+  %344 = add nsw i64 %342, 13
+  %345 = getelementptr inbounds double, ptr %40, i64 %344
+  %346 = icmp eq i64 %341, %2
+  br i1 %346, label %36, label %37
 }
 
-define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #7 {
+define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef %3, ptr nocapture noundef %4, ptr nocapture noundef %5, ptr noundef %6) unnamed_addr #0 {
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [3 x double], align 16
+  %12 = alloca %struct.Core, align 8
+  %13 = alloca %struct.Core, align 8
+  %14 = alloca [3 x double], align 16
+  %15 = alloca [9 x double], align 16
+  %16 = alloca [9 x double], align 16
+  %17 = alloca double, align 8
+  %18 = alloca double, align 8
+  %19 = alloca [12 x double], align 16
+  %20 = alloca double, align 8
+  %21 = alloca %struct.Search, align 8
+  %22 = alloca %struct.Simplex, align 8
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr inbounds i64, ptr %24, i64 %2
+  %26 = load i64, ptr %25, align 8
+  %27 = trunc i64 %26 to i32
+  %28 = getelementptr inbounds i64, ptr %24, i64 %1
+  %29 = load i64, ptr %28, align 8
+  %30 = trunc i64 %29 to i32
+  %31 = icmp eq i32 %27, 5
+  %32 = icmp eq i32 %30, 5
+  %33 = select i1 %31, i1 true, i1 %32
+  %34 = icmp eq i32 %30, 3
+  %35 = select i1 %33, i1 true, i1 %34
+  br i1 %35, label %500, label %36
+
+36:                                               ; preds = %7
+  %37 = icmp eq i32 %30, 4
+  %38 = icmp slt i32 %27, 3
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %40, label %50
+
+40:                                               ; preds = %36
+  %41 = tail call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %2, i64 noundef %1, ptr noundef %4, ptr noundef %3, ptr noundef %5, ptr noundef %6)
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %500, label %43
+
+43:                                               ; preds = %40, %43
+  %44 = phi i64 [ %48, %43 ], [ 0, %40 ]
+  %45 = getelementptr inbounds double, ptr %6, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fneg double %46
+  store double %47, ptr %45, align 8
+  %48 = add nuw nsw i64 %44, 1
+  %49 = icmp ult i64 %44, 2
+  br i1 %49, label %43, label %500
+
+50:                                               ; preds = %36
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %1, ptr noundef nonnull %12)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %17) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #18
+  switch i32 %27, label %295 [
+    i32 3, label %51
+    i32 4, label %137
+  ]
+
+51:                                               ; preds = %50
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #18
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr inbounds i64, ptr %55, i64 %2
+  %57 = load i64, ptr %56, align 8
+  %58 = mul nsw i64 %57, 12
+  %59 = getelementptr inbounds double, ptr %53, i64 %58
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %61 = load ptr, ptr %60, align 8
+  %62 = mul nsw i64 %2, 12
+  %63 = getelementptr inbounds double, ptr %61, i64 %62
+  %64 = getelementptr inbounds double, ptr %63, i64 9
+  %65 = getelementptr inbounds double, ptr %63, i64 10
+  %66 = getelementptr inbounds double, ptr %63, i64 11
+  %67 = load double, ptr %64, align 8
+  %68 = load double, ptr %65, align 8
+  %69 = load double, ptr %66, align 8
+  br label %70
+
+70:                                               ; preds = %81, %51
+  %71 = phi i64 [ 0, %51 ], [ %92, %81 ]
+  %72 = mul nuw nsw i64 %71, 3
+  %73 = getelementptr inbounds double, ptr %59, i64 %72
+  %74 = add nuw nsw i64 %72, 1
+  %75 = getelementptr inbounds double, ptr %59, i64 %74
+  %76 = add nuw nsw i64 %72, 2
+  %77 = getelementptr inbounds double, ptr %59, i64 %76
+  %78 = load double, ptr %73, align 8
+  %79 = load double, ptr %75, align 8
+  %80 = load double, ptr %77, align 8
+  br label %94
+
+81:                                               ; preds = %94
+  %82 = fmul double %78, %67
+  %83 = fmul double %79, %68
+  %84 = fadd double %82, %83
+  %85 = fmul double %80, %69
+  %86 = fadd double %84, %85
+  %87 = add nuw nsw i64 %71, 9
+  %88 = getelementptr inbounds double, ptr %59, i64 %87
+  %89 = load double, ptr %88, align 8
+  %90 = fadd double %89, %86
+  %91 = getelementptr inbounds double, ptr %19, i64 %87
+  store double %90, ptr %91, align 8
+  %92 = add nuw nsw i64 %71, 1
+  %93 = icmp eq i64 %92, 3
+  br i1 %93, label %115, label %70
+
+94:                                               ; preds = %94, %70
+  %95 = phi i64 [ 0, %70 ], [ %111, %94 ]
+  %96 = getelementptr inbounds double, ptr %63, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fmul double %78, %97
+  %99 = add nuw nsw i64 %95, 3
+  %100 = getelementptr inbounds double, ptr %63, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = fmul double %79, %101
+  %103 = fadd double %98, %102
+  %104 = add nuw nsw i64 %95, 6
+  %105 = getelementptr inbounds double, ptr %63, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %80, %106
+  %108 = fadd double %103, %107
+  %109 = add nuw nsw i64 %95, %72
+  %110 = getelementptr inbounds double, ptr %19, i64 %109
+  store double %108, ptr %110, align 8
+  %111 = add nuw nsw i64 %95, 1
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %81, label %94
+
+113:                                              ; preds = %115
+  %114 = call fastcc double @lowest(ptr noundef %0, i64 noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %19, ptr noundef %3)
+  store double %114, ptr %5, align 8
+  br label %125
+
+115:                                              ; preds = %81, %115
+  %116 = phi i64 [ %122, %115 ], [ 0, %81 ]
+  %117 = mul nuw nsw i64 %116, 3
+  %118 = add nuw nsw i64 %117, 2
+  %119 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %118
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr inbounds double, ptr %6, i64 %116
+  store double %120, ptr %121, align 8
+  %122 = add nuw nsw i64 %116, 1
+  %123 = icmp eq i64 %122, 3
+  br i1 %123, label %113, label %115
+
+124:                                              ; preds = %125
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #18
+  br label %498
+
+125:                                              ; preds = %113, %125
+  %126 = phi i64 [ 0, %113 ], [ %135, %125 ]
+  %127 = getelementptr inbounds double, ptr %3, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = load double, ptr %5, align 8
+  %130 = getelementptr inbounds double, ptr %6, i64 %126
+  %131 = load double, ptr %130, align 8
+  %132 = fmul double %129, %131
+  %133 = fsub double %128, %132
+  %134 = getelementptr inbounds double, ptr %4, i64 %126
+  store double %133, ptr %134, align 8
+  %135 = add nuw nsw i64 %126, 1
+  %136 = icmp eq i64 %135, 3
+  br i1 %136, label %124, label %125
+
+137:                                              ; preds = %50
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %20) #18
+  store double 0x7FF0000000000000, ptr %20, align 8
+  %138 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %139 = load ptr, ptr %138, align 8
+  %140 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %141 = load ptr, ptr %140, align 8
+  %142 = getelementptr inbounds i64, ptr %141, i64 %2
+  %143 = load i64, ptr %142, align 8
+  %144 = mul nsw i64 %143, 12
+  %145 = getelementptr inbounds double, ptr %139, i64 %144
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %21) #18
+  store ptr %0, ptr %21, align 8
+  %146 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 1
+  store i64 %1, ptr %146, align 8
+  %147 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 2
+  store ptr %12, ptr %147, align 8
+  %148 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 3
+  %149 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %148, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %149, align 8
+  %150 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 6
+  store ptr %20, ptr %150, align 8
+  %151 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 7
+  store ptr null, ptr %151, align 8
+  %152 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 8
+  store i32 0, ptr %152, align 8
+  %153 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 9
+  store i64 -1, ptr %153, align 8
+  %154 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10
+  %155 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 12
+  %156 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 18
+  store double 0.000000e+00, ptr %156, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(76) %154, i8 0, i64 76, i1 false)
+  call fastcc void @look_at_solid(ptr noundef nonnull %21, i64 noundef %2)
+  %157 = load double, ptr %20, align 8
+  %158 = fcmp ord double %157, 0.000000e+00
+  %159 = load i64, ptr %153, align 8
+  %160 = icmp sgt i64 %159, -1
+  %161 = select i1 %158, i1 %160, i1 false
+  br i1 %161, label %163, label %162
+
+162:                                              ; preds = %137
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
+  br label %498
+
+163:                                              ; preds = %137
+  %164 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 13
+  %165 = load i32, ptr %164, align 8
+  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %167 = load ptr, ptr %166, align 8
+  %168 = mul nsw i64 %159, 9
+  %169 = getelementptr inbounds double, ptr %167, i64 %168
+  br label %170
+
+170:                                              ; preds = %200, %163
+  %171 = phi i64 [ 0, %163 ], [ %204, %200 ]
+  %172 = phi i32 [ 1, %163 ], [ %203, %200 ]
+  %173 = mul nuw nsw i64 %171, 3
+  br label %183
+
+174:                                              ; preds = %183
+  %175 = add nuw nsw i64 %171, 3
+  %176 = getelementptr inbounds double, ptr %169, i64 %175
+  %177 = load double, ptr %176, align 8
+  %178 = getelementptr inbounds double, ptr %169, i64 %171
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %177, %179
+  %181 = call double @llvm.fabs.f64(double %180)
+  %182 = fcmp olt double %181, 3.000000e-07
+  br i1 %182, label %193, label %200
+
+183:                                              ; preds = %183, %170
+  %184 = phi i64 [ 0, %170 ], [ %191, %183 ]
+  %185 = mul nuw nsw i64 %184, 3
+  %186 = add nuw nsw i64 %185, %171
+  %187 = getelementptr inbounds double, ptr %169, i64 %186
+  %188 = load double, ptr %187, align 8
+  %189 = add nuw nsw i64 %184, %173
+  %190 = getelementptr inbounds double, ptr %15, i64 %189
+  store double %188, ptr %190, align 8
+  %191 = add nuw nsw i64 %184, 1
+  %192 = icmp eq i64 %191, 3
+  br i1 %192, label %174, label %183
+
+193:                                              ; preds = %174
+  %194 = add nuw nsw i64 %171, 6
+  %195 = getelementptr inbounds double, ptr %169, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = fsub double %196, %179
+  %198 = call double @llvm.fabs.f64(double %197)
+  %199 = fcmp olt double %198, 3.000000e-07
+  br label %200
+
+200:                                              ; preds = %193, %174
+  %201 = phi i1 [ false, %174 ], [ %199, %193 ]
+  %202 = zext i1 %201 to i32
+  %203 = and i32 %172, %202
+  %204 = add nuw nsw i64 %171, 1
+  %205 = icmp eq i64 %204, 3
+  br i1 %205, label %206, label %170
+
+206:                                              ; preds = %200
+  store i64 0, ptr %13, align 8
+  %207 = icmp eq i32 %203, 0
+  %208 = select i1 %207, i64 3, i64 1
+  %209 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 1
+  store i64 %208, ptr %209, align 8
+  %210 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 5
+  %211 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 2
+  store ptr %15, ptr %211, align 8
+  %212 = getelementptr inbounds double, ptr %15, i64 3
+  %213 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 3
+  store ptr %212, ptr %213, align 8
+  %214 = getelementptr inbounds double, ptr %15, i64 6
+  %215 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 4
+  store ptr %214, ptr %215, align 8
+  store ptr %145, ptr %210, align 8
+  br i1 %37, label %216, label %272
+
+216:                                              ; preds = %206
+  %217 = load i64, ptr %155, align 8
+  %218 = mul nsw i64 %217, 9
+  %219 = getelementptr inbounds double, ptr %167, i64 %218
+  br label %220
+
+220:                                              ; preds = %250, %216
+  %221 = phi i64 [ 0, %216 ], [ %254, %250 ]
+  %222 = phi i32 [ 1, %216 ], [ %253, %250 ]
+  %223 = mul nuw nsw i64 %221, 3
+  br label %233
+
+224:                                              ; preds = %233
+  %225 = add nuw nsw i64 %221, 3
+  %226 = getelementptr inbounds double, ptr %219, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = getelementptr inbounds double, ptr %219, i64 %221
+  %229 = load double, ptr %228, align 8
+  %230 = fsub double %227, %229
+  %231 = call double @llvm.fabs.f64(double %230)
+  %232 = fcmp olt double %231, 3.000000e-07
+  br i1 %232, label %243, label %250
+
+233:                                              ; preds = %233, %220
+  %234 = phi i64 [ 0, %220 ], [ %241, %233 ]
+  %235 = mul nuw nsw i64 %234, 3
+  %236 = add nuw nsw i64 %235, %221
+  %237 = getelementptr inbounds double, ptr %219, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = add nuw nsw i64 %234, %223
+  %240 = getelementptr inbounds double, ptr %16, i64 %239
+  store double %238, ptr %240, align 8
+  %241 = add nuw nsw i64 %234, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %224, label %233
+
+243:                                              ; preds = %224
+  %244 = add nuw nsw i64 %221, 6
+  %245 = getelementptr inbounds double, ptr %219, i64 %244
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %246, %229
+  %248 = call double @llvm.fabs.f64(double %247)
+  %249 = fcmp olt double %248, 3.000000e-07
+  br label %250
+
+250:                                              ; preds = %243, %224
+  %251 = phi i1 [ false, %224 ], [ %249, %243 ]
+  %252 = zext i1 %251 to i32
+  %253 = and i32 %222, %252
+  %254 = add nuw nsw i64 %221, 1
+  %255 = icmp eq i64 %254, 3
+  br i1 %255, label %256, label %220
+
+256:                                              ; preds = %250
+  store i64 0, ptr %12, align 8
+  %257 = icmp eq i32 %253, 0
+  %258 = select i1 %257, i64 3, i64 1
+  %259 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
+  store i64 %258, ptr %259, align 8
+  %260 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 5
+  %261 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
+  store ptr %16, ptr %261, align 8
+  %262 = getelementptr inbounds double, ptr %16, i64 3
+  %263 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
+  store ptr %262, ptr %263, align 8
+  %264 = getelementptr inbounds double, ptr %16, i64 6
+  %265 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
+  store ptr %264, ptr %265, align 8
+  %266 = load ptr, ptr %138, align 8
+  %267 = load ptr, ptr %140, align 8
+  %268 = getelementptr inbounds i64, ptr %267, i64 %1
+  %269 = load i64, ptr %268, align 8
+  %270 = mul nsw i64 %269, 12
+  %271 = getelementptr inbounds double, ptr %266, i64 %270
+  store ptr %271, ptr %260, align 8
+  br label %272
+
+272:                                              ; preds = %256, %206
+  %273 = load double, ptr %154, align 8
+  %274 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10, i32 0, i64 1
+  %275 = load double, ptr %274, align 8
+  %276 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10, i32 0, i64 2
+  %277 = load double, ptr %276, align 8
+  br label %278
+
+278:                                              ; preds = %272, %278
+  %279 = phi i64 [ 0, %272 ], [ %293, %278 ]
+  %280 = mul nuw nsw i64 %279, 3
+  %281 = getelementptr inbounds double, ptr %145, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = fmul double %282, %273
+  %284 = getelementptr inbounds double, ptr %281, i64 1
+  %285 = load double, ptr %284, align 8
+  %286 = fmul double %285, %275
+  %287 = fadd double %283, %286
+  %288 = getelementptr inbounds double, ptr %281, i64 2
+  %289 = load double, ptr %288, align 8
+  %290 = fmul double %289, %277
+  %291 = fadd double %287, %290
+  %292 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %279
+  store double %291, ptr %292, align 8
+  %293 = add nuw nsw i64 %279, 1
+  %294 = icmp eq i64 %293, 3
+  br i1 %294, label %312, label %278
+
+295:                                              ; preds = %50
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %2, ptr noundef nonnull %13)
+  %296 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %297 = load ptr, ptr %296, align 8
+  %298 = mul nsw i64 %1, 3
+  %299 = mul nsw i64 %2, 3
+  br label %300
+
+300:                                              ; preds = %295, %300
+  %301 = phi i64 [ 0, %295 ], [ %310, %300 ]
+  %302 = add nsw i64 %298, %301
+  %303 = getelementptr inbounds double, ptr %297, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = add nsw i64 %299, %301
+  %306 = getelementptr inbounds double, ptr %297, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fsub double %304, %307
+  %309 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %301
+  store double %308, ptr %309, align 8
+  %310 = add nuw nsw i64 %301, 1
+  %311 = icmp eq i64 %310, 3
+  br i1 %311, label %315, label %300
+
+312:                                              ; preds = %278
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
+  %313 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  %314 = icmp eq i32 %313, 0
+  br i1 %314, label %318, label %326
+
+315:                                              ; preds = %300
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
+  %316 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  %317 = icmp eq i32 %316, 0
+  br i1 %317, label %320, label %326
+
+318:                                              ; preds = %312
+  %319 = icmp eq i32 %165, 0
+  br i1 %319, label %320, label %496
+
+320:                                              ; preds = %315, %318
+  %321 = call fastcc i32 @depth_of(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %22, ptr noundef %5, ptr noundef %6, ptr noundef %3, ptr noundef %4)
+  %322 = icmp eq i32 %321, 0
+  br i1 %322, label %496, label %323
+
+323:                                              ; preds = %320
+  %324 = load double, ptr %5, align 8
+  %325 = fneg double %324
+  store double %325, ptr %5, align 8
+  br label %496
+
+326:                                              ; preds = %315, %312
+  %327 = phi i32 [ 0, %315 ], [ %165, %312 ]
+  %328 = load double, ptr %18, align 8
+  %329 = load double, ptr %17, align 8
+  %330 = fsub double %328, %329
+  %331 = fcmp ogt double %330, 1.000000e-08
+  %332 = fcmp olt double %328, 0x3EB0C6F7A0B5ED8D
+  %333 = or i1 %332, %331
+  br i1 %333, label %496, label %334
+
+334:                                              ; preds = %326
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
+  %335 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2
+  %336 = load i32, ptr %335, align 8
+  %337 = add i32 %336, -4
+  %338 = icmp ult i32 %337, -3
+  br i1 %338, label %451, label %339
+
+339:                                              ; preds = %334
+  %340 = icmp ugt i32 %336, 1
+  br i1 %340, label %341, label %424
+
+341:                                              ; preds = %339
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  %342 = icmp eq i32 %336, 3
+  br label %364
+
+343:                                              ; preds = %381
+  %344 = load double, ptr %9, align 16
+  %345 = fmul double %344, %344
+  %346 = getelementptr inbounds double, ptr %9, i64 1
+  %347 = load double, ptr %346, align 8
+  %348 = fmul double %347, %347
+  %349 = fadd double %345, %348
+  %350 = getelementptr inbounds double, ptr %9, i64 2
+  %351 = load double, ptr %350, align 16
+  %352 = fmul double %351, %351
+  %353 = fadd double %349, %352
+  %354 = load double, ptr %10, align 16
+  %355 = fmul double %344, %354
+  %356 = getelementptr inbounds double, ptr %10, i64 1
+  %357 = load double, ptr %356, align 8
+  %358 = fmul double %347, %357
+  %359 = fadd double %355, %358
+  %360 = getelementptr inbounds double, ptr %10, i64 2
+  %361 = load double, ptr %360, align 16
+  %362 = fmul double %351, %361
+  %363 = fadd double %359, %362
+  br i1 %342, label %384, label %390
+
+364:                                              ; preds = %381, %341
+  %365 = phi i64 [ 0, %341 ], [ %382, %381 ]
+  %366 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 1, i64 %365
+  %367 = load double, ptr %366, align 8
+  %368 = getelementptr inbounds [3 x double], ptr %22, i64 0, i64 %365
+  %369 = load double, ptr %368, align 8
+  %370 = fsub double %367, %369
+  %371 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %365
+  store double %370, ptr %371, align 8
+  %372 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %365
+  %373 = load double, ptr %372, align 8
+  %374 = fsub double %373, %369
+  %375 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %365
+  store double %374, ptr %375, align 8
+  br i1 %342, label %376, label %381
+
+376:                                              ; preds = %364
+  %377 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 2, i64 %365
+  %378 = load double, ptr %377, align 8
+  %379 = fsub double %378, %369
+  %380 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %365
+  store double %379, ptr %380, align 8
+  br label %381
+
+381:                                              ; preds = %376, %364
+  %382 = add nuw nsw i64 %365, 1
+  %383 = icmp eq i64 %382, 3
+  br i1 %383, label %343, label %364
+
+384:                                              ; preds = %343
+  %385 = fmul double %354, %354
+  %386 = fmul double %357, %357
+  %387 = fadd double %385, %386
+  %388 = fmul double %361, %361
+  %389 = fadd double %387, %388
+  br label %390
+
+390:                                              ; preds = %384, %343
+  %391 = phi double [ %389, %384 ], [ 1.000000e+00, %343 ]
+  %392 = fmul double %353, %391
+  %393 = fmul double %363, %363
+  %394 = fsub double %392, %393
+  %395 = fcmp ogt double %394, 0.000000e+00
+  br i1 %395, label %396, label %450
+
+396:                                              ; preds = %390
+  %397 = load double, ptr %11, align 16
+  %398 = fmul double %344, %397
+  %399 = getelementptr inbounds double, ptr %11, i64 1
+  %400 = load double, ptr %399, align 8
+  %401 = fmul double %347, %400
+  %402 = fadd double %398, %401
+  %403 = getelementptr inbounds double, ptr %11, i64 2
+  %404 = load double, ptr %403, align 16
+  %405 = fmul double %351, %404
+  %406 = fadd double %402, %405
+  %407 = fmul double %391, %406
+  %408 = fmul double %354, %397
+  %409 = fmul double %357, %400
+  %410 = fadd double %408, %409
+  %411 = fmul double %361, %404
+  %412 = fadd double %410, %411
+  %413 = fmul double %363, %412
+  %414 = fsub double %407, %413
+  %415 = fdiv double %414, %394
+  %416 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 1
+  store double %415, ptr %416, align 8
+  %417 = fmul double %353, %412
+  %418 = fmul double %363, %406
+  %419 = fsub double %417, %418
+  %420 = fdiv double %419, %394
+  %421 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 2
+  store double %420, ptr %421, align 16
+  %422 = fsub double 1.000000e+00, %415
+  %423 = fsub double %422, %420
+  store double %423, ptr %8, align 16
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %424
+
+424:                                              ; preds = %396, %339
+  %425 = icmp sgt i32 %336, 0
+  %426 = zext i32 %336 to i64
+  br label %427
+
+427:                                              ; preds = %431, %424
+  %428 = phi i64 [ 0, %424 ], [ %437, %431 ]
+  %429 = getelementptr inbounds double, ptr %3, i64 %428
+  store double 0.000000e+00, ptr %429, align 8
+  br i1 %425, label %439, label %431
+
+430:                                              ; preds = %439
+  store double %447, ptr %429, align 8
+  br label %431
+
+431:                                              ; preds = %430, %427
+  %432 = phi double [ 0.000000e+00, %427 ], [ %447, %430 ]
+  %433 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %428
+  %434 = load double, ptr %433, align 8
+  %435 = fsub double %432, %434
+  %436 = getelementptr inbounds double, ptr %4, i64 %428
+  store double %435, ptr %436, align 8
+  %437 = add nuw nsw i64 %428, 1
+  %438 = icmp eq i64 %437, 3
+  br i1 %438, label %452, label %427
+
+439:                                              ; preds = %427, %439
+  %440 = phi i64 [ %448, %439 ], [ 0, %427 ]
+  %441 = phi double [ %447, %439 ], [ 0.000000e+00, %427 ]
+  %442 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %440
+  %443 = load double, ptr %442, align 8
+  %444 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 1, i64 %440, i64 %428
+  %445 = load double, ptr %444, align 8
+  %446 = fmul double %443, %445
+  %447 = fadd double %441, %446
+  %448 = add nuw nsw i64 %440, 1
+  %449 = icmp eq i64 %448, %426
+  br i1 %449, label %430, label %439
+
+450:                                              ; preds = %390
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %451
+
+451:                                              ; preds = %334, %450
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %496
+
+452:                                              ; preds = %431
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  %453 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3
+  %454 = load double, ptr %453, align 8
+  %455 = fmul double %454, %454
+  %456 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 1
+  %457 = load double, ptr %456, align 8
+  %458 = fmul double %457, %457
+  %459 = fadd double %455, %458
+  %460 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 2
+  %461 = load double, ptr %460, align 8
+  %462 = fmul double %461, %461
+  %463 = fadd double %459, %462
+  %464 = call double @llvm.sqrt.f64(double %463)
+  store double %464, ptr %5, align 8
+  br label %474
+
+465:                                              ; preds = %474
+  %466 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %467 = load ptr, ptr %466, align 8
+  %468 = getelementptr inbounds double, ptr %467, i64 %1
+  %469 = load double, ptr %468, align 8
+  %470 = getelementptr inbounds double, ptr %467, i64 %2
+  %471 = load double, ptr %470, align 8
+  %472 = fadd double %469, %471
+  %473 = icmp eq i32 %327, 0
+  br i1 %473, label %496, label %483
+
+474:                                              ; preds = %452, %474
+  %475 = phi i64 [ 0, %452 ], [ %481, %474 ]
+  %476 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %475
+  %477 = load double, ptr %476, align 8
+  %478 = load double, ptr %5, align 8
+  %479 = fdiv double %477, %478
+  %480 = getelementptr inbounds double, ptr %6, i64 %475
+  store double %479, ptr %480, align 8
+  %481 = add nuw nsw i64 %475, 1
+  %482 = icmp eq i64 %481, 3
+  br i1 %482, label %465, label %474
+
+483:                                              ; preds = %465
+  %484 = load double, ptr %5, align 8
+  %485 = fcmp ogt double %484, %472
+  br i1 %485, label %486, label %496
+
+486:                                              ; preds = %483
+  %487 = fmul double %472, 2.000000e+00
+  %488 = fsub double %487, %484
+  store double %488, ptr %5, align 8
+  br label %489
+
+489:                                              ; preds = %486, %489
+  %490 = phi i64 [ 0, %486 ], [ %494, %489 ]
+  %491 = getelementptr inbounds double, ptr %6, i64 %490
+  %492 = load double, ptr %491, align 8
+  %493 = fneg double %492
+  store double %493, ptr %491, align 8
+  %494 = add nuw nsw i64 %490, 1
+  %495 = icmp eq i64 %494, 3
+  br i1 %495, label %496, label %489
+
+496:                                              ; preds = %489, %451, %465, %483, %326, %318, %320, %323
+  %497 = phi i32 [ 1, %323 ], [ 0, %320 ], [ 0, %318 ], [ 0, %326 ], [ 1, %483 ], [ 1, %465 ], [ 0, %451 ], [ 1, %489 ]
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22) #18
+  br label %498
+
+498:                                              ; preds = %162, %496, %124
+  %499 = phi i32 [ 1, %124 ], [ %497, %496 ], [ 0, %162 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
+  br label %500
+
+500:                                              ; preds = %43, %40, %7, %498
+  %501 = phi i32 [ %499, %498 ], [ 0, %7 ], [ 0, %40 ], [ %41, %43 ]
+  ret i32 %501
+}
+
+define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #8 {
   br label %8
 
 8:                                                ; preds = %128, %7
@@ -4138,9 +3954,9 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
   br i1 %158, label %57, label %137
 }
 
-declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
+declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #9
 
-define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #9 {
+define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #10 {
   %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
@@ -4222,7 +4038,7 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   %19 = or i64 %18, 3
   %20 = getelementptr inbounds double, ptr %16, i64 %19
   %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 38
+  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 43
   %23 = load ptr, ptr %22, align 8
   %24 = mul nsw i64 %17, 3
   %25 = getelementptr inbounds double, ptr %23, i64 %24
@@ -4291,11 +4107,517 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   ret void
 }
 
-declare double @llvm.sin.f64(double) #3
+define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #0 {
+  %4 = alloca double, align 8
+  %5 = alloca double, align 8
+  %6 = alloca %struct.Core, align 8
+  %7 = alloca %struct.Search, align 8
+  %8 = alloca [3 x double], align 16
+  %9 = alloca %struct.Core, align 8
+  %10 = alloca %struct.Simplex, align 8
+  %11 = alloca double, align 8
+  %12 = load ptr, ptr %0, align 8
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %14 = load ptr, ptr %13, align 8
+  %15 = icmp eq ptr %14, null
+  %16 = getelementptr inbounds i64, ptr %14, i64 %1
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %18 = select i1 %15, ptr %17, ptr %16
+  %19 = load i64, ptr %18, align 8
+  %20 = icmp slt i64 %19, 0
+  br i1 %20, label %324, label %21
 
-declare double @llvm.cos.f64(double) #3
+21:                                               ; preds = %3
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %23 = load ptr, ptr %22, align 8
+  %24 = icmp eq ptr %23, null
+  br i1 %24, label %29, label %25
 
-define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #10 {
+25:                                               ; preds = %21
+  %26 = getelementptr inbounds double, ptr %23, i64 %19
+  %27 = load double, ptr %26, align 8
+  %28 = fcmp uno double %27, 0.000000e+00
+  br i1 %28, label %324, label %33
+
+29:                                               ; preds = %21
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %31 = load i32, ptr %30, align 8
+  %32 = icmp eq i32 %31, 1
+  br i1 %32, label %324, label %33
+
+33:                                               ; preds = %25, %29
+  %34 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 12
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds i64, ptr %35, i64 %1
+  %37 = load i64, ptr %36, align 8
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr inbounds i64, ptr %35, i64 %39
+  %41 = load i64, ptr %40, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #18
+  store double 0xFFF0000000000000, ptr %4, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #18
+  store double 0x7FF0000000000000, ptr %5, align 8
+  %42 = icmp eq i64 %37, 5
+  %43 = icmp eq i64 %41, 5
+  %44 = select i1 %42, i1 true, i1 %43
+  %45 = icmp eq i64 %41, 3
+  %46 = select i1 %44, i1 true, i1 %45
+  br i1 %46, label %47, label %81
+
+47:                                               ; preds = %33
+  br i1 %24, label %68, label %48
+
+48:                                               ; preds = %47
+  %49 = getelementptr inbounds double, ptr %23, i64 %19
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %52 = load double, ptr %51, align 8
+  %53 = tail call double @llvm.minnum.f64(double %50, double %52)
+  %54 = fcmp ugt double %53, 0xFFF0000000000000
+  br i1 %54, label %55, label %323
+
+55:                                               ; preds = %48
+  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %57 = load ptr, ptr %56, align 8
+  %58 = icmp ne ptr %57, null
+  %59 = fcmp oeq double %50, 0x7FF0000000000000
+  %60 = select i1 %58, i1 %59, i1 false
+  br i1 %60, label %61, label %67
+
+61:                                               ; preds = %55
+  %62 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 45
+  %63 = load ptr, ptr %62, align 8
+  %64 = load i64, ptr %57, align 8
+  %65 = add nsw i64 %64, 1
+  store i64 %65, ptr %57, align 8
+  %66 = getelementptr inbounds i64, ptr %63, i64 %64
+  store i64 %19, ptr %66, align 8
+  br label %67
+
+67:                                               ; preds = %61, %55
+  store double 0x7FF8000000000000, ptr %49, align 8
+  br label %323
+
+68:                                               ; preds = %47
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %70 = load double, ptr %69, align 8
+  %71 = fcmp ult double %70, 0x7FF0000000000000
+  br i1 %71, label %74, label %72
+
+72:                                               ; preds = %68
+  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %73, align 8
+  br label %323
+
+74:                                               ; preds = %68
+  %75 = fcmp ult double %70, 0xFFF0000000000000
+  br i1 %75, label %323, label %76
+
+76:                                               ; preds = %74
+  %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %78 = load i32, ptr %77, align 8
+  %79 = icmp eq i32 %78, 0
+  br i1 %79, label %80, label %323
+
+80:                                               ; preds = %76
+  store i32 2, ptr %77, align 8
+  br label %323
+
+81:                                               ; preds = %33
+  %82 = icmp eq i64 %37, 3
+  br i1 %82, label %83, label %128
+
+83:                                               ; preds = %81
+  %84 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %85 = load ptr, ptr %84, align 8
+  %86 = tail call fastcc double @over_plane(ptr noundef nonnull %12, i64 noundef %39, ptr noundef %85, i64 noundef %1)
+  %87 = load ptr, ptr %22, align 8
+  %88 = icmp eq ptr %87, null
+  br i1 %88, label %89, label %93
+
+89:                                               ; preds = %83
+  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %91 = load double, ptr %90, align 8
+  %92 = fcmp ugt double %86, %91
+  br i1 %92, label %323, label %126
+
+93:                                               ; preds = %83
+  %94 = load ptr, ptr %13, align 8
+  %95 = icmp eq ptr %94, null
+  %96 = getelementptr inbounds i64, ptr %94, i64 %1
+  %97 = select i1 %95, ptr %17, ptr %96
+  %98 = load i64, ptr %97, align 8
+  %99 = getelementptr inbounds double, ptr %87, i64 %98
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %102 = load double, ptr %101, align 8
+  %103 = fcmp ogt double %100, %102
+  %104 = select i1 %103, double %102, double %100
+  %105 = fcmp ugt double %86, %104
+  br i1 %105, label %323, label %106
+
+106:                                              ; preds = %93
+  %107 = fsub double %86, %86
+  %108 = fcmp ole double %107, 1.000000e-08
+  %109 = tail call double @llvm.minnum.f64(double %100, double %102)
+  %110 = fcmp ult double %86, %109
+  br i1 %110, label %111, label %323
+
+111:                                              ; preds = %106
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %113 = load ptr, ptr %112, align 8
+  %114 = icmp ne ptr %113, null
+  %115 = fcmp oeq double %100, 0x7FF0000000000000
+  %116 = select i1 %114, i1 %115, i1 false
+  br i1 %116, label %117, label %124
+
+117:                                              ; preds = %111
+  %118 = load ptr, ptr %0, align 8
+  %119 = getelementptr inbounds %struct.World, ptr %118, i64 0, i32 45
+  %120 = load ptr, ptr %119, align 8
+  %121 = load i64, ptr %113, align 8
+  %122 = add nsw i64 %121, 1
+  store i64 %122, ptr %113, align 8
+  %123 = getelementptr inbounds i64, ptr %120, i64 %121
+  store i64 %98, ptr %123, align 8
+  br label %124
+
+124:                                              ; preds = %117, %111
+  %125 = select i1 %108, double %86, double 0x7FF8000000000000
+  store double %125, ptr %99, align 8
+  br label %323
+
+126:                                              ; preds = %89
+  %127 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %127, align 8
+  br label %323
+
+128:                                              ; preds = %81
+  %129 = icmp eq i64 %41, 4
+  br i1 %129, label %130, label %161
+
+130:                                              ; preds = %128
+  br i1 %24, label %131, label %134
+
+131:                                              ; preds = %130
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %133 = load double, ptr %132, align 8
+  br label %141
+
+134:                                              ; preds = %130
+  %135 = getelementptr inbounds double, ptr %23, i64 %19
+  %136 = load double, ptr %135, align 8
+  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %138 = load double, ptr %137, align 8
+  %139 = fcmp ogt double %136, %138
+  %140 = select i1 %139, double %138, double %136
+  br label %141
+
+141:                                              ; preds = %131, %134
+  %142 = phi double [ %140, %134 ], [ %133, %131 ]
+  %143 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %142)
+  %144 = icmp eq i32 %143, 0
+  br i1 %144, label %145, label %323
+
+145:                                              ; preds = %141
+  %146 = icmp eq i64 %37, 4
+  br i1 %146, label %147, label %148
+
+147:                                              ; preds = %145
+  tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
+  br label %323
+
+148:                                              ; preds = %145
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %7, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
+  call fastcc void @core_of(ptr noundef nonnull %12, i64 noundef %1, ptr noundef nonnull %6)
+  %149 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
+  store i64 %1, ptr %149, align 8
+  %150 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
+  store ptr %6, ptr %150, align 8
+  %151 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
+  store ptr null, ptr %151, align 8
+  %152 = load i64, ptr %18, align 8
+  %153 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 4
+  store i64 %152, ptr %153, align 8
+  call fastcc void @look_at_solid(ptr noundef nonnull %7, i64 noundef %39)
+  %154 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
+  %155 = load i32, ptr %154, align 8
+  %156 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 %155, ptr %156, align 8
+  %157 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
+  %158 = load i64, ptr %157, align 8
+  %159 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  store i64 %158, ptr %159, align 8
+  %160 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 -1, ptr %160, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #18
+  br label %323
+
+161:                                              ; preds = %128
+  %162 = icmp eq i64 %37, 4
+  br i1 %162, label %163, label %185
+
+163:                                              ; preds = %161
+  %164 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 11
+  %165 = load ptr, ptr %164, align 8
+  %166 = getelementptr inbounds i64, ptr %165, i64 %1
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %169, label %184
+
+169:                                              ; preds = %163
+  br i1 %24, label %170, label %173
+
+170:                                              ; preds = %169
+  %171 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %172 = load double, ptr %171, align 8
+  br label %180
+
+173:                                              ; preds = %169
+  %174 = getelementptr inbounds double, ptr %23, i64 %19
+  %175 = load double, ptr %174, align 8
+  %176 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %177 = load double, ptr %176, align 8
+  %178 = fcmp ogt double %175, %177
+  %179 = select i1 %178, double %177, double %175
+  br label %180
+
+180:                                              ; preds = %170, %173
+  %181 = phi double [ %179, %173 ], [ %172, %170 ]
+  %182 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %181)
+  %183 = icmp eq i32 %182, 0
+  br i1 %183, label %184, label %323
+
+184:                                              ; preds = %180, %163
+  tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
+  br label %323
+
+185:                                              ; preds = %161
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  br i1 %24, label %186, label %189
+
+186:                                              ; preds = %185
+  %187 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %188 = load double, ptr %187, align 8
+  br label %196
+
+189:                                              ; preds = %185
+  %190 = getelementptr inbounds double, ptr %23, i64 %19
+  %191 = load double, ptr %190, align 8
+  %192 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %193 = load double, ptr %192, align 8
+  %194 = fcmp ogt double %191, %193
+  %195 = select i1 %194, double %193, double %191
+  br label %196
+
+196:                                              ; preds = %186, %189
+  %197 = phi double [ %188, %186 ], [ 0xFFF0000000000000, %189 ]
+  %198 = phi double [ %188, %186 ], [ %195, %189 ]
+  %199 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 43
+  %200 = load ptr, ptr %199, align 8
+  %201 = mul nsw i64 %39, 3
+  %202 = getelementptr inbounds double, ptr %200, i64 %201
+  %203 = mul nsw i64 %1, 3
+  %204 = getelementptr inbounds double, ptr %200, i64 %203
+  br label %208
+
+205:                                              ; preds = %208
+  %206 = tail call fastcc i32 @are_far(ptr noundef %12, i64 noundef %39, i64 noundef %1, double noundef %198)
+  %207 = icmp eq i32 %206, 0
+  br i1 %207, label %218, label %322
+
+208:                                              ; preds = %196, %208
+  %209 = phi i64 [ 0, %196 ], [ %216, %208 ]
+  %210 = getelementptr inbounds double, ptr %202, i64 %209
+  %211 = load double, ptr %210, align 8
+  %212 = getelementptr inbounds double, ptr %204, i64 %209
+  %213 = load double, ptr %212, align 8
+  %214 = fsub double %211, %213
+  %215 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %209
+  store double %214, ptr %215, align 8
+  %216 = add nuw nsw i64 %209, 1
+  %217 = icmp eq i64 %216, 3
+  br i1 %217, label %205, label %208
+
+218:                                              ; preds = %205
+  %219 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %220 = load ptr, ptr %219, align 8
+  %221 = icmp eq ptr %220, null
+  br i1 %221, label %237, label %222
+
+222:                                              ; preds = %218
+  %223 = mul nsw i64 %19, 3
+  %224 = getelementptr inbounds double, ptr %220, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fmul double %225, %225
+  %227 = getelementptr inbounds double, ptr %224, i64 1
+  %228 = load double, ptr %227, align 8
+  %229 = fmul double %228, %228
+  %230 = fadd double %226, %229
+  %231 = getelementptr inbounds double, ptr %224, i64 2
+  %232 = load double, ptr %231, align 8
+  %233 = fmul double %232, %232
+  %234 = fadd double %230, %233
+  %235 = fcmp ogt double %234, 0.000000e+00
+  br i1 %235, label %236, label %237
+
+236:                                              ; preds = %222
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 8 dereferenceable(24) %224, i64 24, i1 false)
+  br label %283
+
+237:                                              ; preds = %218, %222
+  %238 = phi ptr [ %224, %222 ], [ null, %218 ]
+  %239 = icmp eq ptr %2, null
+  br i1 %239, label %283, label %240
+
+240:                                              ; preds = %237, %240
+  %241 = phi i64 [ %258, %240 ], [ 0, %237 ]
+  %242 = phi double [ %257, %240 ], [ 0.000000e+00, %237 ]
+  %243 = getelementptr inbounds double, ptr %2, i64 %241
+  %244 = load double, ptr %243, align 8
+  %245 = getelementptr inbounds double, ptr %202, i64 %241
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %244, %246
+  %248 = add nuw nsw i64 %241, 3
+  %249 = getelementptr inbounds double, ptr %2, i64 %248
+  %250 = load double, ptr %249, align 8
+  %251 = fsub double %246, %250
+  %252 = fcmp ogt double %247, %251
+  %253 = select i1 %252, double %247, double %251
+  %254 = fcmp ogt double %253, 0.000000e+00
+  %255 = select i1 %254, double %253, double 0.000000e+00
+  %256 = fmul double %255, %255
+  %257 = fadd double %242, %256
+  %258 = add nuw nsw i64 %241, 1
+  %259 = icmp eq i64 %258, 3
+  br i1 %259, label %260, label %240
+
+260:                                              ; preds = %240
+  %261 = fcmp ogt double %257, 0.000000e+00
+  br i1 %261, label %262, label %283
+
+262:                                              ; preds = %260, %278
+  %263 = phi i64 [ %281, %278 ], [ 0, %260 ]
+  %264 = getelementptr inbounds double, ptr %202, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds double, ptr %2, i64 %263
+  %267 = load double, ptr %266, align 8
+  %268 = fcmp olt double %265, %267
+  br i1 %268, label %269, label %271
+
+269:                                              ; preds = %262
+  %270 = fsub double %265, %267
+  br label %278
+
+271:                                              ; preds = %262
+  %272 = add nuw nsw i64 %263, 3
+  %273 = getelementptr inbounds double, ptr %2, i64 %272
+  %274 = load double, ptr %273, align 8
+  %275 = fcmp ogt double %265, %274
+  br i1 %275, label %276, label %278
+
+276:                                              ; preds = %271
+  %277 = fsub double %265, %274
+  br label %278
+
+278:                                              ; preds = %276, %271, %269
+  %279 = phi double [ %270, %269 ], [ %277, %276 ], [ 0.000000e+00, %271 ]
+  %280 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %263
+  store double %279, ptr %280, align 8
+  %281 = add nuw nsw i64 %263, 1
+  %282 = icmp eq i64 %281, 3
+  br i1 %282, label %283, label %262
+
+283:                                              ; preds = %278, %237, %260, %236
+  %284 = phi ptr [ %238, %237 ], [ %238, %260 ], [ %224, %236 ], [ %238, %278 ]
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef %12, i64 noundef %1, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  %285 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %286 = load ptr, ptr %285, align 8
+  %287 = call fastcc i32 @shape_bounds(ptr noundef %12, i64 noundef %39, ptr noundef %286, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %198, double noundef %197, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %10)
+  br i1 %221, label %289, label %288
+
+288:                                              ; preds = %283
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %284, ptr noundef nonnull align 16 dereferenceable(24) %8, i64 24, i1 false)
+  br label %289
+
+289:                                              ; preds = %288, %283
+  %290 = icmp eq i32 %287, 0
+  br i1 %290, label %293, label %291
+
+291:                                              ; preds = %289
+  %292 = load double, ptr %4, align 8
+  br label %314
+
+293:                                              ; preds = %289
+  %294 = load ptr, ptr %22, align 8
+  %295 = icmp eq ptr %294, null
+  br i1 %295, label %312, label %296
+
+296:                                              ; preds = %293
+  %297 = load ptr, ptr %285, align 8
+  %298 = call fastcc i32 @depth_of(ptr noundef %297, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef null, ptr noundef null, ptr noundef null)
+  %299 = icmp eq i32 %298, 0
+  br i1 %299, label %312, label %300
+
+300:                                              ; preds = %296
+  %301 = load double, ptr %11, align 8
+  %302 = fneg double %301
+  %303 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 15
+  %304 = load ptr, ptr %303, align 8
+  %305 = load i64, ptr %38, align 8
+  %306 = getelementptr inbounds double, ptr %304, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fsub double %302, %307
+  %309 = getelementptr inbounds double, ptr %304, i64 %1
+  %310 = load double, ptr %309, align 8
+  %311 = fsub double %308, %310
+  store double %311, ptr %5, align 8
+  br label %314
+
+312:                                              ; preds = %296, %293
+  %313 = load double, ptr %4, align 8
+  br label %317
+
+314:                                              ; preds = %291, %300
+  %315 = phi double [ %292, %291 ], [ %311, %300 ]
+  %316 = fcmp ugt double %315, %198
+  br i1 %316, label %321, label %317
+
+317:                                              ; preds = %312, %314
+  %318 = phi double [ %313, %312 ], [ %315, %314 ]
+  %319 = phi i32 [ 0, %312 ], [ 1, %314 ]
+  %320 = load double, ptr %5, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %319, double noundef %318, double noundef %320)
+  br label %321
+
+321:                                              ; preds = %314, %317
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %323
+
+322:                                              ; preds = %205
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %323
+
+323:                                              ; preds = %126, %124, %106, %93, %80, %76, %74, %72, %67, %48, %321, %148, %147, %184, %89, %322, %180, %141
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #18
+  br label %324
+
+324:                                              ; preds = %25, %3, %29, %323
+  ret void
+}
+
+define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #11 {
   %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
   %7 = load ptr, ptr %6, align 8
   %8 = icmp eq ptr %7, null
@@ -4338,7 +4660,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 
 36:                                               ; preds = %33
   %37 = load ptr, ptr %0, align 8
-  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 40
+  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 45
   %39 = load ptr, ptr %38, align 8
   %40 = load i64, ptr %31, align 8
   %41 = add nsw i64 %40, 1
@@ -4347,7 +4669,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
   store i64 %16, ptr %42, align 8
   br label %43
 
-43:                                               ; preds = %36, %33, %29
+43:                                               ; preds = %29, %33, %36
   %44 = select i1 %21, double %4, double 0x7FF8000000000000
   store double %44, ptr %17, align 8
   br label %60
@@ -4381,766 +4703,1288 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
   store i32 2, ptr %56, align 8
   br label %60
 
-60:                                               ; preds = %43, %22, %51, %59, %55, %53
+60:                                               ; preds = %53, %55, %59, %51, %43, %22
   ret void
 }
 
-define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #6 {
-  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 18
-  %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 38
-  %8 = load ptr, ptr %7, align 8
-  %9 = mul nsw i64 %2, 3
-  %10 = getelementptr inbounds double, ptr %8, i64 %9
-  br label %14
-
-11:                                               ; preds = %14
-  %12 = tail call double @llvm.sqrt.f64(double %29)
-  %13 = fcmp ogt double %12, 0.000000e+00
-  br label %59
-
-14:                                               ; preds = %4, %14
-  %15 = phi i64 [ 0, %4 ], [ %30, %14 ]
-  %16 = phi double [ 0.000000e+00, %4 ], [ %29, %14 ]
-  %17 = getelementptr inbounds double, ptr %10, i64 %15
-  %18 = load double, ptr %17, align 8
-  %19 = getelementptr inbounds double, ptr %3, i64 %15
-  %20 = load double, ptr %19, align 8
-  %21 = add nuw nsw i64 %15, 3
-  %22 = getelementptr inbounds double, ptr %3, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fadd double %20, %23
-  %25 = fmul double %24, 5.000000e-01
-  %26 = fsub double %18, %25
-  %27 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %15
-  store double %26, ptr %27, align 8
-  %28 = fmul double %26, %26
-  %29 = fadd double %16, %28
-  %30 = add nuw nsw i64 %15, 1
-  %31 = icmp eq i64 %30, 3
-  br i1 %31, label %11, label %14
-
-32:                                               ; preds = %68
-  %33 = shl nsw i64 %2, 2
-  %34 = getelementptr inbounds double, ptr %6, i64 %33
-  %35 = load double, ptr %0, align 8
-  %36 = load double, ptr %10, align 8
-  %37 = fmul double %35, %36
-  %38 = getelementptr inbounds double, ptr %0, i64 1
-  %39 = load double, ptr %38, align 8
-  %40 = getelementptr inbounds double, ptr %10, i64 1
-  %41 = load double, ptr %40, align 8
-  %42 = fmul double %39, %41
-  %43 = fadd double %37, %42
-  %44 = getelementptr inbounds double, ptr %0, i64 2
-  %45 = load double, ptr %44, align 8
-  %46 = getelementptr inbounds double, ptr %10, i64 2
-  %47 = load double, ptr %46, align 8
-  %48 = fmul double %45, %47
-  %49 = fadd double %43, %48
-  %50 = getelementptr inbounds double, ptr %34, i64 3
-  %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 15
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %53, i64 %2
-  %55 = load double, ptr %54, align 8
-  %56 = fsub double %51, %55
-  %57 = fsub double %49, %56
-  %58 = getelementptr inbounds %struct.Plane, ptr %0, i64 0, i32 1
-  store double %57, ptr %58, align 8
-  ret void
-
-59:                                               ; preds = %11, %68
-  %60 = phi i64 [ 0, %11 ], [ %71, %68 ]
-  br i1 %13, label %61, label %65
-
-61:                                               ; preds = %59
-  %62 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %60
-  %63 = load double, ptr %62, align 8
-  %64 = fdiv double %63, %12
-  br label %68
-
-65:                                               ; preds = %59
-  %66 = icmp eq i64 %60, 0
-  %67 = uitofp i1 %66 to double
-  br label %68
-
-68:                                               ; preds = %65, %61
-  %69 = phi double [ %64, %61 ], [ %67, %65 ]
-  %70 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %60
-  store double %69, ptr %70, align 8
-  %71 = add nuw nsw i64 %60, 1
-  %72 = icmp eq i64 %71, 3
-  br i1 %72, label %32, label %59
-}
-
-define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
+define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, double noundef %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
-  %6 = alloca double, align 8
-  %7 = alloca double, align 8
-  %8 = alloca [9 x double], align 16
-  %9 = alloca %struct.Core, align 8
-  %10 = alloca %struct.Plane, align 8
-  %11 = alloca [3 x double], align 16
-  %12 = alloca %struct.Plane, align 8
-  %13 = alloca [3 x double], align 16
-  %14 = alloca %struct.Core, align 8
-  %15 = alloca [3 x double], align 16
-  %16 = load ptr, ptr %0, align 8
-  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 33
-  %18 = load ptr, ptr %17, align 8
-  %19 = mul nsw i64 %2, 6
-  %20 = getelementptr inbounds double, ptr %18, i64 %19
-  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 38
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %24 = load i64, ptr %23, align 8
-  %25 = mul nsw i64 %24, 3
-  %26 = getelementptr inbounds double, ptr %22, i64 %25
-  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 15
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr inbounds double, ptr %28, i64 %1
-  %30 = load double, ptr %29, align 8
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %32 = load ptr, ptr %31, align 8
-  %33 = icmp eq ptr %32, null
-  br i1 %33, label %47, label %34
+  %6 = alloca [3 x double], align 16
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %8 = load ptr, ptr %7, align 8
+  %9 = mul nsw i64 %1, 3
+  %10 = getelementptr inbounds double, ptr %8, i64 %9
+  %11 = mul nsw i64 %2, 3
+  %12 = getelementptr inbounds double, ptr %8, i64 %11
+  %13 = load double, ptr %10, align 8
+  %14 = load double, ptr %12, align 8
+  %15 = fsub double %13, %14
+  %16 = getelementptr inbounds double, ptr %10, i64 1
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr inbounds double, ptr %12, i64 1
+  %19 = load double, ptr %18, align 8
+  %20 = fsub double %17, %19
+  %21 = getelementptr inbounds double, ptr %10, i64 2
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %12, i64 2
+  %24 = load double, ptr %23, align 8
+  %25 = fsub double %22, %24
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %27 = load ptr, ptr %26, align 8
+  %28 = shl nsw i64 %1, 2
+  %29 = or i64 %28, 3
+  %30 = getelementptr inbounds double, ptr %27, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = fadd double %31, %3
+  %33 = shl nsw i64 %2, 2
+  %34 = or i64 %33, 3
+  %35 = getelementptr inbounds double, ptr %27, i64 %34
+  %36 = load double, ptr %35, align 8
+  %37 = fadd double %32, %36
+  %38 = fmul double %15, %15
+  %39 = fmul double %20, %20
+  %40 = fadd double %38, %39
+  %41 = fmul double %25, %25
+  %42 = fadd double %40, %41
+  %43 = fmul double %37, %37
+  %44 = fcmp ogt double %42, %43
+  br i1 %44, label %169, label %45
 
-34:                                               ; preds = %4
-  %35 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %36 = load ptr, ptr %35, align 8
-  %37 = icmp eq ptr %36, null
-  %38 = getelementptr inbounds i64, ptr %36, i64 %1
-  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %40 = select i1 %37, ptr %39, ptr %38
-  %41 = load i64, ptr %40, align 8
-  %42 = getelementptr inbounds double, ptr %32, i64 %41
-  %43 = load double, ptr %42, align 8
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %45 = load double, ptr %44, align 8
-  %46 = tail call double @llvm.minnum.f64(double %43, double %45)
-  br label %50
-
-47:                                               ; preds = %4
-  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %49 = load double, ptr %48, align 8
-  br label %50
-
-50:                                               ; preds = %34, %47
-  %51 = phi double [ 0xFFF0000000000000, %34 ], [ %49, %47 ]
-  %52 = phi double [ %46, %34 ], [ %49, %47 ]
-  %53 = getelementptr inbounds double, ptr %28, i64 %24
-  %54 = load double, ptr %53, align 8
-  br label %55
-
-55:                                               ; preds = %55, %50
-  %56 = phi i64 [ 0, %50 ], [ %73, %55 ]
-  %57 = phi double [ 0.000000e+00, %50 ], [ %72, %55 ]
-  %58 = getelementptr inbounds double, ptr %20, i64 %56
-  %59 = load double, ptr %58, align 8
-  %60 = getelementptr inbounds double, ptr %26, i64 %56
+45:                                               ; preds = %4
+  %46 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %47 = load ptr, ptr %46, align 8
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr inbounds i64, ptr %49, i64 %1
+  %51 = load i64, ptr %50, align 8
+  %52 = mul nsw i64 %51, 12
+  %53 = getelementptr inbounds double, ptr %47, i64 %52
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %54 = getelementptr inbounds double, ptr %53, i64 9
+  %55 = load double, ptr %54, align 8
+  %56 = fsub double %14, %55
+  %57 = getelementptr inbounds double, ptr %53, i64 10
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %19, %58
+  %60 = getelementptr inbounds double, ptr %53, i64 11
   %61 = load double, ptr %60, align 8
-  %62 = fsub double %59, %61
-  %63 = add nuw nsw i64 %56, 3
-  %64 = getelementptr inbounds double, ptr %20, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = fsub double %61, %65
-  %67 = fcmp ogt double %62, %66
-  %68 = select i1 %67, double %62, double %66
-  %69 = fcmp ogt double %68, 0.000000e+00
-  %70 = select i1 %69, double %68, double 0.000000e+00
-  %71 = fmul double %70, %70
-  %72 = fadd double %57, %71
-  %73 = add nuw nsw i64 %56, 1
-  %74 = icmp eq i64 %73, 3
-  br i1 %74, label %75, label %55
+  %62 = fsub double %24, %61
+  br label %63
 
-75:                                               ; preds = %55
-  %76 = fneg double %30
-  %77 = fsub double %76, %54
-  %78 = tail call double @llvm.sqrt.f64(double %72)
-  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 18
-  %80 = load ptr, ptr %79, align 8
-  %81 = shl nsw i64 %24, 2
-  %82 = or i64 %81, 3
-  %83 = getelementptr inbounds double, ptr %80, i64 %82
-  %84 = load double, ptr %83, align 8
-  br i1 %33, label %96, label %85
+63:                                               ; preds = %63, %45
+  %64 = phi i64 [ 0, %45 ], [ %79, %63 ]
+  %65 = getelementptr inbounds double, ptr %53, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %56, %66
+  %68 = add nuw nsw i64 %64, 3
+  %69 = getelementptr inbounds double, ptr %53, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = fmul double %59, %70
+  %72 = fadd double %67, %71
+  %73 = add nuw nsw i64 %64, 6
+  %74 = getelementptr inbounds double, ptr %53, i64 %73
+  %75 = load double, ptr %74, align 8
+  %76 = fmul double %62, %75
+  %77 = fadd double %72, %76
+  %78 = getelementptr inbounds double, ptr %6, i64 %64
+  store double %77, ptr %78, align 8
+  %79 = add nuw nsw i64 %64, 1
+  %80 = icmp eq i64 %79, 3
+  br i1 %80, label %81, label %63
 
-85:                                               ; preds = %75
-  %86 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %87 = load ptr, ptr %86, align 8
-  %88 = icmp eq ptr %87, null
-  %89 = getelementptr inbounds i64, ptr %87, i64 %1
-  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %91 = select i1 %88, ptr %90, ptr %89
-  %92 = load i64, ptr %91, align 8
-  %93 = getelementptr inbounds double, ptr %32, i64 %92
-  %94 = load double, ptr %93, align 8
-  %95 = fcmp uno double %94, 0.000000e+00
-  br i1 %95, label %394, label %100
+81:                                               ; preds = %63
+  %82 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
+  %83 = load ptr, ptr %82, align 8
+  %84 = mul nsw i64 %1, 6
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  br label %86
 
-96:                                               ; preds = %75
-  %97 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %98 = load i32, ptr %97, align 8
-  %99 = icmp eq i32 %98, 1
-  br i1 %99, label %394, label %100
+86:                                               ; preds = %86, %81
+  %87 = phi i64 [ 0, %81 ], [ %104, %86 ]
+  %88 = phi double [ 0.000000e+00, %81 ], [ %103, %86 ]
+  %89 = getelementptr inbounds double, ptr %85, i64 %87
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds double, ptr %6, i64 %87
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %90, %92
+  %94 = add nuw nsw i64 %87, 3
+  %95 = getelementptr inbounds double, ptr %85, i64 %94
+  %96 = load double, ptr %95, align 8
+  %97 = fsub double %92, %96
+  %98 = fcmp ogt double %93, %97
+  %99 = select i1 %98, double %93, double %97
+  %100 = fcmp ogt double %99, 0.000000e+00
+  %101 = select i1 %100, double %99, double 0.000000e+00
+  %102 = fmul double %101, %101
+  %103 = fadd double %88, %102
+  %104 = add nuw nsw i64 %87, 1
+  %105 = icmp eq i64 %104, 3
+  br i1 %105, label %106, label %86
 
-100:                                              ; preds = %85, %96
-  %101 = fsub double %78, %84
-  %102 = fsub double %101, %30
-  %103 = fcmp ogt double %102, %52
-  br i1 %103, label %394, label %104
+106:                                              ; preds = %86
+  %107 = fadd double %36, %3
+  %108 = fmul double %107, %107
+  %109 = fcmp ule double %103, %108
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  br i1 %109, label %110, label %169
 
-104:                                              ; preds = %100, %104
-  %105 = phi i64 [ %117, %104 ], [ 0, %100 ]
-  %106 = phi double [ %116, %104 ], [ 0.000000e+00, %100 ]
-  %107 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %105
-  %108 = load double, ptr %107, align 8
-  %109 = fcmp ogt double %108, 0.000000e+00
-  %110 = add nuw nsw i64 %105, 3
-  %111 = select i1 %109, i64 %110, i64 %105
-  %112 = and i64 %111, 4294967295
-  %113 = getelementptr inbounds double, ptr %20, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = fmul double %108, %114
-  %116 = fadd double %106, %115
-  %117 = add nuw nsw i64 %105, 1
-  %118 = icmp eq i64 %117, 3
-  br i1 %118, label %119, label %104
+110:                                              ; preds = %106
+  %111 = getelementptr inbounds i64, ptr %49, i64 %2
+  %112 = load i64, ptr %111, align 8
+  %113 = mul nsw i64 %112, 12
+  %114 = getelementptr inbounds double, ptr %47, i64 %113
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  %115 = getelementptr inbounds double, ptr %114, i64 9
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %13, %116
+  %118 = getelementptr inbounds double, ptr %114, i64 10
+  %119 = load double, ptr %118, align 8
+  %120 = fsub double %17, %119
+  %121 = getelementptr inbounds double, ptr %114, i64 11
+  %122 = load double, ptr %121, align 8
+  %123 = fsub double %22, %122
+  br label %124
 
-119:                                              ; preds = %104
-  %120 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
-  %121 = load double, ptr %120, align 8
-  %122 = fsub double %121, %116
-  %123 = fadd double %77, %122
-  %124 = fcmp ogt double %123, %52
-  br i1 %124, label %394, label %125
-
-125:                                              ; preds = %119
-  %126 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  br label %127
-
-127:                                              ; preds = %127, %125
-  %128 = phi i64 [ 0, %125 ], [ %140, %127 ]
-  %129 = phi double [ 0.000000e+00, %125 ], [ %139, %127 ]
-  %130 = getelementptr inbounds [3 x double], ptr %126, i64 0, i64 %128
+124:                                              ; preds = %124, %110
+  %125 = phi i64 [ 0, %110 ], [ %140, %124 ]
+  %126 = getelementptr inbounds double, ptr %114, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = fmul double %117, %127
+  %129 = add nuw nsw i64 %125, 3
+  %130 = getelementptr inbounds double, ptr %114, i64 %129
   %131 = load double, ptr %130, align 8
-  %132 = fcmp ogt double %131, 0.000000e+00
-  %133 = add nuw nsw i64 %128, 3
-  %134 = select i1 %132, i64 %133, i64 %128
-  %135 = and i64 %134, 4294967295
-  %136 = getelementptr inbounds double, ptr %20, i64 %135
-  %137 = load double, ptr %136, align 8
-  %138 = fmul double %131, %137
-  %139 = fadd double %129, %138
-  %140 = add nuw nsw i64 %128, 1
+  %132 = fmul double %120, %131
+  %133 = fadd double %128, %132
+  %134 = add nuw nsw i64 %125, 6
+  %135 = getelementptr inbounds double, ptr %114, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = fmul double %123, %136
+  %138 = fadd double %133, %137
+  %139 = getelementptr inbounds double, ptr %5, i64 %125
+  store double %138, ptr %139, align 8
+  %140 = add nuw nsw i64 %125, 1
   %141 = icmp eq i64 %140, 3
-  br i1 %141, label %142, label %127
+  br i1 %141, label %142, label %124
 
-142:                                              ; preds = %127
-  %143 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
-  %144 = load double, ptr %143, align 8
-  %145 = fsub double %144, %139
-  %146 = fadd double %77, %145
-  %147 = fcmp ogt double %146, %52
-  br i1 %147, label %394, label %148
+142:                                              ; preds = %124
+  %143 = mul nsw i64 %2, 6
+  %144 = getelementptr inbounds double, ptr %83, i64 %143
+  br label %145
 
-148:                                              ; preds = %142
-  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 34
-  %150 = load ptr, ptr %149, align 8
-  %151 = shl nsw i64 %2, 1
-  %152 = getelementptr inbounds i64, ptr %150, i64 %151
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #15
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp slt i64 %153, 0
-  br i1 %154, label %155, label %203
+145:                                              ; preds = %145, %142
+  %146 = phi i64 [ 0, %142 ], [ %163, %145 ]
+  %147 = phi double [ 0.000000e+00, %142 ], [ %162, %145 ]
+  %148 = getelementptr inbounds double, ptr %144, i64 %146
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %5, i64 %146
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = add nuw nsw i64 %146, 3
+  %154 = getelementptr inbounds double, ptr %144, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %151, %155
+  %157 = fcmp ogt double %152, %156
+  %158 = select i1 %157, double %152, double %156
+  %159 = fcmp ogt double %158, 0.000000e+00
+  %160 = select i1 %159, double %158, double 0.000000e+00
+  %161 = fmul double %160, %160
+  %162 = fadd double %147, %161
+  %163 = add nuw nsw i64 %146, 1
+  %164 = icmp eq i64 %163, 3
+  br i1 %164, label %165, label %145
 
-155:                                              ; preds = %148
-  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 36
-  %157 = load ptr, ptr %156, align 8
-  %158 = getelementptr inbounds i64, ptr %152, i64 1
-  %159 = load i64, ptr %158, align 8
-  %160 = mul nsw i64 %159, 9
-  %161 = getelementptr inbounds double, ptr %157, i64 %160
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @leaf_core(ptr noundef %161, ptr noundef nonnull %8, ptr noundef nonnull %9)
-  %162 = load double, ptr %126, align 8
-  %163 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
-  %164 = load double, ptr %163, align 8
-  %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
+165:                                              ; preds = %145
+  %166 = fmul double %32, %32
+  %167 = fcmp ogt double %162, %166
+  %168 = zext i1 %167 to i32
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br label %169
+
+169:                                              ; preds = %165, %106, %4
+  %170 = phi i32 [ 1, %106 ], [ 1, %4 ], [ %168, %165 ]
+  ret i32 %170
+}
+
+define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnamed_addr #0 {
+  %3 = alloca %struct.Plane, align 8
+  %4 = alloca %struct.Plane, align 8
+  %5 = alloca %struct.Core, align 8
+  %6 = alloca %struct.Two, align 8
+  %7 = alloca [12 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [12 x double], align 16
+  %11 = alloca double, align 8
+  %12 = alloca %struct.Search, align 8
+  %13 = alloca %struct.Plane, align 8
+  %14 = alloca %struct.Plane, align 8
+  %15 = load ptr, ptr %0, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr inbounds i64, ptr %17, i64 %19
+  %21 = load i64, ptr %20, align 8
+  %22 = icmp eq i64 %21, 4
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %24 = load ptr, ptr %23, align 8
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 216, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  %25 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 15
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %26, i64 %19
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %26, i64 %1
+  %30 = load double, ptr %29, align 8
+  %31 = fadd double %28, %30
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %33 = load ptr, ptr %32, align 8
+  %34 = icmp eq ptr %33, null
+  br i1 %34, label %44, label %35
+
+35:                                               ; preds = %2
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %37 = load ptr, ptr %36, align 8
+  %38 = icmp eq ptr %37, null
+  %39 = getelementptr inbounds i64, ptr %37, i64 %1
+  %40 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %41 = select i1 %38, ptr %40, ptr %39
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr inbounds double, ptr %33, i64 %42
+  br label %44
+
+44:                                               ; preds = %2, %35
+  %45 = phi ptr [ %43, %35 ], [ null, %2 ]
+  %46 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  store i64 -1, ptr %46, align 8
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 -1, ptr %47, align 8
+  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  store i32 0, ptr %48, align 8
+  %49 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  store i32 0, ptr %49, align 4
+  %50 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  store i32 0, ptr %50, align 8
+  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  store double 0.000000e+00, ptr %51, align 8
+  br i1 %22, label %52, label %53
+
+52:                                               ; preds = %44
+  call fastcc void @look_at_surfaces(ptr noundef nonnull %0, i64 noundef %1, ptr noundef nonnull %6)
+  br label %362
+
+53:                                               ; preds = %44
+  %54 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 42
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr inbounds i64, ptr %57, i64 %1
+  %59 = load i64, ptr %58, align 8
+  %60 = getelementptr inbounds i64, ptr %57, i64 %19
+  %61 = load i64, ptr %60, align 8
+  %62 = mul nsw i64 %61, 12
+  %63 = getelementptr inbounds double, ptr %55, i64 %62
+  %64 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  store ptr %63, ptr %64, align 8
+  %65 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 43
+  %66 = load ptr, ptr %65, align 8
+  %67 = mul nsw i64 %19, 3
+  %68 = getelementptr inbounds double, ptr %66, i64 %67
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  store ptr %68, ptr %69, align 8
+  %70 = icmp sgt i64 %59, 0
+  br i1 %70, label %71, label %234
+
+71:                                               ; preds = %53
+  %72 = mul nsw i64 %59, 12
+  %73 = getelementptr inbounds double, ptr %55, i64 %72
+  br label %74
+
+74:                                               ; preds = %117, %71
+  %75 = phi i64 [ 0, %71 ], [ %118, %117 ]
+  %76 = getelementptr inbounds double, ptr %73, i64 %75
+  %77 = add nuw nsw i64 %75, 3
+  %78 = getelementptr inbounds double, ptr %73, i64 %77
+  %79 = add nuw nsw i64 %75, 6
+  %80 = getelementptr inbounds double, ptr %73, i64 %79
+  %81 = mul nuw nsw i64 %75, 3
+  br label %120
+
+82:                                               ; preds = %117
+  %83 = getelementptr inbounds double, ptr %63, i64 9
+  %84 = getelementptr inbounds double, ptr %7, i64 9
+  %85 = load double, ptr %83, align 8
+  %86 = getelementptr inbounds double, ptr %73, i64 9
+  %87 = load double, ptr %86, align 8
+  %88 = fsub double %85, %87
+  %89 = getelementptr inbounds double, ptr %63, i64 10
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds double, ptr %73, i64 10
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %90, %92
+  %94 = getelementptr inbounds double, ptr %63, i64 11
+  %95 = load double, ptr %94, align 8
+  %96 = getelementptr inbounds double, ptr %73, i64 11
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %95, %97
+  br label %99
+
+99:                                               ; preds = %99, %82
+  %100 = phi i64 [ 0, %82 ], [ %115, %99 ]
+  %101 = getelementptr inbounds double, ptr %73, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %88, %102
+  %104 = add nuw nsw i64 %100, 3
+  %105 = getelementptr inbounds double, ptr %73, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %93, %106
+  %108 = fadd double %103, %107
+  %109 = add nuw nsw i64 %100, 6
+  %110 = getelementptr inbounds double, ptr %73, i64 %109
+  %111 = load double, ptr %110, align 8
+  %112 = fmul double %98, %111
+  %113 = fadd double %108, %112
+  %114 = getelementptr inbounds double, ptr %84, i64 %100
+  store double %113, ptr %114, align 8
+  %115 = add nuw nsw i64 %100, 1
+  %116 = icmp eq i64 %115, 3
+  br i1 %116, label %142, label %99
+
+117:                                              ; preds = %120
+  %118 = add nuw nsw i64 %75, 1
+  %119 = icmp eq i64 %118, 3
+  br i1 %119, label %82, label %74
+
+120:                                              ; preds = %120, %74
+  %121 = phi i64 [ 0, %74 ], [ %140, %120 ]
+  %122 = load double, ptr %76, align 8
+  %123 = getelementptr inbounds double, ptr %63, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = fmul double %122, %124
+  %126 = load double, ptr %78, align 8
+  %127 = add nuw nsw i64 %121, 3
+  %128 = getelementptr inbounds double, ptr %63, i64 %127
+  %129 = load double, ptr %128, align 8
+  %130 = fmul double %126, %129
+  %131 = fadd double %125, %130
+  %132 = load double, ptr %80, align 8
+  %133 = add nuw nsw i64 %121, 6
+  %134 = getelementptr inbounds double, ptr %63, i64 %133
+  %135 = load double, ptr %134, align 8
+  %136 = fmul double %132, %135
+  %137 = fadd double %131, %136
+  %138 = add nuw nsw i64 %121, %81
+  %139 = getelementptr inbounds double, ptr %7, i64 %138
+  store double %137, ptr %139, align 8
+  %140 = add nuw nsw i64 %121, 1
+  %141 = icmp eq i64 %140, 3
+  br i1 %141, label %117, label %120
+
+142:                                              ; preds = %99
+  %143 = load double, ptr %68, align 8
+  %144 = load double, ptr %86, align 8
+  %145 = fsub double %143, %144
+  %146 = getelementptr inbounds double, ptr %68, i64 1
+  %147 = load double, ptr %146, align 8
+  %148 = load double, ptr %91, align 8
+  %149 = fsub double %147, %148
+  %150 = getelementptr inbounds double, ptr %68, i64 2
+  %151 = load double, ptr %150, align 8
+  %152 = load double, ptr %96, align 8
+  %153 = fsub double %151, %152
+  br label %154
+
+154:                                              ; preds = %154, %142
+  %155 = phi i64 [ 0, %142 ], [ %170, %154 ]
+  %156 = getelementptr inbounds double, ptr %73, i64 %155
+  %157 = load double, ptr %156, align 8
+  %158 = fmul double %145, %157
+  %159 = add nuw nsw i64 %155, 3
+  %160 = getelementptr inbounds double, ptr %73, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = fmul double %149, %161
+  %163 = fadd double %158, %162
+  %164 = add nuw nsw i64 %155, 6
+  %165 = getelementptr inbounds double, ptr %73, i64 %164
   %166 = load double, ptr %165, align 8
-  br label %171
+  %167 = fmul double %153, %166
+  %168 = fadd double %163, %167
+  %169 = getelementptr inbounds double, ptr %8, i64 %155
+  store double %168, ptr %169, align 8
+  %170 = add nuw nsw i64 %155, 1
+  %171 = icmp eq i64 %170, 3
+  br i1 %171, label %172, label %154
 
-167:                                              ; preds = %171
-  %168 = fsub double %144, %186
-  %169 = fadd double %77, %168
-  %170 = fcmp ogt double %169, %52
-  br i1 %170, label %202, label %189
+172:                                              ; preds = %154
+  store ptr %7, ptr %64, align 8
+  store ptr %8, ptr %69, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(152) %5, ptr noundef nonnull align 8 dereferenceable(152) %24, i64 152, i1 false)
+  %173 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 5
+  store ptr %7, ptr %173, align 8
+  %174 = load i64, ptr %5, align 8
+  %175 = icmp eq i64 %174, 0
+  br i1 %175, label %232, label %176
 
-171:                                              ; preds = %155, %171
-  %172 = phi i64 [ 0, %155 ], [ %187, %171 ]
-  %173 = phi double [ 0xFFF0000000000000, %155 ], [ %186, %171 ]
-  %174 = mul nuw nsw i64 %172, 3
-  %175 = getelementptr inbounds double, ptr %161, i64 %174
-  %176 = load double, ptr %175, align 8
-  %177 = fmul double %162, %176
-  %178 = getelementptr inbounds double, ptr %175, i64 1
-  %179 = load double, ptr %178, align 8
-  %180 = fmul double %164, %179
-  %181 = fadd double %177, %180
-  %182 = getelementptr inbounds double, ptr %175, i64 2
-  %183 = load double, ptr %182, align 8
-  %184 = fmul double %166, %183
-  %185 = fadd double %181, %184
-  %186 = call double @llvm.maxnum.f64(double %173, double %185)
-  %187 = add nuw nsw i64 %172, 1
-  %188 = icmp eq i64 %187, 3
-  br i1 %188, label %167, label %171
+176:                                              ; preds = %172
+  %177 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 16
+  %178 = load ptr, ptr %177, align 8
+  %179 = mul nsw i64 %19, 12
+  %180 = getelementptr inbounds double, ptr %178, i64 %179
+  %181 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 7
+  %182 = getelementptr inbounds double, ptr %180, i64 9
+  %183 = getelementptr inbounds double, ptr %180, i64 10
+  %184 = getelementptr inbounds double, ptr %180, i64 11
+  br label %185
 
-189:                                              ; preds = %167
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %126, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, ptr noundef nonnull align 8 dereferenceable(24) %126, i64 24, i1 false)
-  %190 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %191 = load ptr, ptr %190, align 8
-  %192 = call fastcc i32 @shape_bounds(ptr noundef %16, i64 noundef %24, ptr noundef %191, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %11, double noundef %52, double noundef %51, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10, ptr noundef null)
-  %193 = icmp ne i32 %192, 0
-  %194 = load double, ptr %6, align 8
-  %195 = fcmp ugt double %194, %52
-  %196 = select i1 %193, i1 %195, i1 false
-  br i1 %196, label %201, label %197
+185:                                              ; preds = %196, %176
+  %186 = phi i64 [ 0, %176 ], [ %210, %196 ]
+  %187 = mul nuw nsw i64 %186, 3
+  %188 = getelementptr inbounds double, ptr %7, i64 %187
+  %189 = add nuw nsw i64 %187, 1
+  %190 = getelementptr inbounds double, ptr %7, i64 %189
+  %191 = add nuw nsw i64 %187, 2
+  %192 = getelementptr inbounds double, ptr %7, i64 %191
+  %193 = load double, ptr %188, align 8
+  %194 = load double, ptr %190, align 8
+  %195 = load double, ptr %192, align 8
+  br label %212
 
-197:                                              ; preds = %189
-  %198 = load double, ptr %7, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %192, double noundef %194, double noundef %198)
-  %199 = load i64, ptr %158, align 8
-  %200 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  store i64 %199, ptr %200, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %126, ptr noundef nonnull align 8 dereferenceable(32) %10, i64 32, i1 false)
-  br label %201
+196:                                              ; preds = %212
+  %197 = load double, ptr %182, align 8
+  %198 = fmul double %193, %197
+  %199 = load double, ptr %183, align 8
+  %200 = fmul double %194, %199
+  %201 = fadd double %198, %200
+  %202 = load double, ptr %184, align 8
+  %203 = fmul double %195, %202
+  %204 = fadd double %201, %203
+  %205 = add nuw nsw i64 %186, 9
+  %206 = getelementptr inbounds double, ptr %7, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = fadd double %207, %204
+  %209 = getelementptr inbounds double, ptr %181, i64 %205
+  store double %208, ptr %209, align 8
+  %210 = add nuw nsw i64 %186, 1
+  %211 = icmp eq i64 %210, 3
+  br i1 %211, label %231, label %185
 
-201:                                              ; preds = %189, %197
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #15
-  br label %202
+212:                                              ; preds = %212, %185
+  %213 = phi i64 [ 0, %185 ], [ %229, %212 ]
+  %214 = getelementptr inbounds double, ptr %180, i64 %213
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %193, %215
+  %217 = add nuw nsw i64 %213, 3
+  %218 = getelementptr inbounds double, ptr %180, i64 %217
+  %219 = load double, ptr %218, align 8
+  %220 = fmul double %194, %219
+  %221 = fadd double %216, %220
+  %222 = add nuw nsw i64 %213, 6
+  %223 = getelementptr inbounds double, ptr %180, i64 %222
+  %224 = load double, ptr %223, align 8
+  %225 = fmul double %195, %224
+  %226 = fadd double %221, %225
+  %227 = add nuw nsw i64 %213, %187
+  %228 = getelementptr inbounds double, ptr %181, i64 %227
+  store double %226, ptr %228, align 8
+  %229 = add nuw nsw i64 %213, 1
+  %230 = icmp eq i64 %229, 3
+  br i1 %230, label %196, label %212
 
-202:                                              ; preds = %167, %201
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #15
-  br label %393
+231:                                              ; preds = %196
+  store ptr %181, ptr %173, align 8
+  br label %232
 
-203:                                              ; preds = %148
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %12) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %12, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #15
-  %204 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %204, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
-  br label %205
+232:                                              ; preds = %172, %231
+  store ptr %5, ptr %23, align 8
+  %233 = select i1 %34, double 0.000000e+00, double 1.000000e-10
+  store double %233, ptr %51, align 8
+  store i32 1, ptr %48, align 8
+  br label %234
 
-205:                                              ; preds = %205, %203
-  %206 = phi i64 [ 0, %203 ], [ %221, %205 ]
-  %207 = getelementptr inbounds double, ptr %20, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = add nuw nsw i64 %206, 3
-  %210 = getelementptr inbounds double, ptr %20, i64 %209
-  %211 = load double, ptr %210, align 8
-  %212 = fadd double %208, %211
-  %213 = fmul double %212, 5.000000e-01
-  %214 = add nuw nsw i64 %206, 9
-  %215 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %214
-  store double %213, ptr %215, align 8
-  %216 = load double, ptr %210, align 8
-  %217 = load double, ptr %207, align 8
-  %218 = fsub double %216, %217
-  %219 = fmul double %218, 5.000000e-01
-  %220 = getelementptr inbounds double, ptr %13, i64 %206
-  store double %219, ptr %220, align 8
-  %221 = add nuw nsw i64 %206, 1
-  %222 = icmp eq i64 %221, 3
-  br i1 %222, label %223, label %205
-
-223:                                              ; preds = %205
-  store i64 1, ptr %14, align 8
-  %224 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 5
-  store ptr %204, ptr %224, align 8
-  %225 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 6
-  store ptr %13, ptr %225, align 8
-  %226 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 9
-  %227 = load double, ptr %13, align 16
-  %228 = fmul double %227, %227
-  %229 = getelementptr inbounds double, ptr %13, i64 1
-  %230 = load double, ptr %229, align 8
-  %231 = fmul double %230, %230
-  %232 = fadd double %228, %231
-  %233 = getelementptr inbounds double, ptr %13, i64 2
-  %234 = load double, ptr %233, align 16
-  %235 = fmul double %234, %234
-  %236 = fadd double %232, %235
-  %237 = call double @llvm.sqrt.f64(double %236)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 37
+234:                                              ; preds = %232, %53
+  %235 = phi ptr [ %8, %232 ], [ %68, %53 ]
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %3) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %4) #18
+  %236 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
+  %237 = load ptr, ptr %236, align 8
+  %238 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
   %239 = load ptr, ptr %238, align 8
-  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 11
-  %241 = load ptr, ptr %240, align 8
-  %242 = getelementptr inbounds i64, ptr %241, i64 %24
-  %243 = load i64, ptr %242, align 8
-  %244 = mul nsw i64 %243, 12
-  %245 = getelementptr inbounds double, ptr %239, i64 %244
-  %246 = load double, ptr %226, align 8
-  %247 = getelementptr inbounds double, ptr %245, i64 9
-  %248 = load double, ptr %247, align 8
-  %249 = fsub double %246, %248
-  %250 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 10
-  %251 = load double, ptr %250, align 8
-  %252 = getelementptr inbounds double, ptr %245, i64 10
+  %240 = getelementptr inbounds i64, ptr %239, i64 %1
+  %241 = load i64, ptr %240, align 8
+  %242 = mul nsw i64 %241, 6
+  %243 = getelementptr inbounds double, ptr %237, i64 %242
+  %244 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 18
+  %245 = load ptr, ptr %244, align 8
+  br label %249
+
+246:                                              ; preds = %249
+  %247 = call double @llvm.sqrt.f64(double %264)
+  %248 = fcmp ogt double %247, 0.000000e+00
+  br label %267
+
+249:                                              ; preds = %249, %234
+  %250 = phi i64 [ 0, %234 ], [ %265, %249 ]
+  %251 = phi double [ 0.000000e+00, %234 ], [ %264, %249 ]
+  %252 = getelementptr inbounds double, ptr %235, i64 %250
   %253 = load double, ptr %252, align 8
-  %254 = fsub double %251, %253
-  %255 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 11
-  %256 = load double, ptr %255, align 8
-  %257 = getelementptr inbounds double, ptr %245, i64 11
+  %254 = getelementptr inbounds double, ptr %243, i64 %250
+  %255 = load double, ptr %254, align 8
+  %256 = add nuw nsw i64 %250, 3
+  %257 = getelementptr inbounds double, ptr %243, i64 %256
   %258 = load double, ptr %257, align 8
-  %259 = fsub double %256, %258
-  br label %260
+  %259 = fadd double %255, %258
+  %260 = fmul double %259, 5.000000e-01
+  %261 = fsub double %253, %260
+  %262 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %250
+  store double %261, ptr %262, align 8
+  %263 = fmul double %261, %261
+  %264 = fadd double %251, %263
+  %265 = add nuw nsw i64 %250, 1
+  %266 = icmp eq i64 %265, 3
+  br i1 %266, label %246, label %249
 
-260:                                              ; preds = %260, %223
-  %261 = phi i64 [ 0, %223 ], [ %276, %260 ]
-  %262 = getelementptr inbounds double, ptr %245, i64 %261
-  %263 = load double, ptr %262, align 8
-  %264 = fmul double %249, %263
-  %265 = add nuw nsw i64 %261, 3
-  %266 = getelementptr inbounds double, ptr %245, i64 %265
-  %267 = load double, ptr %266, align 8
-  %268 = fmul double %254, %267
-  %269 = fadd double %264, %268
-  %270 = add nuw nsw i64 %261, 6
-  %271 = getelementptr inbounds double, ptr %245, i64 %270
-  %272 = load double, ptr %271, align 8
-  %273 = fmul double %259, %272
-  %274 = fadd double %269, %273
-  %275 = getelementptr inbounds double, ptr %5, i64 %261
-  store double %274, ptr %275, align 8
-  %276 = add nuw nsw i64 %261, 1
-  %277 = icmp eq i64 %276, 3
-  br i1 %277, label %278, label %260
+267:                                              ; preds = %276, %246
+  %268 = phi i64 [ 0, %246 ], [ %279, %276 ]
+  br i1 %248, label %269, label %273
 
-278:                                              ; preds = %260
-  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 19
-  %280 = load ptr, ptr %279, align 8
-  %281 = mul nsw i64 %24, 6
-  %282 = getelementptr inbounds double, ptr %280, i64 %281
-  br label %283
+269:                                              ; preds = %267
+  %270 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %268
+  %271 = load double, ptr %270, align 8
+  %272 = fdiv double %271, %247
+  br label %276
 
-283:                                              ; preds = %283, %278
-  %284 = phi i64 [ 0, %278 ], [ %301, %283 ]
-  %285 = phi double [ 0.000000e+00, %278 ], [ %300, %283 ]
-  %286 = getelementptr inbounds double, ptr %282, i64 %284
-  %287 = load double, ptr %286, align 8
-  %288 = getelementptr inbounds double, ptr %5, i64 %284
+273:                                              ; preds = %267
+  %274 = icmp eq i64 %268, 0
+  %275 = uitofp i1 %274 to double
+  br label %276
+
+276:                                              ; preds = %273, %269
+  %277 = phi double [ %272, %269 ], [ %275, %273 ]
+  %278 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %268
+  store double %277, ptr %278, align 8
+  %279 = add nuw nsw i64 %268, 1
+  %280 = icmp eq i64 %279, 3
+  br i1 %280, label %281, label %267
+
+281:                                              ; preds = %276
+  %282 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %283 = shl nsw i64 %19, 2
+  %284 = getelementptr inbounds double, ptr %245, i64 %283
+  %285 = load double, ptr %4, align 8
+  %286 = load double, ptr %235, align 8
+  %287 = fmul double %285, %286
+  %288 = getelementptr inbounds double, ptr %4, i64 1
   %289 = load double, ptr %288, align 8
-  %290 = fsub double %287, %289
-  %291 = add nuw nsw i64 %284, 3
-  %292 = getelementptr inbounds double, ptr %282, i64 %291
-  %293 = load double, ptr %292, align 8
-  %294 = fsub double %289, %293
-  %295 = fcmp ogt double %290, %294
-  %296 = select i1 %295, double %290, double %294
-  %297 = fcmp ogt double %296, 0.000000e+00
-  %298 = select i1 %297, double %296, double 0.000000e+00
-  %299 = fmul double %298, %298
-  %300 = fadd double %285, %299
-  %301 = add nuw nsw i64 %284, 1
-  %302 = icmp eq i64 %301, 3
-  br i1 %302, label %303, label %283
+  %290 = getelementptr inbounds double, ptr %235, i64 1
+  %291 = load double, ptr %290, align 8
+  %292 = fmul double %289, %291
+  %293 = fadd double %287, %292
+  %294 = getelementptr inbounds double, ptr %4, i64 2
+  %295 = load double, ptr %294, align 8
+  %296 = getelementptr inbounds double, ptr %235, i64 2
+  %297 = load double, ptr %296, align 8
+  %298 = fmul double %295, %297
+  %299 = fadd double %293, %298
+  %300 = getelementptr inbounds double, ptr %284, i64 3
+  %301 = load double, ptr %300, align 8
+  %302 = load ptr, ptr %25, align 8
+  %303 = getelementptr inbounds double, ptr %302, i64 %19
+  %304 = load double, ptr %303, align 8
+  %305 = fsub double %301, %304
+  %306 = fsub double %299, %305
+  %307 = getelementptr inbounds %struct.Plane, ptr %4, i64 0, i32 1
+  store double %306, ptr %307, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %282, ptr noundef nonnull align 8 dereferenceable(32) %4, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %4) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %3, ptr noundef nonnull align 8 dereferenceable(32) %282, i64 32, i1 false)
+  %308 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %309 = load ptr, ptr %308, align 8
+  %310 = icmp eq ptr %309, null
+  br i1 %310, label %343, label %311
 
-303:                                              ; preds = %283
-  %304 = fadd double %30, %52
-  %305 = fadd double %304, %237
-  %306 = fmul double %305, %305
-  %307 = fcmp ule double %300, %306
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br i1 %307, label %308, label %392
+311:                                              ; preds = %281
+  %312 = load ptr, ptr %56, align 8
+  %313 = getelementptr inbounds i64, ptr %312, i64 %1
+  %314 = load i64, ptr %313, align 8
+  %315 = icmp sgt i64 %314, 0
+  br i1 %315, label %316, label %343
 
-308:                                              ; preds = %303
-  %309 = fadd double %227, %230
-  %310 = fadd double %309, %234
-  %311 = load double, ptr %83, align 8
-  %312 = fmul double %311, 2.000000e+00
-  %313 = fcmp olt double %310, %312
-  br i1 %313, label %314, label %339
+316:                                              ; preds = %311
+  %317 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %318 = load ptr, ptr %317, align 8
+  %319 = icmp eq ptr %318, null
+  %320 = getelementptr inbounds i64, ptr %318, i64 %1
+  %321 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %322 = select i1 %319, ptr %321, ptr %320
+  %323 = load i64, ptr %322, align 8
+  %324 = mul nsw i64 %323, 3
+  %325 = getelementptr inbounds double, ptr %309, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = fcmp ogt double %326, 0.000000e+00
+  br i1 %327, label %328, label %343
 
-314:                                              ; preds = %308
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
-  br label %321
+328:                                              ; preds = %316
+  %329 = fptosi double %326 to i64
+  %330 = add nsw i64 %329, -1
+  br i1 %34, label %331, label %334
 
-315:                                              ; preds = %321
-  %316 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %317 = load ptr, ptr %316, align 8
-  %318 = fsub double %52, %77
-  %319 = call fastcc i32 @bounds(ptr noundef %317, ptr noundef nonnull %14, ptr noundef nonnull %15, double noundef %318, double noundef %318, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12, ptr noundef null)
-  %320 = icmp eq i32 %319, 0
-  br i1 %320, label %336, label %332
+331:                                              ; preds = %328
+  %332 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %333 = load double, ptr %332, align 8
+  br label %341
 
-321:                                              ; preds = %314, %321
-  %322 = phi i64 [ 0, %314 ], [ %330, %321 ]
-  %323 = getelementptr inbounds double, ptr %26, i64 %322
-  %324 = load double, ptr %323, align 8
-  %325 = add nuw nsw i64 %322, 9
-  %326 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %325
-  %327 = load double, ptr %326, align 8
-  %328 = fsub double %324, %327
-  %329 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %322
-  store double %328, ptr %329, align 8
-  %330 = add nuw nsw i64 %322, 1
-  %331 = icmp eq i64 %330, 3
-  br i1 %331, label %315, label %321
+334:                                              ; preds = %328
+  %335 = getelementptr inbounds double, ptr %33, i64 %323
+  %336 = load double, ptr %335, align 8
+  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %338 = load double, ptr %337, align 8
+  %339 = fcmp ogt double %336, %338
+  %340 = select i1 %339, double %338, double %336
+  br label %341
 
-332:                                              ; preds = %315
-  %333 = load double, ptr %6, align 8
-  %334 = fadd double %77, %333
-  %335 = fcmp ogt double %334, %52
-  br i1 %335, label %338, label %336
+341:                                              ; preds = %334, %331
+  %342 = phi double [ %340, %334 ], [ %333, %331 ]
+  call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %330, double noundef %342, ptr noundef nonnull %3)
+  br label %343
 
-336:                                              ; preds = %332, %315
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  %337 = load ptr, ptr %17, align 8
-  br label %339
+343:                                              ; preds = %341, %316, %311, %281
+  %344 = phi i1 [ false, %341 ], [ false, %316 ], [ true, %311 ], [ true, %281 ]
+  %345 = phi ptr [ %325, %341 ], [ %325, %316 ], [ null, %311 ], [ null, %281 ]
+  %346 = load ptr, ptr %238, align 8
+  %347 = getelementptr inbounds i64, ptr %346, i64 %1
+  %348 = load i64, ptr %347, align 8
+  %349 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
+  %350 = load ptr, ptr %349, align 8
+  %351 = getelementptr inbounds i64, ptr %350, i64 %1
+  %352 = load i64, ptr %351, align 8
+  %353 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %354 = load ptr, ptr %353, align 8
+  %355 = getelementptr inbounds i64, ptr %354, i64 %1
+  %356 = load i64, ptr %355, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %348, i64 noundef %352, i64 noundef %356, ptr noundef nonnull %3)
+  br i1 %344, label %361, label %357
 
-338:                                              ; preds = %332
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  br label %392
+357:                                              ; preds = %343
+  %358 = load i64, ptr %47, align 8
+  %359 = add nsw i64 %358, 1
+  %360 = sitofp i64 %359 to double
+  store double %360, ptr %345, align 8
+  br label %361
 
-339:                                              ; preds = %336, %308
-  %340 = phi ptr [ %337, %336 ], [ %18, %308 ]
-  %341 = load i64, ptr %152, align 8
-  %342 = mul nsw i64 %341, 6
-  %343 = getelementptr inbounds double, ptr %340, i64 %342
-  br label %344
+361:                                              ; preds = %343, %357
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %3) #18
+  br label %362
 
-344:                                              ; preds = %344, %339
-  %345 = phi i64 [ 0, %339 ], [ %357, %344 ]
-  %346 = phi double [ 0.000000e+00, %339 ], [ %356, %344 ]
-  %347 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %345
-  %348 = load double, ptr %347, align 8
-  %349 = fcmp ogt double %348, 0.000000e+00
-  %350 = add nuw nsw i64 %345, 3
-  %351 = select i1 %349, i64 %350, i64 %345
-  %352 = and i64 %351, 4294967295
-  %353 = getelementptr inbounds double, ptr %343, i64 %352
-  %354 = load double, ptr %353, align 8
-  %355 = fmul double %348, %354
-  %356 = fadd double %346, %355
-  %357 = add nuw nsw i64 %345, 1
-  %358 = icmp eq i64 %357, 3
-  br i1 %358, label %359, label %344
+362:                                              ; preds = %361, %52
+  %363 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 17
+  %364 = load ptr, ptr %363, align 8
+  %365 = mul nsw i64 %1, 3
+  %366 = getelementptr inbounds double, ptr %364, i64 %365
+  %367 = load double, ptr %366, align 8
+  %368 = fcmp ogt double %367, 0.000000e+00
+  %369 = icmp ne ptr %45, null
+  br i1 %369, label %370, label %377
 
-359:                                              ; preds = %344
-  %360 = getelementptr inbounds %struct.Plane, ptr %12, i64 0, i32 1
-  %361 = load double, ptr %360, align 8
-  %362 = getelementptr inbounds i64, ptr %152, i64 1
-  %363 = load i64, ptr %362, align 8
-  %364 = mul nsw i64 %363, 6
-  %365 = getelementptr inbounds double, ptr %340, i64 %364
-  br label %366
+370:                                              ; preds = %362
+  %371 = load double, ptr %45, align 8
+  %372 = fneg double %31
+  %373 = fcmp ogt double %371, %372
+  br i1 %373, label %377, label %374
 
-366:                                              ; preds = %366, %359
-  %367 = phi i64 [ 0, %359 ], [ %379, %366 ]
-  %368 = phi double [ 0.000000e+00, %359 ], [ %378, %366 ]
-  %369 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %367
-  %370 = load double, ptr %369, align 8
-  %371 = fcmp ogt double %370, 0.000000e+00
-  %372 = add nuw nsw i64 %367, 3
-  %373 = select i1 %371, i64 %372, i64 %367
-  %374 = and i64 %373, 4294967295
-  %375 = getelementptr inbounds double, ptr %365, i64 %374
-  %376 = load double, ptr %375, align 8
-  %377 = fmul double %370, %376
-  %378 = fadd double %368, %377
-  %379 = add nuw nsw i64 %367, 1
-  %380 = icmp eq i64 %379, 3
-  br i1 %380, label %381, label %366
+374:                                              ; preds = %370
+  %375 = load i64, ptr %47, align 8
+  %376 = icmp slt i64 %375, 0
+  br label %377
 
-381:                                              ; preds = %366
-  %382 = fsub double %361, %356
-  %383 = fsub double %361, %378
-  %384 = fcmp olt double %383, %382
-  %385 = zext i1 %384 to i64
-  %386 = getelementptr inbounds i64, ptr %152, i64 %385
-  %387 = load i64, ptr %386, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %387, ptr noundef nonnull %12)
-  %388 = xor i1 %384, true
-  %389 = zext i1 %388 to i64
-  %390 = getelementptr inbounds i64, ptr %152, i64 %389
-  %391 = load i64, ptr %390, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %391, ptr noundef nonnull %12)
-  br label %392
+377:                                              ; preds = %374, %370, %362
+  %378 = phi i1 [ true, %370 ], [ true, %362 ], [ %376, %374 ]
+  %379 = load ptr, ptr %32, align 8
+  %380 = icmp eq ptr %379, null
+  br i1 %380, label %392, label %381
 
-392:                                              ; preds = %338, %303, %381
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %12) #15
-  br label %393
+381:                                              ; preds = %377
+  %382 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %383 = load ptr, ptr %382, align 8
+  %384 = icmp eq ptr %383, null
+  %385 = getelementptr inbounds i64, ptr %383, i64 %1
+  %386 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %387 = select i1 %384, ptr %386, ptr %385
+  %388 = load i64, ptr %387, align 8
+  %389 = getelementptr inbounds double, ptr %379, i64 %388
+  %390 = load double, ptr %389, align 8
+  %391 = fcmp uno double %390, 0.000000e+00
+  br label %396
 
-393:                                              ; preds = %392, %202
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
-  br label %394
+392:                                              ; preds = %377
+  %393 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %394 = load i32, ptr %393, align 8
+  %395 = icmp eq i32 %394, 1
+  br label %396
 
-394:                                              ; preds = %85, %119, %142, %96, %100, %393
+396:                                              ; preds = %381, %392
+  %397 = phi i1 [ %391, %381 ], [ %395, %392 ]
+  %398 = xor i1 %397, true
+  %399 = select i1 %398, i1 %378, i1 false
+  br i1 %399, label %400, label %578
+
+400:                                              ; preds = %396
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %10) #18
+  %401 = load i32, ptr %49, align 4
+  %402 = icmp eq i32 %401, 0
+  br i1 %402, label %429, label %403
+
+403:                                              ; preds = %400
+  br i1 %380, label %427, label %404
+
+404:                                              ; preds = %403
+  %405 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %406 = load ptr, ptr %405, align 8
+  %407 = icmp eq ptr %406, null
+  %408 = getelementptr inbounds i64, ptr %406, i64 %1
+  %409 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %410 = select i1 %407, ptr %409, ptr %408
+  %411 = load i64, ptr %410, align 8
+  %412 = getelementptr inbounds double, ptr %379, i64 %411
+  %413 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %414 = load ptr, ptr %413, align 8
+  %415 = icmp eq ptr %414, null
+  br i1 %415, label %426, label %416
+
+416:                                              ; preds = %404
+  %417 = load double, ptr %412, align 8
+  %418 = fcmp oeq double %417, 0x7FF0000000000000
+  br i1 %418, label %419, label %426
+
+419:                                              ; preds = %416
+  %420 = load ptr, ptr %0, align 8
+  %421 = getelementptr inbounds %struct.World, ptr %420, i64 0, i32 45
+  %422 = load ptr, ptr %421, align 8
+  %423 = load i64, ptr %414, align 8
+  %424 = add nsw i64 %423, 1
+  store i64 %424, ptr %414, align 8
+  %425 = getelementptr inbounds i64, ptr %422, i64 %423
+  store i64 %411, ptr %425, align 8
+  br label %426
+
+426:                                              ; preds = %419, %416, %404
+  store double 0x7FF8000000000000, ptr %412, align 8
+  br label %577
+
+427:                                              ; preds = %403
+  %428 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %428, align 8
+  br label %577
+
+429:                                              ; preds = %400
+  br i1 %22, label %430, label %528
+
+430:                                              ; preds = %429
+  br i1 %368, label %431, label %437
+
+431:                                              ; preds = %430
+  %432 = load i64, ptr %18, align 8
+  %433 = getelementptr inbounds %struct.Two, ptr %6, i64 0, i32 2
+  %434 = call fastcc i32 @is_around(ptr noundef nonnull %15, i64 noundef %1, i64 noundef %432, ptr noundef nonnull %433)
+  %435 = icmp ne i32 %434, 0
+  %436 = zext i1 %435 to i32
+  store i32 %436, ptr %50, align 8
+  br i1 %435, label %577, label %439
+
+437:                                              ; preds = %430
+  store i32 0, ptr %50, align 8
+  %438 = load i64, ptr %18, align 8
+  br label %439
+
+439:                                              ; preds = %437, %431
+  %440 = phi i64 [ %438, %437 ], [ %432, %431 ]
+  %441 = mul nsw i64 %440, 3
+  %442 = getelementptr inbounds double, ptr %364, i64 %441
+  %443 = load double, ptr %442, align 8
+  %444 = fcmp ogt double %443, 0.000000e+00
+  br i1 %444, label %445, label %577
+
+445:                                              ; preds = %439
+  %446 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 42
+  %447 = load ptr, ptr %446, align 8
+  %448 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
+  %449 = load ptr, ptr %448, align 8
+  %450 = getelementptr inbounds i64, ptr %449, i64 %440
+  %451 = load i64, ptr %450, align 8
+  %452 = mul nsw i64 %451, 12
+  %453 = getelementptr inbounds double, ptr %447, i64 %452
+  %454 = getelementptr inbounds i64, ptr %449, i64 %1
+  %455 = load i64, ptr %454, align 8
+  %456 = mul nsw i64 %455, 12
+  %457 = getelementptr inbounds double, ptr %447, i64 %456
+  br label %458
+
+458:                                              ; preds = %504, %445
+  %459 = phi i64 [ 0, %445 ], [ %505, %504 ]
+  %460 = getelementptr inbounds double, ptr %453, i64 %459
+  %461 = add nuw nsw i64 %459, 3
+  %462 = getelementptr inbounds double, ptr %453, i64 %461
+  %463 = add nuw nsw i64 %459, 6
+  %464 = getelementptr inbounds double, ptr %453, i64 %463
+  %465 = mul nuw nsw i64 %459, 3
+  %466 = load double, ptr %460, align 8
+  %467 = load double, ptr %462, align 8
+  %468 = load double, ptr %464, align 8
+  br label %507
+
+469:                                              ; preds = %504
+  %470 = getelementptr inbounds double, ptr %457, i64 9
+  %471 = getelementptr inbounds double, ptr %10, i64 9
+  %472 = load double, ptr %470, align 8
+  %473 = getelementptr inbounds double, ptr %453, i64 9
+  %474 = load double, ptr %473, align 8
+  %475 = fsub double %472, %474
+  %476 = getelementptr inbounds double, ptr %457, i64 10
+  %477 = load double, ptr %476, align 8
+  %478 = getelementptr inbounds double, ptr %453, i64 10
+  %479 = load double, ptr %478, align 8
+  %480 = fsub double %477, %479
+  %481 = getelementptr inbounds double, ptr %457, i64 11
+  %482 = load double, ptr %481, align 8
+  %483 = getelementptr inbounds double, ptr %453, i64 11
+  %484 = load double, ptr %483, align 8
+  %485 = fsub double %482, %484
+  br label %486
+
+486:                                              ; preds = %486, %469
+  %487 = phi i64 [ 0, %469 ], [ %502, %486 ]
+  %488 = getelementptr inbounds double, ptr %453, i64 %487
+  %489 = load double, ptr %488, align 8
+  %490 = fmul double %475, %489
+  %491 = add nuw nsw i64 %487, 3
+  %492 = getelementptr inbounds double, ptr %453, i64 %491
+  %493 = load double, ptr %492, align 8
+  %494 = fmul double %480, %493
+  %495 = fadd double %490, %494
+  %496 = add nuw nsw i64 %487, 6
+  %497 = getelementptr inbounds double, ptr %453, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fmul double %485, %498
+  %500 = fadd double %495, %499
+  %501 = getelementptr inbounds double, ptr %471, i64 %487
+  store double %500, ptr %501, align 8
+  %502 = add nuw nsw i64 %487, 1
+  %503 = icmp eq i64 %502, 3
+  br i1 %503, label %526, label %486
+
+504:                                              ; preds = %507
+  %505 = add nuw nsw i64 %459, 1
+  %506 = icmp eq i64 %505, 3
+  br i1 %506, label %469, label %458
+
+507:                                              ; preds = %507, %458
+  %508 = phi i64 [ 0, %458 ], [ %524, %507 ]
+  %509 = getelementptr inbounds double, ptr %457, i64 %508
+  %510 = load double, ptr %509, align 8
+  %511 = fmul double %466, %510
+  %512 = add nuw nsw i64 %508, 3
+  %513 = getelementptr inbounds double, ptr %457, i64 %512
+  %514 = load double, ptr %513, align 8
+  %515 = fmul double %467, %514
+  %516 = fadd double %511, %515
+  %517 = add nuw nsw i64 %508, 6
+  %518 = getelementptr inbounds double, ptr %457, i64 %517
+  %519 = load double, ptr %518, align 8
+  %520 = fmul double %468, %519
+  %521 = fadd double %516, %520
+  %522 = add nuw nsw i64 %508, %465
+  %523 = getelementptr inbounds double, ptr %10, i64 %522
+  store double %521, ptr %523, align 8
+  %524 = add nuw nsw i64 %508, 1
+  %525 = icmp eq i64 %524, 3
+  br i1 %525, label %504, label %507
+
+526:                                              ; preds = %486
+  %527 = call fastcc i32 @is_around(ptr noundef %15, i64 noundef %440, i64 noundef %1, ptr noundef nonnull %10)
+  store i32 %527, ptr %50, align 8
+  br label %577
+
+528:                                              ; preds = %429
+  br i1 %368, label %529, label %577
+
+529:                                              ; preds = %528
+  %530 = load ptr, ptr %23, align 8
+  call fastcc void @support(ptr noundef %530, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %9)
+  %531 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
+  %532 = load ptr, ptr %531, align 8
+  %533 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
+  %534 = load ptr, ptr %533, align 8
+  %535 = getelementptr inbounds i64, ptr %534, i64 %1
+  %536 = load i64, ptr %535, align 8
+  %537 = mul nsw i64 %536, 6
+  %538 = getelementptr inbounds double, ptr %532, i64 %537
+  br label %539
+
+539:                                              ; preds = %539, %529
+  %540 = phi i64 [ 0, %529 ], [ %557, %539 ]
+  %541 = phi double [ 0.000000e+00, %529 ], [ %556, %539 ]
+  %542 = getelementptr inbounds double, ptr %538, i64 %540
+  %543 = load double, ptr %542, align 8
+  %544 = getelementptr inbounds double, ptr %9, i64 %540
+  %545 = load double, ptr %544, align 8
+  %546 = fsub double %543, %545
+  %547 = add nuw nsw i64 %540, 3
+  %548 = getelementptr inbounds double, ptr %538, i64 %547
+  %549 = load double, ptr %548, align 8
+  %550 = fsub double %545, %549
+  %551 = fcmp ogt double %546, %550
+  %552 = select i1 %551, double %546, double %550
+  %553 = fcmp ogt double %552, 0.000000e+00
+  %554 = select i1 %553, double %552, double 0.000000e+00
+  %555 = fmul double %554, %554
+  %556 = fadd double %541, %555
+  %557 = add nuw nsw i64 %540, 1
+  %558 = icmp eq i64 %557, 3
+  br i1 %558, label %559, label %539
+
+559:                                              ; preds = %539
+  %560 = call double @llvm.sqrt.f64(double %556)
+  %561 = fcmp ogt double %560, 0.000000e+00
+  br i1 %561, label %575, label %565
+
+562:                                              ; preds = %565
+  %563 = icmp ugt i32 %572, 1
+  %564 = zext i1 %563 to i32
+  br label %575
+
+565:                                              ; preds = %559, %565
+  %566 = phi i64 [ %573, %565 ], [ 0, %559 ]
+  %567 = phi i32 [ %572, %565 ], [ 0, %559 ]
+  %568 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %566
+  %569 = call fastcc i32 @leaves(ptr noundef %15, i64 noundef %536, ptr noundef nonnull %9, ptr noundef nonnull %568)
+  %570 = icmp ne i32 %569, 0
+  %571 = zext i1 %570 to i32
+  %572 = add nuw nsw i32 %567, %571
+  %573 = add nuw nsw i64 %566, 1
+  %574 = icmp eq i64 %573, 3
+  br i1 %574, label %562, label %565
+
+575:                                              ; preds = %559, %562
+  %576 = phi i32 [ %564, %562 ], [ 0, %559 ]
+  store i32 %576, ptr %50, align 8
+  br label %577
+
+577:                                              ; preds = %427, %426, %526, %439, %431, %575, %528
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %578
+
+578:                                              ; preds = %577, %396
+  %579 = load i32, ptr %50, align 8
+  %580 = icmp eq i32 %579, 0
+  %581 = or i1 %369, %580
+  br i1 %581, label %608, label %582
+
+582:                                              ; preds = %578
+  br i1 %380, label %606, label %583
+
+583:                                              ; preds = %582
+  %584 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %585 = load ptr, ptr %584, align 8
+  %586 = icmp eq ptr %585, null
+  %587 = getelementptr inbounds i64, ptr %585, i64 %1
+  %588 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %589 = select i1 %586, ptr %588, ptr %587
+  %590 = load i64, ptr %589, align 8
+  %591 = getelementptr inbounds double, ptr %379, i64 %590
+  %592 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %593 = load ptr, ptr %592, align 8
+  %594 = icmp eq ptr %593, null
+  br i1 %594, label %605, label %595
+
+595:                                              ; preds = %583
+  %596 = load double, ptr %591, align 8
+  %597 = fcmp oeq double %596, 0x7FF0000000000000
+  br i1 %597, label %598, label %605
+
+598:                                              ; preds = %595
+  %599 = load ptr, ptr %0, align 8
+  %600 = getelementptr inbounds %struct.World, ptr %599, i64 0, i32 45
+  %601 = load ptr, ptr %600, align 8
+  %602 = load i64, ptr %593, align 8
+  %603 = add nsw i64 %602, 1
+  store i64 %603, ptr %593, align 8
+  %604 = getelementptr inbounds i64, ptr %601, i64 %602
+  store i64 %590, ptr %604, align 8
+  br label %605
+
+605:                                              ; preds = %598, %595, %583
+  store double 0x7FF8000000000000, ptr %591, align 8
+  br label %768
+
+606:                                              ; preds = %582
+  %607 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %607, align 8
+  br label %768
+
+608:                                              ; preds = %578
+  br i1 %580, label %768, label %609
+
+609:                                              ; preds = %608
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  store double 0x7FF0000000000000, ptr %11, align 8
+  %610 = load i64, ptr %47, align 8
+  %611 = icmp sgt i64 %610, -1
+  br i1 %611, label %612, label %618
+
+612:                                              ; preds = %609
+  %613 = load double, ptr %45, align 8
+  %614 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %615 = load double, ptr %614, align 8
+  %616 = fcmp olt double %613, %615
+  br i1 %616, label %617, label %618
+
+617:                                              ; preds = %612
+  store double %613, ptr %11, align 8
+  br label %719
+
+618:                                              ; preds = %612, %609
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %12, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
+  %619 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %620 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %619, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %620, align 8
+  %621 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  store ptr %11, ptr %621, align 8
+  %622 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  store ptr null, ptr %622, align 8
+  %623 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
+  store ptr null, ptr %623, align 8
+  br i1 %22, label %624, label %625
+
+624:                                              ; preds = %618
+  call fastcc void @look_at_surfaces(ptr noundef nonnull %12, i64 noundef %1, ptr noundef nonnull %6)
+  br label %710
+
+625:                                              ; preds = %618
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %13) #18
+  %626 = load i64, ptr %18, align 8
+  %627 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %628 = load ptr, ptr %627, align 8
+  %629 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
+  %630 = load ptr, ptr %629, align 8
+  %631 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
+  %632 = load ptr, ptr %631, align 8
+  %633 = getelementptr inbounds i64, ptr %632, i64 %1
+  %634 = load i64, ptr %633, align 8
+  %635 = mul nsw i64 %634, 6
+  %636 = getelementptr inbounds double, ptr %630, i64 %635
+  %637 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 18
+  %638 = load ptr, ptr %637, align 8
+  br label %642
+
+639:                                              ; preds = %642
+  %640 = call double @llvm.sqrt.f64(double %657)
+  %641 = fcmp ogt double %640, 0.000000e+00
+  br label %660
+
+642:                                              ; preds = %642, %625
+  %643 = phi i64 [ 0, %625 ], [ %658, %642 ]
+  %644 = phi double [ 0.000000e+00, %625 ], [ %657, %642 ]
+  %645 = getelementptr inbounds double, ptr %628, i64 %643
+  %646 = load double, ptr %645, align 8
+  %647 = getelementptr inbounds double, ptr %636, i64 %643
+  %648 = load double, ptr %647, align 8
+  %649 = add nuw nsw i64 %643, 3
+  %650 = getelementptr inbounds double, ptr %636, i64 %649
+  %651 = load double, ptr %650, align 8
+  %652 = fadd double %648, %651
+  %653 = fmul double %652, 5.000000e-01
+  %654 = fsub double %646, %653
+  %655 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %643
+  store double %654, ptr %655, align 8
+  %656 = fmul double %654, %654
+  %657 = fadd double %644, %656
+  %658 = add nuw nsw i64 %643, 1
+  %659 = icmp eq i64 %658, 3
+  br i1 %659, label %639, label %642
+
+660:                                              ; preds = %669, %639
+  %661 = phi i64 [ 0, %639 ], [ %672, %669 ]
+  br i1 %641, label %662, label %666
+
+662:                                              ; preds = %660
+  %663 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %661
+  %664 = load double, ptr %663, align 8
+  %665 = fdiv double %664, %640
+  br label %669
+
+666:                                              ; preds = %660
+  %667 = icmp eq i64 %661, 0
+  %668 = uitofp i1 %667 to double
+  br label %669
+
+669:                                              ; preds = %666, %662
+  %670 = phi double [ %665, %662 ], [ %668, %666 ]
+  %671 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %661
+  store double %670, ptr %671, align 8
+  %672 = add nuw nsw i64 %661, 1
+  %673 = icmp eq i64 %672, 3
+  br i1 %673, label %674, label %660
+
+674:                                              ; preds = %669
+  %675 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  %676 = shl nsw i64 %626, 2
+  %677 = getelementptr inbounds double, ptr %638, i64 %676
+  %678 = load double, ptr %13, align 8
+  %679 = load double, ptr %628, align 8
+  %680 = fmul double %678, %679
+  %681 = getelementptr inbounds double, ptr %13, i64 1
+  %682 = load double, ptr %681, align 8
+  %683 = getelementptr inbounds double, ptr %628, i64 1
+  %684 = load double, ptr %683, align 8
+  %685 = fmul double %682, %684
+  %686 = fadd double %680, %685
+  %687 = getelementptr inbounds double, ptr %13, i64 2
+  %688 = load double, ptr %687, align 8
+  %689 = getelementptr inbounds double, ptr %628, i64 2
+  %690 = load double, ptr %689, align 8
+  %691 = fmul double %688, %690
+  %692 = fadd double %686, %691
+  %693 = getelementptr inbounds double, ptr %677, i64 3
+  %694 = load double, ptr %693, align 8
+  %695 = load ptr, ptr %25, align 8
+  %696 = getelementptr inbounds double, ptr %695, i64 %626
+  %697 = load double, ptr %696, align 8
+  %698 = fsub double %694, %697
+  %699 = fsub double %692, %698
+  %700 = getelementptr inbounds %struct.Plane, ptr %13, i64 0, i32 1
+  store double %699, ptr %700, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %675, ptr noundef nonnull align 8 dereferenceable(32) %13, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %14, ptr noundef nonnull align 8 dereferenceable(32) %675, i64 32, i1 false)
+  %701 = load i64, ptr %633, align 8
+  %702 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
+  %703 = load ptr, ptr %702, align 8
+  %704 = getelementptr inbounds i64, ptr %703, i64 %1
+  %705 = load i64, ptr %704, align 8
+  %706 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %707 = load ptr, ptr %706, align 8
+  %708 = getelementptr inbounds i64, ptr %707, i64 %1
+  %709 = load i64, ptr %708, align 8
+  call fastcc void @surface(ptr noundef nonnull %12, i64 noundef %1, i64 noundef %701, i64 noundef %705, i64 noundef %709, ptr noundef nonnull %14)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #18
+  br label %710
+
+710:                                              ; preds = %674, %624
+  %711 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  %712 = load i64, ptr %711, align 8
+  store i64 %712, ptr %47, align 8
+  %713 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  %714 = load i64, ptr %713, align 8
+  store i64 %714, ptr %46, align 8
+  %715 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %716 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %715, ptr noundef nonnull align 8 dereferenceable(32) %716, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
+  %717 = load double, ptr %11, align 8
+  %718 = load ptr, ptr %32, align 8
+  br label %719
+
+719:                                              ; preds = %710, %617
+  %720 = phi ptr [ %718, %710 ], [ %379, %617 ]
+  %721 = phi double [ %717, %710 ], [ %613, %617 ]
+  %722 = fcmp ord double %721, 0.000000e+00
+  %723 = call double @llvm.fabs.f64(double %721)
+  %724 = fneg double %723
+  %725 = icmp eq ptr %720, null
+  br i1 %725, label %760, label %726
+
+726:                                              ; preds = %719
+  %727 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %728 = load ptr, ptr %727, align 8
+  %729 = icmp eq ptr %728, null
+  %730 = getelementptr inbounds i64, ptr %728, i64 %1
+  %731 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %732 = select i1 %729, ptr %731, ptr %730
+  %733 = load i64, ptr %732, align 8
+  %734 = getelementptr inbounds double, ptr %720, i64 %733
+  %735 = fsub double %723, %723
+  %736 = fcmp ole double %735, 1.000000e-08
+  %737 = and i1 %722, %736
+  br i1 %722, label %738, label %744
+
+738:                                              ; preds = %726
+  %739 = load double, ptr %734, align 8
+  %740 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %741 = load double, ptr %740, align 8
+  %742 = call double @llvm.minnum.f64(double %739, double %741)
+  %743 = fcmp ugt double %742, %724
+  br i1 %743, label %744, label %767
+
+744:                                              ; preds = %738, %726
+  %745 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %746 = load ptr, ptr %745, align 8
+  %747 = icmp eq ptr %746, null
+  br i1 %747, label %758, label %748
+
+748:                                              ; preds = %744
+  %749 = load double, ptr %734, align 8
+  %750 = fcmp oeq double %749, 0x7FF0000000000000
+  br i1 %750, label %751, label %758
+
+751:                                              ; preds = %748
+  %752 = load ptr, ptr %0, align 8
+  %753 = getelementptr inbounds %struct.World, ptr %752, i64 0, i32 45
+  %754 = load ptr, ptr %753, align 8
+  %755 = load i64, ptr %746, align 8
+  %756 = add nsw i64 %755, 1
+  store i64 %756, ptr %746, align 8
+  %757 = getelementptr inbounds i64, ptr %754, i64 %755
+  store i64 %733, ptr %757, align 8
+  br label %758
+
+758:                                              ; preds = %751, %748, %744
+  %759 = select i1 %737, double %724, double 0x7FF8000000000000
+  store double %759, ptr %734, align 8
+  br label %767
+
+760:                                              ; preds = %719
+  br i1 %722, label %761, label %765
+
+761:                                              ; preds = %760
+  %762 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %763 = load double, ptr %762, align 8
+  %764 = fcmp ult double %763, %724
+  br i1 %764, label %767, label %765
+
+765:                                              ; preds = %761, %760
+  %766 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %766, align 8
+  br label %767
+
+767:                                              ; preds = %761, %738, %758, %765
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  br label %768
+
+768:                                              ; preds = %606, %605, %608, %767
+  br i1 %22, label %769, label %772
+
+769:                                              ; preds = %768
+  %770 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %771 = getelementptr inbounds %struct.Two, ptr %6, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %770, ptr noundef nonnull align 8 dereferenceable(24) %771, i64 24, i1 false)
+  br label %772
+
+772:                                              ; preds = %769, %768
+  store ptr %24, ptr %23, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 216, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
   ret void
 }
 
-define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #9 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %7 = load ptr, ptr %6, align 8
-  %8 = getelementptr inbounds i64, ptr %7, i64 %1
-  %9 = load i64, ptr %8, align 8
-  %10 = mul nsw i64 %9, 6
-  %11 = getelementptr inbounds double, ptr %5, i64 %10
-  br label %12
-
-12:                                               ; preds = %12, %3
-  %13 = phi i64 [ 0, %3 ], [ %30, %12 ]
-  %14 = phi double [ 0.000000e+00, %3 ], [ %29, %12 ]
-  %15 = getelementptr inbounds double, ptr %11, i64 %13
-  %16 = load double, ptr %15, align 8
-  %17 = getelementptr inbounds double, ptr %2, i64 %13
-  %18 = load double, ptr %17, align 8
-  %19 = fsub double %16, %18
-  %20 = add nuw nsw i64 %13, 3
-  %21 = getelementptr inbounds double, ptr %11, i64 %20
-  %22 = load double, ptr %21, align 8
-  %23 = fsub double %18, %22
-  %24 = fcmp ogt double %19, %23
-  %25 = select i1 %24, double %19, double %23
-  %26 = fcmp ogt double %25, 0.000000e+00
-  %27 = select i1 %26, double %25, double 0.000000e+00
-  %28 = fmul double %27, %27
-  %29 = fadd double %14, %28
-  %30 = add nuw nsw i64 %13, 1
-  %31 = icmp eq i64 %30, 3
-  br i1 %31, label %32, label %12
-
-32:                                               ; preds = %12
-  %33 = tail call double @llvm.sqrt.f64(double %29)
-  %34 = fcmp ogt double %33, 0.000000e+00
-  br i1 %34, label %48, label %38
-
-35:                                               ; preds = %38
-  %36 = icmp ugt i32 %45, 1
-  %37 = zext i1 %36 to i32
-  br label %48
-
-38:                                               ; preds = %32, %38
-  %39 = phi i64 [ %46, %38 ], [ 0, %32 ]
-  %40 = phi i32 [ %45, %38 ], [ 0, %32 ]
-  %41 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %39
-  %42 = tail call fastcc i32 @leaves(ptr noundef %0, i64 noundef %9, ptr noundef %2, ptr noundef nonnull %41)
-  %43 = icmp ne i32 %42, 0
-  %44 = zext i1 %43 to i32
-  %45 = add nuw nsw i32 %40, %44
-  %46 = add nuw nsw i64 %39, 1
-  %47 = icmp eq i64 %46, 3
-  br i1 %47, label %35, label %38
-
-48:                                               ; preds = %32, %35
-  %49 = phi i32 [ %37, %35 ], [ 0, %32 ]
-  ret i32 %49
-}
-
-define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #9 {
-  %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i64, ptr %10, i64 %3
-  %12 = load i64, ptr %11, align 8
-  %13 = mul nsw i64 %12, 12
-  %14 = getelementptr inbounds double, ptr %8, i64 %13
-  %15 = load double, ptr %1, align 8
-  %16 = getelementptr inbounds double, ptr %14, i64 9
-  %17 = load double, ptr %16, align 8
-  %18 = fsub double %15, %17
-  %19 = getelementptr inbounds double, ptr %1, i64 1
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr inbounds double, ptr %14, i64 10
-  %22 = load double, ptr %21, align 8
-  %23 = fsub double %20, %22
-  %24 = getelementptr inbounds double, ptr %1, i64 2
-  %25 = load double, ptr %24, align 8
-  %26 = getelementptr inbounds double, ptr %14, i64 11
-  %27 = load double, ptr %26, align 8
-  %28 = fsub double %25, %27
-  br label %29
-
-29:                                               ; preds = %29, %5
-  %30 = phi i64 [ 0, %5 ], [ %45, %29 ]
-  %31 = getelementptr inbounds double, ptr %14, i64 %30
-  %32 = load double, ptr %31, align 8
-  %33 = fmul double %18, %32
-  %34 = add nuw nsw i64 %30, 3
-  %35 = getelementptr inbounds double, ptr %14, i64 %34
-  %36 = load double, ptr %35, align 8
-  %37 = fmul double %23, %36
-  %38 = fadd double %33, %37
-  %39 = add nuw nsw i64 %30, 6
-  %40 = getelementptr inbounds double, ptr %14, i64 %39
-  %41 = load double, ptr %40, align 8
-  %42 = fmul double %28, %41
-  %43 = fadd double %38, %42
-  %44 = getelementptr inbounds double, ptr %6, i64 %30
-  store double %43, ptr %44, align 8
-  %45 = add nuw nsw i64 %30, 1
-  %46 = icmp eq i64 %45, 3
-  br i1 %46, label %47, label %29
-
-47:                                               ; preds = %29
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
-  %49 = load ptr, ptr %48, align 8
-  %50 = mul nsw i64 %3, 6
-  %51 = getelementptr inbounds double, ptr %49, i64 %50
-  br label %52
-
-52:                                               ; preds = %52, %47
-  %53 = phi i64 [ 0, %47 ], [ %70, %52 ]
-  %54 = phi double [ 0.000000e+00, %47 ], [ %69, %52 ]
-  %55 = getelementptr inbounds double, ptr %51, i64 %53
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %6, i64 %53
-  %58 = load double, ptr %57, align 8
-  %59 = fsub double %56, %58
-  %60 = add nuw nsw i64 %53, 3
-  %61 = getelementptr inbounds double, ptr %51, i64 %60
-  %62 = load double, ptr %61, align 8
-  %63 = fsub double %58, %62
-  %64 = fcmp ogt double %59, %63
-  %65 = select i1 %64, double %59, double %63
-  %66 = fcmp ogt double %65, 0.000000e+00
-  %67 = select i1 %66, double %65, double 0.000000e+00
-  %68 = fmul double %67, %67
-  %69 = fadd double %54, %68
-  %70 = add nuw nsw i64 %53, 1
-  %71 = icmp eq i64 %70, 3
-  br i1 %71, label %72, label %52
-
-72:                                               ; preds = %52
-  %73 = fadd double %2, %4
-  %74 = fmul double %73, %73
-  %75 = fcmp ogt double %69, %74
-  %76 = zext i1 %75 to i32
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  ret i32 %76
-}
-
-define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #11 {
+define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #12 {
   %8 = alloca [3 x double], align 16
   %9 = alloca [3 x double], align 16
   %10 = alloca [3 x double], align 16
@@ -5165,13 +6009,13 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %29 = alloca [3 x double], align 16
   %30 = alloca [3 x double], align 16
   %31 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #15
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #15
-  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #18
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #18
+  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
   %32 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
   %33 = load i32, ptr %32, align 8
   %34 = icmp slt i32 %33, 2
@@ -5327,7 +6171,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 153:                                              ; preds = %178, %109
   %154 = phi i64 [ 0, %109 ], [ %179, %178 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
   %155 = icmp eq i64 %154, 0
   %156 = icmp eq i64 %154, 1
   %157 = select i1 %156, double %132, double %133
@@ -5337,7 +6181,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %159 = add nuw nsw i64 %154, 2
   %160 = getelementptr inbounds [3 x double], ptr %26, i64 %159
   %161 = getelementptr inbounds [3 x double], ptr %27, i64 %159
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
   %162 = load double, ptr %24, align 16
   %163 = fneg double %162
   store double %163, ptr %18, align 16
@@ -5347,7 +6191,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %166 = load double, ptr %137, align 16
   %167 = fneg double %166
   store double %167, ptr %136, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %24, ptr noundef nonnull %161)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %18, ptr noundef nonnull %19)
   br label %168
@@ -5366,9 +6210,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %177, label %178, label %168
 
 178:                                              ; preds = %168
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
   %179 = add nuw nsw i64 %154, 1
   %180 = icmp eq i64 %179, 3
   br i1 %180, label %275, label %153
@@ -5425,7 +6269,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 220:                                              ; preds = %267
   %221 = getelementptr inbounds [3 x double], ptr %26, i64 3
   %222 = getelementptr inbounds [3 x double], ptr %27, i64 3
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
   %223 = load double, ptr %22, align 16
   %224 = fneg double %223
   store double %224, ptr %16, align 16
@@ -5439,7 +6283,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %231 = load double, ptr %230, align 16
   %232 = fneg double %231
   store double %232, ptr %229, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %22, ptr noundef nonnull %222)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %17)
   br label %233
@@ -5458,11 +6302,11 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %242, label %243, label %233
 
 243:                                              ; preds = %233
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   %244 = getelementptr inbounds [3 x double], ptr %26, i64 4
   %245 = getelementptr inbounds [3 x double], ptr %27, i64 4
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
   %246 = load double, ptr %23, align 16
   %247 = fneg double %246
   store double %247, ptr %14, align 16
@@ -5476,7 +6320,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %254 = load double, ptr %253, align 16
   %255 = fneg double %254
   store double %255, ptr %252, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %23, ptr noundef nonnull %245)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %14, ptr noundef nonnull %15)
   br label %256
@@ -5495,8 +6339,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %265, label %266, label %256
 
 266:                                              ; preds = %256
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
   br label %275
 
 267:                                              ; preds = %196, %267
@@ -5518,7 +6362,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %39, label %280, label %333
 
 280:                                              ; preds = %275
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
   br label %305
 
 281:                                              ; preds = %305, %281
@@ -5579,7 +6423,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %330 = fadd double %324, %329
   %331 = freeze double %330
   %332 = fcmp uge double %331, 0.000000e+00
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %315, %275
@@ -5643,17 +6487,17 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %378, label %380, label %338
 
 379:                                              ; preds = %338, %361, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
   br label %748
 
 380:                                              ; preds = %376
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
   %381 = getelementptr inbounds double, ptr %12, i64 1
   %382 = getelementptr inbounds double, ptr %12, i64 2
   %383 = getelementptr inbounds double, ptr %29, i64 1
@@ -5663,8 +6507,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 385:                                              ; preds = %380, %746
   %386 = phi i64 [ %40, %380 ], [ %460, %746 ]
   %387 = phi i32 [ %279, %380 ], [ %558, %746 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #18
   %388 = icmp sgt i32 %387, 1
   br i1 %388, label %389, label %391
 
@@ -5676,7 +6520,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %392 = phi i32 [ 0, %385 ], [ %424, %414 ]
   %393 = sext i32 %392 to i64
   %394 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 1
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
   %395 = load double, ptr %394, align 16
   %396 = fneg double %395
   store double %396, ptr %12, align 16
@@ -5688,7 +6532,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %401 = load double, ptr %400, align 16
   %402 = fneg double %401
   store double %402, ptr %382, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %394, ptr noundef nonnull %30)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %13)
   br label %403
@@ -5707,8 +6551,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %412, label %413, label %403
 
 413:                                              ; preds = %403
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
   br label %432
 
 414:                                              ; preds = %389, %414
@@ -5772,7 +6616,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %459 = getelementptr inbounds [128 x [3 x double]], ptr %27, i64 0, i64 %386
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %459, ptr noundef nonnull align 16 dereferenceable(24) %30, i64 24, i1 false)
   %460 = add nuw nsw i64 %386, 1
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #18
   %461 = icmp sgt i32 %387, 0
   br i1 %461, label %462, label %745
 
@@ -5944,7 +6788,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %582, label %743, label %583
 
 583:                                              ; preds = %579
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #18
   %584 = icmp sgt i32 %387, 0
   br i1 %584, label %585, label %597
 
@@ -6004,9 +6848,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %625 = load i32, ptr %624, align 16
   %626 = sext i32 %625 to i64
   %627 = getelementptr inbounds [3 x double], ptr %26, i64 %626
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
   %628 = getelementptr inbounds [3 x i32], ptr %624, i64 0, i64 1
   %629 = load i32, ptr %628, align 4
   %630 = sext i32 %629 to i64
@@ -6089,9 +6933,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %700 = fsub double %699, %698
   %701 = tail call double @llvm.minnum.f64(double %694, double %698)
   %702 = tail call double @llvm.minnum.f64(double %700, double %701)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
   %703 = fcmp ogt double %702, %604
   br i1 %703, label %704, label %705
 
@@ -6109,7 +6953,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %712, label %596, label %600
 
 713:                                              ; preds = %721
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #18
   br label %743
 
 714:                                              ; preds = %597, %721
@@ -6152,107 +6996,2214 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 743:                                              ; preds = %455, %713, %579
   %744 = phi i32 [ 1, %579 ], [ 1, %713 ], [ 0, %455 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br label %748
 
 745:                                              ; preds = %553, %554, %457, %565
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br label %748
 
 746:                                              ; preds = %575
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
   %747 = icmp eq i32 %558, 0
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br i1 %747, label %748, label %385
 
 748:                                              ; preds = %746, %745, %743, %379
   %749 = phi i32 [ 0, %379 ], [ %744, %743 ], [ 0, %745 ], [ 0, %746 ]
-  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #15
+  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #18
   ret i32 %749
 }
 
-declare double @llvm.minnum.f64(double, double) #3
+declare double @llvm.minnum.f64(double, double) #4
 
-declare double @llvm.sqrt.f64(double) #3
+define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, ptr noundef %2) unnamed_addr #0 {
+  %4 = alloca %struct.Part, align 8
+  %5 = alloca %struct.Part, align 8
+  %6 = load ptr, ptr %0, align 8
+  %7 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %8 = load i64, ptr %7, align 8
+  store ptr %0, ptr %2, align 8
+  %9 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 1
+  store i64 %1, ptr %9, align 8
+  %10 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 15
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds double, ptr %11, i64 %8
+  %13 = load double, ptr %12, align 8
+  %14 = getelementptr inbounds double, ptr %11, i64 %1
+  %15 = load double, ptr %14, align 8
+  %16 = fadd double %13, %15
+  %17 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 4
+  store double %16, ptr %17, align 8
+  %18 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 42
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 11
+  %21 = load ptr, ptr %20, align 8
+  %22 = getelementptr inbounds i64, ptr %21, i64 %1
+  %23 = load i64, ptr %22, align 8
+  %24 = mul nsw i64 %23, 12
+  %25 = getelementptr inbounds double, ptr %19, i64 %24
+  %26 = getelementptr inbounds i64, ptr %21, i64 %8
+  %27 = load i64, ptr %26, align 8
+  %28 = mul nsw i64 %27, 12
+  %29 = getelementptr inbounds double, ptr %19, i64 %28
+  %30 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2
+  br label %31
 
-define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr noundef %1, ptr nocapture noundef writeonly %2) unnamed_addr #7 {
-  br label %4
+31:                                               ; preds = %74, %3
+  %32 = phi i64 [ 0, %3 ], [ %75, %74 ]
+  %33 = getelementptr inbounds double, ptr %25, i64 %32
+  %34 = add nuw nsw i64 %32, 3
+  %35 = getelementptr inbounds double, ptr %25, i64 %34
+  %36 = add nuw nsw i64 %32, 6
+  %37 = getelementptr inbounds double, ptr %25, i64 %36
+  %38 = mul nuw nsw i64 %32, 3
+  br label %77
 
-4:                                                ; preds = %3, %44
-  %5 = phi i64 [ 0, %3 ], [ %48, %44 ]
-  %6 = phi i32 [ 1, %3 ], [ %47, %44 ]
-  %7 = mul nuw nsw i64 %5, 3
-  br label %27
+39:                                               ; preds = %74
+  %40 = getelementptr inbounds double, ptr %29, i64 9
+  %41 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2, i64 9
+  %42 = load double, ptr %40, align 8
+  %43 = getelementptr inbounds double, ptr %25, i64 9
+  %44 = load double, ptr %43, align 8
+  %45 = fsub double %42, %44
+  %46 = getelementptr inbounds double, ptr %29, i64 10
+  %47 = load double, ptr %46, align 8
+  %48 = getelementptr inbounds double, ptr %25, i64 10
+  %49 = load double, ptr %48, align 8
+  %50 = fsub double %47, %49
+  %51 = getelementptr inbounds double, ptr %29, i64 11
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr inbounds double, ptr %25, i64 11
+  %54 = load double, ptr %53, align 8
+  %55 = fsub double %52, %54
+  br label %56
 
-8:                                                ; preds = %44
-  store i64 0, ptr %2, align 8
-  %9 = icmp eq i32 %47, 0
-  %10 = select i1 %9, i64 3, i64 1
-  %11 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
-  store i64 %10, ptr %11, align 8
-  %12 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 5
-  store ptr @place.still, ptr %12, align 8
-  %13 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
-  store ptr %1, ptr %13, align 8
-  %14 = getelementptr inbounds double, ptr %1, i64 3
-  %15 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
-  store ptr %14, ptr %15, align 8
-  %16 = getelementptr inbounds double, ptr %1, i64 6
-  %17 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
-  store ptr %16, ptr %17, align 8
+56:                                               ; preds = %56, %39
+  %57 = phi i64 [ 0, %39 ], [ %72, %56 ]
+  %58 = getelementptr inbounds double, ptr %25, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = fmul double %45, %59
+  %61 = add nuw nsw i64 %57, 3
+  %62 = getelementptr inbounds double, ptr %25, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = fmul double %50, %63
+  %65 = fadd double %60, %64
+  %66 = add nuw nsw i64 %57, 6
+  %67 = getelementptr inbounds double, ptr %25, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fmul double %55, %68
+  %70 = fadd double %65, %69
+  %71 = getelementptr inbounds double, ptr %41, i64 %57
+  store double %70, ptr %71, align 8
+  %72 = add nuw nsw i64 %57, 1
+  %73 = icmp eq i64 %72, 3
+  br i1 %73, label %103, label %56
+
+74:                                               ; preds = %77
+  %75 = add nuw nsw i64 %32, 1
+  %76 = icmp eq i64 %75, 3
+  br i1 %76, label %39, label %31
+
+77:                                               ; preds = %77, %31
+  %78 = phi i64 [ 0, %31 ], [ %97, %77 ]
+  %79 = load double, ptr %33, align 8
+  %80 = getelementptr inbounds double, ptr %29, i64 %78
+  %81 = load double, ptr %80, align 8
+  %82 = fmul double %79, %81
+  %83 = load double, ptr %35, align 8
+  %84 = add nuw nsw i64 %78, 3
+  %85 = getelementptr inbounds double, ptr %29, i64 %84
+  %86 = load double, ptr %85, align 8
+  %87 = fmul double %83, %86
+  %88 = fadd double %82, %87
+  %89 = load double, ptr %37, align 8
+  %90 = add nuw nsw i64 %78, 6
+  %91 = getelementptr inbounds double, ptr %29, i64 %90
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %89, %92
+  %94 = fadd double %88, %93
+  %95 = add nuw nsw i64 %78, %38
+  %96 = getelementptr inbounds double, ptr %30, i64 %95
+  store double %94, ptr %96, align 8
+  %97 = add nuw nsw i64 %78, 1
+  %98 = icmp eq i64 %97, 3
+  br i1 %98, label %74, label %77
+
+99:                                               ; preds = %103
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %101 = load ptr, ptr %100, align 8
+  %102 = icmp eq ptr %101, null
+  br i1 %102, label %121, label %111
+
+103:                                              ; preds = %56, %103
+  %104 = phi i64 [ %109, %103 ], [ 0, %56 ]
+  %105 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = tail call double @llvm.fabs.f64(double %106)
+  %108 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 3, i64 %104
+  store double %107, ptr %108, align 8
+  %109 = add nuw nsw i64 %104, 1
+  %110 = icmp eq i64 %109, 9
+  br i1 %110, label %99, label %103
+
+111:                                              ; preds = %99
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %113 = load ptr, ptr %112, align 8
+  %114 = icmp eq ptr %113, null
+  %115 = getelementptr inbounds i64, ptr %113, i64 %1
+  %116 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %117 = select i1 %114, ptr %116, ptr %115
+  %118 = load i64, ptr %117, align 8
+  %119 = mul nsw i64 %118, 3
+  %120 = getelementptr inbounds double, ptr %101, i64 %119
+  br label %121
+
+121:                                              ; preds = %99, %111
+  %122 = phi ptr [ %120, %111 ], [ null, %99 ]
+  %123 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 43
+  %124 = load ptr, ptr %123, align 8
+  %125 = mul nsw i64 %8, 3
+  %126 = getelementptr inbounds double, ptr %124, i64 %125
+  %127 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 5
+  %128 = load double, ptr %126, align 8
+  %129 = load double, ptr %43, align 8
+  %130 = fsub double %128, %129
+  %131 = getelementptr inbounds double, ptr %126, i64 1
+  %132 = load double, ptr %131, align 8
+  %133 = load double, ptr %48, align 8
+  %134 = fsub double %132, %133
+  %135 = getelementptr inbounds double, ptr %126, i64 2
+  %136 = load double, ptr %135, align 8
+  %137 = load double, ptr %53, align 8
+  %138 = fsub double %136, %137
+  br label %139
+
+139:                                              ; preds = %139, %121
+  %140 = phi i64 [ 0, %121 ], [ %155, %139 ]
+  %141 = getelementptr inbounds double, ptr %25, i64 %140
+  %142 = load double, ptr %141, align 8
+  %143 = fmul double %130, %142
+  %144 = add nuw nsw i64 %140, 3
+  %145 = getelementptr inbounds double, ptr %25, i64 %144
+  %146 = load double, ptr %145, align 8
+  %147 = fmul double %134, %146
+  %148 = fadd double %143, %147
+  %149 = add nuw nsw i64 %140, 6
+  %150 = getelementptr inbounds double, ptr %25, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fmul double %138, %151
+  %153 = fadd double %148, %152
+  %154 = getelementptr inbounds double, ptr %127, i64 %140
+  store double %153, ptr %154, align 8
+  %155 = add nuw nsw i64 %140, 1
+  %156 = icmp eq i64 %155, 3
+  br i1 %156, label %157, label %139
+
+157:                                              ; preds = %139
+  %158 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 18
+  %159 = load ptr, ptr %158, align 8
+  %160 = shl nsw i64 %1, 2
+  br label %163
+
+161:                                              ; preds = %163
+  %162 = icmp eq ptr %122, null
+  br i1 %162, label %215, label %173
+
+163:                                              ; preds = %157, %163
+  %164 = phi i64 [ 0, %157 ], [ %171, %163 ]
+  %165 = add nuw nsw i64 %160, %164
+  %166 = getelementptr inbounds double, ptr %159, i64 %165
+  %167 = load double, ptr %166, align 8
+  %168 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 5, i64 %164
+  %169 = load double, ptr %168, align 8
+  %170 = fsub double %169, %167
+  store double %170, ptr %168, align 8
+  %171 = add nuw nsw i64 %164, 1
+  %172 = icmp eq i64 %171, 3
+  br i1 %172, label %161, label %163
+
+173:                                              ; preds = %161
+  %174 = load double, ptr %122, align 8
+  %175 = fcmp ogt double %174, 0.000000e+00
+  br i1 %175, label %176, label %183
+
+176:                                              ; preds = %173
+  %177 = fptosi double %174 to i64
+  %178 = add nsw i64 %177, -1
+  %179 = getelementptr inbounds double, ptr %122, i64 1
+  %180 = load double, ptr %179, align 8
+  %181 = fptosi double %180 to i64
+  %182 = add nsw i64 %181, -1
+  tail call fastcc void @two_leaves(ptr noundef nonnull %2, i64 noundef %178, i64 noundef %182)
+  br label %183
+
+183:                                              ; preds = %173, %176
+  %184 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 35
+  %185 = load ptr, ptr %184, align 8
+  %186 = getelementptr inbounds i64, ptr %185, i64 %8
+  %187 = load i64, ptr %186, align 8
+  store i64 %187, ptr %4, align 8
+  %188 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
+  %189 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 13
+  %190 = load ptr, ptr %189, align 8
+  %191 = getelementptr inbounds i64, ptr %190, i64 %8
+  %192 = load i64, ptr %191, align 8
+  store i64 %192, ptr %188, align 8
+  %193 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
+  %194 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
+  %195 = load ptr, ptr %194, align 8
+  %196 = getelementptr inbounds i64, ptr %195, i64 %8
+  %197 = load i64, ptr %196, align 8
+  store i64 %197, ptr %193, align 8
+  %198 = getelementptr inbounds i64, ptr %185, i64 %1
+  %199 = load i64, ptr %198, align 8
+  store i64 %199, ptr %5, align 8
+  %200 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 1
+  %201 = getelementptr inbounds i64, ptr %190, i64 %1
+  %202 = load i64, ptr %201, align 8
+  store i64 %202, ptr %200, align 8
+  %203 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 2
+  %204 = getelementptr inbounds i64, ptr %195, i64 %1
+  %205 = load i64, ptr %204, align 8
+  store i64 %205, ptr %203, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %2, ptr noundef nonnull byval(%struct.Part) align 8 %4, ptr noundef nonnull byval(%struct.Part) align 8 %5, double noundef 0xFFF0000000000000)
+  %206 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  %207 = load i64, ptr %206, align 8
+  %208 = add nsw i64 %207, 1
+  %209 = sitofp i64 %208 to double
+  store double %209, ptr %122, align 8
+  %210 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %211 = load i64, ptr %210, align 8
+  %212 = add nsw i64 %211, 1
+  %213 = sitofp i64 %212 to double
+  %214 = getelementptr inbounds double, ptr %122, i64 1
+  store double %213, ptr %214, align 8
+  br label %238
+
+215:                                              ; preds = %161
+  %216 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 35
+  %217 = load ptr, ptr %216, align 8
+  %218 = getelementptr inbounds i64, ptr %217, i64 %8
+  %219 = load i64, ptr %218, align 8
+  store i64 %219, ptr %4, align 8
+  %220 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
+  %221 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 13
+  %222 = load ptr, ptr %221, align 8
+  %223 = getelementptr inbounds i64, ptr %222, i64 %8
+  %224 = load i64, ptr %223, align 8
+  store i64 %224, ptr %220, align 8
+  %225 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
+  %226 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
+  %227 = load ptr, ptr %226, align 8
+  %228 = getelementptr inbounds i64, ptr %227, i64 %8
+  %229 = load i64, ptr %228, align 8
+  store i64 %229, ptr %225, align 8
+  %230 = getelementptr inbounds i64, ptr %217, i64 %1
+  %231 = load i64, ptr %230, align 8
+  store i64 %231, ptr %5, align 8
+  %232 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 1
+  %233 = getelementptr inbounds i64, ptr %222, i64 %1
+  %234 = load i64, ptr %233, align 8
+  store i64 %234, ptr %232, align 8
+  %235 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 2
+  %236 = getelementptr inbounds i64, ptr %227, i64 %1
+  %237 = load i64, ptr %236, align 8
+  store i64 %237, ptr %235, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %2, ptr noundef nonnull byval(%struct.Part) align 8 %4, ptr noundef nonnull byval(%struct.Part) align 8 %5, double noundef 0xFFF0000000000000)
+  br label %238
+
+238:                                              ; preds = %215, %183
   ret void
-
-18:                                               ; preds = %27
-  %19 = add nuw nsw i64 %5, 3
-  %20 = getelementptr inbounds double, ptr %0, i64 %19
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %0, i64 %5
-  %23 = load double, ptr %22, align 8
-  %24 = fsub double %21, %23
-  %25 = tail call double @llvm.fabs.f64(double %24)
-  %26 = fcmp olt double %25, 3.000000e-07
-  br i1 %26, label %37, label %44
-
-27:                                               ; preds = %4, %27
-  %28 = phi i64 [ 0, %4 ], [ %35, %27 ]
-  %29 = mul nuw nsw i64 %28, 3
-  %30 = add nuw nsw i64 %29, %5
-  %31 = getelementptr inbounds double, ptr %0, i64 %30
-  %32 = load double, ptr %31, align 8
-  %33 = add nuw nsw i64 %28, %7
-  %34 = getelementptr inbounds double, ptr %1, i64 %33
-  store double %32, ptr %34, align 8
-  %35 = add nuw nsw i64 %28, 1
-  %36 = icmp eq i64 %35, 3
-  br i1 %36, label %18, label %27
-
-37:                                               ; preds = %18
-  %38 = add nuw nsw i64 %5, 6
-  %39 = getelementptr inbounds double, ptr %0, i64 %38
-  %40 = load double, ptr %39, align 8
-  %41 = fsub double %40, %23
-  %42 = tail call double @llvm.fabs.f64(double %41)
-  %43 = fcmp olt double %42, 3.000000e-07
-  br label %44
-
-44:                                               ; preds = %37, %18
-  %45 = phi i1 [ false, %18 ], [ %43, %37 ]
-  %46 = zext i1 %45 to i32
-  %47 = and i32 %6, %46
-  %48 = add nuw nsw i64 %5, 1
-  %49 = icmp eq i64 %48, 3
-  br i1 %49, label %8, label %4
 }
 
-declare double @llvm.maxnum.f64(double, double) #3
+define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #10 {
+  %5 = alloca [3 x double], align 16
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %7 = load ptr, ptr %6, align 8
+  %8 = shl nsw i64 %2, 1
+  %9 = getelementptr inbounds i64, ptr %7, i64 %8
+  %10 = getelementptr inbounds i64, ptr %9, i64 1
+  %11 = load i64, ptr %10, align 8
+  %12 = icmp sgt i64 %11, 0
+  br i1 %12, label %13, label %100
 
-define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #0 {
+13:                                               ; preds = %4
+  %14 = load i64, ptr %9, align 8
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds i64, ptr %20, i64 %1
+  br label %22
+
+22:                                               ; preds = %13, %94
+  %23 = phi i64 [ %14, %13 ], [ %95, %94 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  %24 = mul nsw i64 %23, 3
+  %25 = getelementptr inbounds double, ptr %16, i64 %24
+  %26 = getelementptr inbounds double, ptr %25, i64 1
+  %27 = getelementptr inbounds double, ptr %25, i64 2
+  br label %28
+
+28:                                               ; preds = %28, %22
+  %29 = phi i64 [ 0, %22 ], [ %52, %28 ]
+  %30 = mul nuw nsw i64 %29, 3
+  %31 = getelementptr inbounds double, ptr %3, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = load double, ptr %25, align 8
+  %34 = fmul double %32, %33
+  %35 = add nuw nsw i64 %30, 1
+  %36 = getelementptr inbounds double, ptr %3, i64 %35
+  %37 = load double, ptr %36, align 8
+  %38 = load double, ptr %26, align 8
+  %39 = fmul double %37, %38
+  %40 = fadd double %34, %39
+  %41 = add nuw nsw i64 %30, 2
+  %42 = getelementptr inbounds double, ptr %3, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = load double, ptr %27, align 8
+  %45 = fmul double %43, %44
+  %46 = fadd double %40, %45
+  %47 = add nuw nsw i64 %29, 9
+  %48 = getelementptr inbounds double, ptr %3, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fadd double %49, %46
+  %51 = getelementptr inbounds double, ptr %5, i64 %29
+  store double %50, ptr %51, align 8
+  %52 = add nuw nsw i64 %29, 1
+  %53 = icmp eq i64 %52, 3
+  br i1 %53, label %54, label %28
+
+54:                                               ; preds = %28
+  %55 = load i64, ptr %21, align 8
+  %56 = mul nsw i64 %55, 6
+  %57 = getelementptr inbounds double, ptr %18, i64 %56
+  br label %58
+
+58:                                               ; preds = %58, %54
+  %59 = phi i64 [ 0, %54 ], [ %76, %58 ]
+  %60 = phi double [ 0.000000e+00, %54 ], [ %75, %58 ]
+  %61 = getelementptr inbounds double, ptr %57, i64 %59
+  %62 = load double, ptr %61, align 8
+  %63 = getelementptr inbounds double, ptr %5, i64 %59
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %62, %64
+  %66 = add nuw nsw i64 %59, 3
+  %67 = getelementptr inbounds double, ptr %57, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fsub double %64, %68
+  %70 = fcmp ogt double %65, %69
+  %71 = select i1 %70, double %65, double %69
+  %72 = fcmp ogt double %71, 0.000000e+00
+  %73 = select i1 %72, double %71, double 0.000000e+00
+  %74 = fmul double %73, %73
+  %75 = fadd double %60, %74
+  %76 = add nuw nsw i64 %59, 1
+  %77 = icmp eq i64 %76, 3
+  br i1 %77, label %78, label %58
+
+78:                                               ; preds = %58
+  %79 = call double @llvm.sqrt.f64(double %75)
+  %80 = fcmp ogt double %79, 0.000000e+00
+  br i1 %80, label %81, label %82
+
+81:                                               ; preds = %78
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br label %94
+
+82:                                               ; preds = %78, %82
+  %83 = phi i64 [ %90, %82 ], [ 0, %78 ]
+  %84 = phi i32 [ %89, %82 ], [ 0, %78 ]
+  %85 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %83
+  %86 = call fastcc i32 @leaves(ptr noundef %0, i64 noundef %55, ptr noundef nonnull %5, ptr noundef nonnull %85)
+  %87 = icmp ne i32 %86, 0
+  %88 = zext i1 %87 to i32
+  %89 = add nuw nsw i32 %84, %88
+  %90 = add nuw nsw i64 %83, 1
+  %91 = icmp eq i64 %90, 3
+  br i1 %91, label %92, label %82
+
+92:                                               ; preds = %82
+  %93 = icmp ult i32 %89, 2
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br i1 %93, label %94, label %100
+
+94:                                               ; preds = %81, %92
+  %95 = add nsw i64 %23, 1
+  %96 = load i64, ptr %9, align 8
+  %97 = load i64, ptr %10, align 8
+  %98 = add nsw i64 %97, %96
+  %99 = icmp slt i64 %95, %98
+  br i1 %99, label %22, label %100
+
+100:                                              ; preds = %92, %94, %4
+  %101 = phi i32 [ 0, %4 ], [ 0, %94 ], [ 1, %92 ]
+  ret i32 %101
+}
+
+define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, i64 noundef %3, i64 noundef %4, ptr nocapture noundef readonly %5) unnamed_addr #6 {
+  %7 = alloca [3 x double], align 16
+  %8 = alloca %struct.Plane, align 8
+  %9 = alloca [3 x double], align 16
+  %10 = alloca double, align 8
+  %11 = alloca double, align 8
+  %12 = alloca %struct.Core, align 8
+  %13 = alloca [3 x double], align 16
+  %14 = load ptr, ptr %0, align 8
+  %15 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 33
+  %16 = load ptr, ptr %15, align 8
+  %17 = mul nsw i64 %2, 6
+  %18 = getelementptr inbounds double, ptr %16, i64 %17
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 15
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %22, i64 %1
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %26 = load ptr, ptr %25, align 8
+  %27 = icmp eq ptr %26, null
+  br i1 %27, label %28, label %31
+
+28:                                               ; preds = %6
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %30 = load double, ptr %29, align 8
+  br label %45
+
+31:                                               ; preds = %6
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %33 = load ptr, ptr %32, align 8
+  %34 = icmp eq ptr %33, null
+  %35 = getelementptr inbounds i64, ptr %33, i64 %1
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %37 = select i1 %34, ptr %36, ptr %35
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr inbounds double, ptr %26, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp ogt double %40, %42
+  %44 = select i1 %43, double %42, double %40
+  br label %45
+
+45:                                               ; preds = %28, %31
+  %46 = phi double [ %44, %31 ], [ %30, %28 ]
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  %48 = load double, ptr %47, align 8
+  %49 = fsub double %46, %48
+  %50 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %22, i64 %51
+  %53 = load double, ptr %52, align 8
+  br label %54
+
+54:                                               ; preds = %54, %45
+  %55 = phi i64 [ 0, %45 ], [ %72, %54 ]
+  %56 = phi double [ 0.000000e+00, %45 ], [ %71, %54 ]
+  %57 = getelementptr inbounds double, ptr %18, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %20, i64 %55
+  %60 = load double, ptr %59, align 8
+  %61 = fsub double %58, %60
+  %62 = add nuw nsw i64 %55, 3
+  %63 = getelementptr inbounds double, ptr %18, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %60, %64
+  %66 = fcmp ogt double %61, %65
+  %67 = select i1 %66, double %61, double %65
+  %68 = fcmp ogt double %67, 0.000000e+00
+  %69 = select i1 %68, double %67, double 0.000000e+00
+  %70 = fmul double %69, %69
+  %71 = fadd double %56, %70
+  %72 = add nuw nsw i64 %55, 1
+  %73 = icmp eq i64 %72, 3
+  br i1 %73, label %74, label %54
+
+74:                                               ; preds = %54
+  %75 = fneg double %24
+  %76 = fsub double %75, %53
+  %77 = tail call double @llvm.sqrt.f64(double %71)
+  %78 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 18
+  %79 = load ptr, ptr %78, align 8
+  %80 = shl nsw i64 %51, 2
+  %81 = or i64 %80, 3
+  %82 = getelementptr inbounds double, ptr %79, i64 %81
+  %83 = load double, ptr %82, align 8
+  br i1 %27, label %95, label %84
+
+84:                                               ; preds = %74
+  %85 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %86 = load ptr, ptr %85, align 8
+  %87 = icmp eq ptr %86, null
+  %88 = getelementptr inbounds i64, ptr %86, i64 %1
+  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %90 = select i1 %87, ptr %89, ptr %88
+  %91 = load i64, ptr %90, align 8
+  %92 = getelementptr inbounds double, ptr %26, i64 %91
+  %93 = load double, ptr %92, align 8
+  %94 = fcmp uno double %93, 0.000000e+00
+  br i1 %94, label %401, label %99
+
+95:                                               ; preds = %74
+  %96 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %97 = load i32, ptr %96, align 8
+  %98 = icmp eq i32 %97, 1
+  br i1 %98, label %401, label %99
+
+99:                                               ; preds = %84, %95
+  %100 = fsub double %77, %83
+  %101 = fsub double %100, %24
+  %102 = fcmp ogt double %101, %49
+  br i1 %102, label %401, label %103
+
+103:                                              ; preds = %99, %103
+  %104 = phi i64 [ %116, %103 ], [ 0, %99 ]
+  %105 = phi double [ %115, %103 ], [ 0.000000e+00, %99 ]
+  %106 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %104
+  %107 = load double, ptr %106, align 8
+  %108 = fcmp ogt double %107, 0.000000e+00
+  %109 = add nuw nsw i64 %104, 3
+  %110 = select i1 %108, i64 %109, i64 %104
+  %111 = and i64 %110, 4294967295
+  %112 = getelementptr inbounds double, ptr %18, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %107, %113
+  %115 = fadd double %105, %114
+  %116 = add nuw nsw i64 %104, 1
+  %117 = icmp eq i64 %116, 3
+  br i1 %117, label %118, label %103
+
+118:                                              ; preds = %103
+  %119 = getelementptr inbounds %struct.Plane, ptr %5, i64 0, i32 1
+  %120 = load double, ptr %119, align 8
+  %121 = fsub double %120, %115
+  %122 = fadd double %76, %121
+  %123 = fcmp ogt double %122, %49
+  br i1 %123, label %401, label %124
+
+124:                                              ; preds = %118
+  %125 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  br label %126
+
+126:                                              ; preds = %126, %124
+  %127 = phi i64 [ 0, %124 ], [ %139, %126 ]
+  %128 = phi double [ 0.000000e+00, %124 ], [ %138, %126 ]
+  %129 = getelementptr inbounds [3 x double], ptr %125, i64 0, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = fcmp ogt double %130, 0.000000e+00
+  %132 = add nuw nsw i64 %127, 3
+  %133 = select i1 %131, i64 %132, i64 %127
+  %134 = and i64 %133, 4294967295
+  %135 = getelementptr inbounds double, ptr %18, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = fmul double %130, %136
+  %138 = fadd double %128, %137
+  %139 = add nuw nsw i64 %127, 1
+  %140 = icmp eq i64 %139, 3
+  br i1 %140, label %141, label %126
+
+141:                                              ; preds = %126
+  %142 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
+  %143 = load double, ptr %142, align 8
+  %144 = fsub double %143, %138
+  %145 = fadd double %76, %144
+  %146 = fcmp ogt double %145, %49
+  br i1 %146, label %401, label %147
+
+147:                                              ; preds = %141
+  %148 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 34
+  %149 = load ptr, ptr %148, align 8
+  %150 = shl nsw i64 %2, 1
+  %151 = getelementptr inbounds i64, ptr %149, i64 %150
+  %152 = load i64, ptr %151, align 8
+  %153 = icmp slt i64 %152, 0
+  br i1 %153, label %154, label %174
+
+154:                                              ; preds = %147
+  %155 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 36
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i64, ptr %151, i64 1
+  %158 = load i64, ptr %157, align 8
+  %159 = mul nsw i64 %158, 9
+  %160 = getelementptr inbounds double, ptr %156, i64 %159
+  %161 = tail call fastcc double @in_front(ptr noundef nonnull %125, ptr noundef %160)
+  %162 = fadd double %76, %161
+  %163 = fcmp ogt double %162, %49
+  br i1 %163, label %401, label %164
+
+164:                                              ; preds = %154
+  %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %166 = load i32, ptr %165, align 8
+  %167 = icmp eq i32 %166, 0
+  br i1 %167, label %168, label %169
+
+168:                                              ; preds = %164
+  tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef nonnull %125)
+  br label %401
+
+169:                                              ; preds = %164
+  %170 = tail call fastcc double @in_front(ptr noundef %5, ptr noundef %160)
+  %171 = fadd double %76, %170
+  %172 = fcmp ugt double %171, %49
+  br i1 %172, label %401, label %173
+
+173:                                              ; preds = %169
+  tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef %5)
+  br label %401
+
+174:                                              ; preds = %147
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %8) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %8, ptr noundef nonnull align 8 dereferenceable(32) %5, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
+  %175 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %175, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
+  br label %176
+
+176:                                              ; preds = %176, %174
+  %177 = phi i64 [ 0, %174 ], [ %192, %176 ]
+  %178 = getelementptr inbounds double, ptr %18, i64 %177
+  %179 = load double, ptr %178, align 8
+  %180 = add nuw nsw i64 %177, 3
+  %181 = getelementptr inbounds double, ptr %18, i64 %180
+  %182 = load double, ptr %181, align 8
+  %183 = fadd double %179, %182
+  %184 = fmul double %183, 5.000000e-01
+  %185 = add nuw nsw i64 %177, 9
+  %186 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %185
+  store double %184, ptr %186, align 8
+  %187 = load double, ptr %181, align 8
+  %188 = load double, ptr %178, align 8
+  %189 = fsub double %187, %188
+  %190 = fmul double %189, 5.000000e-01
+  %191 = getelementptr inbounds double, ptr %9, i64 %177
+  store double %190, ptr %191, align 8
+  %192 = add nuw nsw i64 %177, 1
+  %193 = icmp eq i64 %192, 3
+  br i1 %193, label %194, label %176
+
+194:                                              ; preds = %176
+  store i64 1, ptr %12, align 8
+  %195 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 5
+  store ptr %175, ptr %195, align 8
+  %196 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 6
+  store ptr %9, ptr %196, align 8
+  %197 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 9
+  %198 = load double, ptr %9, align 16
+  %199 = fmul double %198, %198
+  %200 = getelementptr inbounds double, ptr %9, i64 1
+  %201 = load double, ptr %200, align 8
+  %202 = fmul double %201, %201
+  %203 = fadd double %199, %202
+  %204 = getelementptr inbounds double, ptr %9, i64 2
+  %205 = load double, ptr %204, align 16
+  %206 = fmul double %205, %205
+  %207 = fadd double %203, %206
+  %208 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %209 = load ptr, ptr %208, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  %210 = load double, ptr %197, align 8
+  %211 = getelementptr inbounds double, ptr %209, i64 9
+  %212 = load double, ptr %211, align 8
+  %213 = fsub double %210, %212
+  %214 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 10
+  %215 = load double, ptr %214, align 8
+  %216 = getelementptr inbounds double, ptr %209, i64 10
+  %217 = load double, ptr %216, align 8
+  %218 = fsub double %215, %217
+  %219 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 11
+  %220 = load double, ptr %219, align 8
+  %221 = getelementptr inbounds double, ptr %209, i64 11
+  %222 = load double, ptr %221, align 8
+  %223 = fsub double %220, %222
+  br label %224
+
+224:                                              ; preds = %224, %194
+  %225 = phi i64 [ 0, %194 ], [ %240, %224 ]
+  %226 = getelementptr inbounds double, ptr %209, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %213, %227
+  %229 = add nuw nsw i64 %225, 3
+  %230 = getelementptr inbounds double, ptr %209, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = fmul double %218, %231
+  %233 = fadd double %228, %232
+  %234 = add nuw nsw i64 %225, 6
+  %235 = getelementptr inbounds double, ptr %209, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = fmul double %223, %236
+  %238 = fadd double %233, %237
+  %239 = getelementptr inbounds double, ptr %7, i64 %225
+  store double %238, ptr %239, align 8
+  %240 = add nuw nsw i64 %225, 1
+  %241 = icmp eq i64 %240, 3
+  br i1 %241, label %242, label %224
+
+242:                                              ; preds = %224
+  %243 = call double @llvm.sqrt.f64(double %207)
+  %244 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 19
+  %245 = load ptr, ptr %244, align 8
+  %246 = mul nsw i64 %51, 6
+  %247 = getelementptr inbounds double, ptr %245, i64 %246
+  br label %248
+
+248:                                              ; preds = %248, %242
+  %249 = phi i64 [ 0, %242 ], [ %266, %248 ]
+  %250 = phi double [ 0.000000e+00, %242 ], [ %265, %248 ]
+  %251 = getelementptr inbounds double, ptr %247, i64 %249
+  %252 = load double, ptr %251, align 8
+  %253 = getelementptr inbounds double, ptr %7, i64 %249
+  %254 = load double, ptr %253, align 8
+  %255 = fsub double %252, %254
+  %256 = add nuw nsw i64 %249, 3
+  %257 = getelementptr inbounds double, ptr %247, i64 %256
+  %258 = load double, ptr %257, align 8
+  %259 = fsub double %254, %258
+  %260 = fcmp ogt double %255, %259
+  %261 = select i1 %260, double %255, double %259
+  %262 = fcmp ogt double %261, 0.000000e+00
+  %263 = select i1 %262, double %261, double 0.000000e+00
+  %264 = fmul double %263, %263
+  %265 = fadd double %250, %264
+  %266 = add nuw nsw i64 %249, 1
+  %267 = icmp eq i64 %266, 3
+  br i1 %267, label %268, label %248
+
+268:                                              ; preds = %248
+  %269 = fadd double %24, %49
+  %270 = fadd double %269, %243
+  %271 = fmul double %270, %270
+  %272 = fcmp ule double %265, %271
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  br i1 %272, label %273, label %400
+
+273:                                              ; preds = %268
+  %274 = fadd double %198, %201
+  %275 = fadd double %274, %205
+  %276 = load double, ptr %82, align 8
+  %277 = fmul double %276, 2.000000e+00
+  %278 = fcmp olt double %275, %277
+  %279 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %280 = load i32, ptr %279, align 8
+  %281 = icmp ne i32 %280, 0
+  %282 = icmp slt i64 %4, 33
+  %283 = and i1 %282, %281
+  br i1 %283, label %284, label %305
+
+284:                                              ; preds = %273
+  %285 = icmp sgt i64 %4, 16
+  %286 = add i64 %4, -3
+  %287 = icmp ult i64 %286, 2
+  %288 = or i1 %285, %287
+  %289 = and i1 %288, %278
+  store i64 0, ptr %12, align 8
+  %290 = mul nsw i64 %4, 3
+  %291 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
+  store i64 %290, ptr %291, align 8
+  store ptr @hull_core.still, ptr %195, align 8
+  %292 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 37
+  %293 = load ptr, ptr %292, align 8
+  %294 = mul nsw i64 %3, 3
+  %295 = getelementptr inbounds double, ptr %293, i64 %294
+  %296 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
+  store ptr %295, ptr %296, align 8
+  %297 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 38
+  %298 = load ptr, ptr %297, align 8
+  %299 = getelementptr inbounds double, ptr %298, i64 %294
+  %300 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
+  store ptr %299, ptr %300, align 8
+  %301 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 39
+  %302 = load ptr, ptr %301, align 8
+  %303 = getelementptr inbounds double, ptr %302, i64 %294
+  %304 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
+  store ptr %303, ptr %304, align 8
+  br i1 %289, label %306, label %338
+
+305:                                              ; preds = %273
+  br i1 %278, label %306, label %338
+
+306:                                              ; preds = %284, %305
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  %307 = icmp eq i32 %280, 0
+  br label %314
+
+308:                                              ; preds = %326
+  %309 = fsub double %49, %76
+  %310 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %311 = load ptr, ptr %310, align 8
+  %312 = call fastcc i32 @bounds(ptr noundef %311, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %309, double noundef %309, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null)
+  %313 = icmp eq i32 %312, 0
+  br i1 %313, label %335, label %331
+
+314:                                              ; preds = %306, %326
+  %315 = phi i64 [ 0, %306 ], [ %329, %326 ]
+  br i1 %307, label %319, label %316
+
+316:                                              ; preds = %314
+  %317 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %315
+  %318 = load double, ptr %317, align 8
+  br label %326
+
+319:                                              ; preds = %314
+  %320 = getelementptr inbounds double, ptr %20, i64 %315
+  %321 = load double, ptr %320, align 8
+  %322 = add nuw nsw i64 %315, 9
+  %323 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %322
+  %324 = load double, ptr %323, align 8
+  %325 = fsub double %321, %324
+  br label %326
+
+326:                                              ; preds = %319, %316
+  %327 = phi double [ %318, %316 ], [ %325, %319 ]
+  %328 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %315
+  store double %327, ptr %328, align 8
+  %329 = add nuw nsw i64 %315, 1
+  %330 = icmp eq i64 %329, 3
+  br i1 %330, label %308, label %314
+
+331:                                              ; preds = %308
+  %332 = load double, ptr %10, align 8
+  %333 = fadd double %76, %332
+  %334 = fcmp ogt double %333, %49
+  br i1 %334, label %337, label %335
+
+335:                                              ; preds = %331, %308
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  %336 = load ptr, ptr %15, align 8
+  br label %338
+
+337:                                              ; preds = %331
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  br label %400
+
+338:                                              ; preds = %284, %335, %305
+  %339 = phi ptr [ %336, %335 ], [ %16, %305 ], [ %16, %284 ]
+  %340 = load i64, ptr %151, align 8
+  %341 = mul nsw i64 %340, 6
+  %342 = getelementptr inbounds double, ptr %339, i64 %341
+  br label %343
+
+343:                                              ; preds = %343, %338
+  %344 = phi i64 [ 0, %338 ], [ %356, %343 ]
+  %345 = phi double [ 0.000000e+00, %338 ], [ %355, %343 ]
+  %346 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %344
+  %347 = load double, ptr %346, align 8
+  %348 = fcmp ogt double %347, 0.000000e+00
+  %349 = add nuw nsw i64 %344, 3
+  %350 = select i1 %348, i64 %349, i64 %344
+  %351 = and i64 %350, 4294967295
+  %352 = getelementptr inbounds double, ptr %342, i64 %351
+  %353 = load double, ptr %352, align 8
+  %354 = fmul double %347, %353
+  %355 = fadd double %345, %354
+  %356 = add nuw nsw i64 %344, 1
+  %357 = icmp eq i64 %356, 3
+  br i1 %357, label %358, label %343
+
+358:                                              ; preds = %343
+  %359 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
+  %360 = load double, ptr %359, align 8
+  %361 = getelementptr inbounds i64, ptr %151, i64 1
+  %362 = load i64, ptr %361, align 8
+  %363 = mul nsw i64 %362, 6
+  %364 = getelementptr inbounds double, ptr %339, i64 %363
+  br label %365
+
+365:                                              ; preds = %365, %358
+  %366 = phi i64 [ 0, %358 ], [ %378, %365 ]
+  %367 = phi double [ 0.000000e+00, %358 ], [ %377, %365 ]
+  %368 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %366
+  %369 = load double, ptr %368, align 8
+  %370 = fcmp ogt double %369, 0.000000e+00
+  %371 = add nuw nsw i64 %366, 3
+  %372 = select i1 %370, i64 %371, i64 %366
+  %373 = and i64 %372, 4294967295
+  %374 = getelementptr inbounds double, ptr %364, i64 %373
+  %375 = load double, ptr %374, align 8
+  %376 = fmul double %369, %375
+  %377 = fadd double %367, %376
+  %378 = add nuw nsw i64 %366, 1
+  %379 = icmp eq i64 %378, 3
+  br i1 %379, label %380, label %365
+
+380:                                              ; preds = %365
+  %381 = fsub double %360, %355
+  %382 = fsub double %360, %377
+  %383 = fcmp olt double %382, %381
+  %384 = sdiv i64 %4, 2
+  %385 = sdiv i64 %4, -2
+  %386 = add i64 %385, %4
+  %387 = zext i1 %383 to i64
+  %388 = getelementptr inbounds i64, ptr %151, i64 %387
+  %389 = load i64, ptr %388, align 8
+  %390 = select i1 %383, i64 %384, i64 0
+  %391 = add nsw i64 %390, %3
+  %392 = select i1 %383, i64 %386, i64 %384
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %389, i64 noundef %391, i64 noundef %392, ptr noundef nonnull %8)
+  %393 = xor i1 %383, true
+  %394 = zext i1 %393 to i64
+  %395 = getelementptr inbounds i64, ptr %151, i64 %394
+  %396 = load i64, ptr %395, align 8
+  %397 = select i1 %383, i64 0, i64 %384
+  %398 = add nsw i64 %397, %3
+  %399 = select i1 %383, i64 %384, i64 %386
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %396, i64 noundef %398, i64 noundef %399, ptr noundef nonnull %8)
+  br label %400
+
+400:                                              ; preds = %380, %337, %268
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %8) #18
+  br label %401
+
+401:                                              ; preds = %84, %400, %168, %173, %169, %154, %118, %141, %95, %99
+  ret void
+}
+
+define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noundef %2) unnamed_addr #6 {
+  %4 = alloca %struct.Core, align 8
+  %5 = alloca %struct.Core, align 8
+  %6 = alloca [9 x double], align 16
+  %7 = alloca [9 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca double, align 8
+  %10 = alloca double, align 8
+  %11 = alloca %struct.Simplex, align 8
+  %12 = load ptr, ptr %0, align 8
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  %13 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 1
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  %16 = load ptr, ptr %15, align 8
+  %17 = icmp eq ptr %16, null
+  br i1 %17, label %18, label %21
+
+18:                                               ; preds = %3
+  %19 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %20 = load double, ptr %19, align 8
+  br label %35
+
+21:                                               ; preds = %3
+  %22 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %23 = load ptr, ptr %22, align 8
+  %24 = icmp eq ptr %23, null
+  %25 = getelementptr inbounds i64, ptr %23, i64 %14
+  %26 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 4
+  %27 = select i1 %24, ptr %26, ptr %25
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %16, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %32 = load double, ptr %31, align 8
+  %33 = fcmp ogt double %30, %32
+  %34 = select i1 %33, double %32, double %30
+  br label %35
+
+35:                                               ; preds = %18, %21
+  %36 = phi double [ %20, %18 ], [ 0xFFF0000000000000, %21 ]
+  %37 = phi double [ %20, %18 ], [ %34, %21 ]
+  %38 = load ptr, ptr %12, align 8
+  %39 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 36
+  %40 = load ptr, ptr %39, align 8
+  %41 = mul nsw i64 %1, 9
+  %42 = getelementptr inbounds double, ptr %40, i64 %41
+  br label %43
+
+43:                                               ; preds = %73, %35
+  %44 = phi i64 [ 0, %35 ], [ %77, %73 ]
+  %45 = phi i32 [ 1, %35 ], [ %76, %73 ]
+  %46 = mul nuw nsw i64 %44, 3
+  br label %56
+
+47:                                               ; preds = %56
+  %48 = add nuw nsw i64 %44, 3
+  %49 = getelementptr inbounds double, ptr %42, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr inbounds double, ptr %42, i64 %44
+  %52 = load double, ptr %51, align 8
+  %53 = fsub double %50, %52
+  %54 = tail call double @llvm.fabs.f64(double %53)
+  %55 = fcmp olt double %54, 3.000000e-07
+  br i1 %55, label %66, label %73
+
+56:                                               ; preds = %56, %43
+  %57 = phi i64 [ 0, %43 ], [ %64, %56 ]
+  %58 = mul nuw nsw i64 %57, 3
+  %59 = add nuw nsw i64 %58, %44
+  %60 = getelementptr inbounds double, ptr %42, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = add nuw nsw i64 %57, %46
+  %63 = getelementptr inbounds double, ptr %6, i64 %62
+  store double %61, ptr %63, align 8
+  %64 = add nuw nsw i64 %57, 1
+  %65 = icmp eq i64 %64, 3
+  br i1 %65, label %47, label %56
+
+66:                                               ; preds = %47
+  %67 = add nuw nsw i64 %44, 6
+  %68 = getelementptr inbounds double, ptr %42, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = fsub double %69, %52
+  %71 = tail call double @llvm.fabs.f64(double %70)
+  %72 = fcmp olt double %71, 3.000000e-07
+  br label %73
+
+73:                                               ; preds = %66, %47
+  %74 = phi i1 [ false, %47 ], [ %72, %66 ]
+  %75 = zext i1 %74 to i32
+  %76 = and i32 %45, %75
+  %77 = add nuw nsw i64 %44, 1
+  %78 = icmp eq i64 %77, 3
+  br i1 %78, label %79, label %43
+
+79:                                               ; preds = %73
+  store i64 0, ptr %4, align 8
+  %80 = icmp eq i32 %76, 0
+  %81 = select i1 %80, i64 3, i64 1
+  %82 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 1
+  store i64 %81, ptr %82, align 8
+  %83 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 5
+  %84 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 2
+  store ptr %6, ptr %84, align 8
+  %85 = getelementptr inbounds double, ptr %6, i64 3
+  %86 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 3
+  store ptr %85, ptr %86, align 8
+  %87 = getelementptr inbounds double, ptr %6, i64 6
+  %88 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 4
+  store ptr %87, ptr %88, align 8
+  %89 = mul nsw i64 %2, 9
+  %90 = getelementptr inbounds double, ptr %40, i64 %89
+  br label %91
+
+91:                                               ; preds = %121, %79
+  %92 = phi i64 [ 0, %79 ], [ %125, %121 ]
+  %93 = phi i32 [ 1, %79 ], [ %124, %121 ]
+  %94 = mul nuw nsw i64 %92, 3
+  br label %104
+
+95:                                               ; preds = %104
+  %96 = add nuw nsw i64 %92, 3
+  %97 = getelementptr inbounds double, ptr %90, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = getelementptr inbounds double, ptr %90, i64 %92
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %98, %100
+  %102 = call double @llvm.fabs.f64(double %101)
+  %103 = fcmp olt double %102, 3.000000e-07
+  br i1 %103, label %114, label %121
+
+104:                                              ; preds = %104, %91
+  %105 = phi i64 [ 0, %91 ], [ %112, %104 ]
+  %106 = mul nuw nsw i64 %105, 3
+  %107 = add nuw nsw i64 %106, %92
+  %108 = getelementptr inbounds double, ptr %90, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = add nuw nsw i64 %105, %94
+  %111 = getelementptr inbounds double, ptr %7, i64 %110
+  store double %109, ptr %111, align 8
+  %112 = add nuw nsw i64 %105, 1
+  %113 = icmp eq i64 %112, 3
+  br i1 %113, label %95, label %104
+
+114:                                              ; preds = %95
+  %115 = add nuw nsw i64 %92, 6
+  %116 = getelementptr inbounds double, ptr %90, i64 %115
+  %117 = load double, ptr %116, align 8
+  %118 = fsub double %117, %100
+  %119 = call double @llvm.fabs.f64(double %118)
+  %120 = fcmp olt double %119, 3.000000e-07
+  br label %121
+
+121:                                              ; preds = %114, %95
+  %122 = phi i1 [ false, %95 ], [ %120, %114 ]
+  %123 = zext i1 %122 to i32
+  %124 = and i32 %93, %123
+  %125 = add nuw nsw i64 %92, 1
+  %126 = icmp eq i64 %125, 3
+  br i1 %126, label %127, label %91
+
+127:                                              ; preds = %121
+  store i64 0, ptr %5, align 8
+  %128 = icmp eq i32 %124, 0
+  %129 = select i1 %128, i64 3, i64 1
+  %130 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 1
+  store i64 %129, ptr %130, align 8
+  %131 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 5
+  store ptr @place.still, ptr %131, align 8
+  %132 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 2
+  store ptr %7, ptr %132, align 8
+  %133 = getelementptr inbounds double, ptr %7, i64 3
+  %134 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 3
+  store ptr %133, ptr %134, align 8
+  %135 = getelementptr inbounds double, ptr %7, i64 6
+  %136 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 4
+  store ptr %135, ptr %136, align 8
+  %137 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  store ptr %137, ptr %83, align 8
+  %138 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 8 dereferenceable(24) %138, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #18
+  %139 = fadd double %37, -1.000000e-10
+  %140 = select i1 %17, double %37, double %139
+  %141 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
+  %142 = load i64, ptr %141, align 8
+  %143 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 15
+  %144 = load ptr, ptr %143, align 8
+  %145 = getelementptr inbounds double, ptr %144, i64 %142
+  %146 = load double, ptr %145, align 8
+  %147 = getelementptr inbounds double, ptr %144, i64 %14
+  %148 = load double, ptr %147, align 8
+  %149 = fadd double %146, %148
+  %150 = fadd double %140, %149
+  %151 = fadd double %36, %149
+  %152 = call fastcc i32 @bounds(ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %8, double noundef %150, double noundef %151, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef null, ptr noundef nonnull %11)
+  %153 = load double, ptr %9, align 8
+  %154 = fsub double %153, %149
+  %155 = load double, ptr %10, align 8
+  %156 = fsub double %155, %149
+  %157 = icmp ne i32 %152, 0
+  %158 = fcmp ogt double %154, %140
+  %159 = select i1 %157, i1 %158, i1 false
+  br i1 %159, label %217, label %160
+
+160:                                              ; preds = %127
+  br i1 %157, label %165, label %161
+
+161:                                              ; preds = %160
+  %162 = load i64, ptr %13, align 8
+  %163 = call fastcc i32 @tell_depth(ptr noundef nonnull %12, i64 noundef %162, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %11)
+  %164 = icmp eq i32 %163, 0
+  br i1 %164, label %217, label %214
+
+165:                                              ; preds = %160
+  %166 = load ptr, ptr %15, align 8
+  %167 = icmp eq ptr %166, null
+  br i1 %167, label %201, label %168
+
+168:                                              ; preds = %165
+  %169 = load i64, ptr %13, align 8
+  %170 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %171 = load ptr, ptr %170, align 8
+  %172 = icmp eq ptr %171, null
+  %173 = getelementptr inbounds i64, ptr %171, i64 %169
+  %174 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 4
+  %175 = select i1 %172, ptr %174, ptr %173
+  %176 = load i64, ptr %175, align 8
+  %177 = getelementptr inbounds double, ptr %166, i64 %176
+  %178 = fsub double %156, %154
+  %179 = fcmp ole double %178, 1.000000e-08
+  %180 = select i1 %179, double %156, double %154
+  %181 = load double, ptr %177, align 8
+  %182 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %183 = load double, ptr %182, align 8
+  %184 = call double @llvm.minnum.f64(double %181, double %183)
+  %185 = fcmp ult double %180, %184
+  br i1 %185, label %186, label %217
+
+186:                                              ; preds = %168
+  %187 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  %188 = load ptr, ptr %187, align 8
+  %189 = icmp ne ptr %188, null
+  %190 = fcmp oeq double %181, 0x7FF0000000000000
+  %191 = select i1 %189, i1 %190, i1 false
+  br i1 %191, label %192, label %199
+
+192:                                              ; preds = %186
+  %193 = load ptr, ptr %12, align 8
+  %194 = getelementptr inbounds %struct.World, ptr %193, i64 0, i32 45
+  %195 = load ptr, ptr %194, align 8
+  %196 = load i64, ptr %188, align 8
+  %197 = add nsw i64 %196, 1
+  store i64 %197, ptr %188, align 8
+  %198 = getelementptr inbounds i64, ptr %195, i64 %196
+  store i64 %176, ptr %198, align 8
+  br label %199
+
+199:                                              ; preds = %192, %186
+  %200 = select i1 %179, double %156, double 0x7FF8000000000000
+  store double %200, ptr %177, align 8
+  br label %214
+
+201:                                              ; preds = %165
+  %202 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %203 = load double, ptr %202, align 8
+  %204 = fcmp ult double %203, %156
+  br i1 %204, label %207, label %205
+
+205:                                              ; preds = %201
+  %206 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  store i32 1, ptr %206, align 8
+  br label %214
+
+207:                                              ; preds = %201
+  %208 = fcmp ult double %203, %154
+  br i1 %208, label %214, label %209
+
+209:                                              ; preds = %207
+  %210 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  %211 = load i32, ptr %210, align 8
+  %212 = icmp eq i32 %211, 0
+  br i1 %212, label %213, label %214
+
+213:                                              ; preds = %209
+  store i32 2, ptr %210, align 8
+  br label %214
+
+214:                                              ; preds = %207, %209, %213, %205, %199, %161
+  %215 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  store i64 %1, ptr %215, align 8
+  %216 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  store i64 %2, ptr %216, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %138, ptr noundef nonnull align 16 dereferenceable(24) %8, i64 24, i1 false)
+  br label %217
+
+217:                                              ; preds = %168, %161, %127, %214
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %4) #18
+  ret void
+}
+
+define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef readonly byval(%struct.Part) align 8 %1, ptr nocapture noundef readonly byval(%struct.Part) align 8 %2, double noundef %3) unnamed_addr #0 {
+  %5 = alloca [3 x double], align 16
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca %struct.Core, align 8
+  %11 = alloca %struct.Core, align 8
+  %12 = alloca [3 x double], align 16
+  %13 = alloca double, align 8
+  %14 = alloca double, align 8
+  %15 = alloca [2 x %struct.Part], align 16
+  %16 = alloca [2 x double], align 16
+  %17 = alloca %struct.Part, align 8
+  %18 = alloca %struct.Part, align 8
+  %19 = load ptr, ptr %0, align 8
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %22 = load ptr, ptr %21, align 8
+  %23 = icmp eq ptr %22, null
+  br i1 %23, label %40, label %24
+
+24:                                               ; preds = %4
+  %25 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 1
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %28 = load ptr, ptr %27, align 8
+  %29 = icmp eq ptr %28, null
+  %30 = getelementptr inbounds i64, ptr %28, i64 %26
+  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 4
+  %32 = select i1 %29, ptr %31, ptr %30
+  %33 = load i64, ptr %32, align 8
+  %34 = getelementptr inbounds double, ptr %22, i64 %33
+  %35 = load double, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp ogt double %35, %37
+  %39 = select i1 %38, double %37, double %35
+  br label %46
+
+40:                                               ; preds = %4
+  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %42 = load double, ptr %41, align 8
+  %43 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %44 = load i32, ptr %43, align 8
+  %45 = icmp eq i32 %44, 1
+  br i1 %45, label %424, label %46
+
+46:                                               ; preds = %24, %40
+  %47 = phi double [ %42, %40 ], [ %39, %24 ]
+  %48 = fadd double %47, -1.000000e-10
+  %49 = select i1 %23, double %47, double %48
+  %50 = fcmp ult double %49, %3
+  br i1 %50, label %424, label %51
+
+51:                                               ; preds = %46
+  %52 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 34
+  %53 = load ptr, ptr %52, align 8
+  %54 = load i64, ptr %1, align 8
+  %55 = shl nsw i64 %54, 1
+  %56 = getelementptr inbounds i64, ptr %53, i64 %55
+  %57 = load i64, ptr %2, align 8
+  %58 = shl nsw i64 %57, 1
+  %59 = getelementptr inbounds i64, ptr %53, i64 %58
+  %60 = load i64, ptr %56, align 8
+  %61 = icmp slt i64 %60, 0
+  br i1 %61, label %62, label %70
+
+62:                                               ; preds = %51
+  %63 = load i64, ptr %59, align 8
+  %64 = icmp slt i64 %63, 0
+  br i1 %64, label %65, label %70
+
+65:                                               ; preds = %62
+  %66 = getelementptr inbounds i64, ptr %56, i64 1
+  %67 = load i64, ptr %66, align 8
+  %68 = getelementptr inbounds i64, ptr %59, i64 1
+  %69 = load i64, ptr %68, align 8
+  tail call fastcc void @two_leaves(ptr noundef nonnull %0, i64 noundef %67, i64 noundef %69)
+  br label %424
+
+70:                                               ; preds = %62, %51
+  %71 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 33
+  %72 = load ptr, ptr %71, align 8
+  %73 = mul nsw i64 %57, 6
+  %74 = getelementptr inbounds double, ptr %72, i64 %73
+  %75 = getelementptr inbounds double, ptr %74, i64 3
+  %76 = load double, ptr %75, align 8
+  %77 = load double, ptr %74, align 8
+  %78 = fsub double %76, %77
+  %79 = getelementptr inbounds double, ptr %74, i64 4
+  %80 = load double, ptr %79, align 8
+  %81 = fadd double %78, %80
+  %82 = getelementptr inbounds double, ptr %74, i64 1
+  %83 = load double, ptr %82, align 8
+  %84 = fsub double %81, %83
+  %85 = getelementptr inbounds double, ptr %74, i64 5
+  %86 = load double, ptr %85, align 8
+  %87 = fadd double %84, %86
+  %88 = getelementptr inbounds double, ptr %74, i64 2
+  %89 = load double, ptr %88, align 8
+  %90 = fsub double %87, %89
+  %91 = fmul double %90, -1.000000e-01
+  %92 = fcmp olt double %91, %3
+  %93 = getelementptr inbounds %struct.Part, ptr %1, i64 0, i32 2
+  %94 = load i64, ptr %93, align 8
+  %95 = icmp slt i64 %94, 33
+  %96 = select i1 %92, i1 %95, i1 false
+  %97 = getelementptr inbounds %struct.Part, ptr %2, i64 0, i32 2
+  %98 = load i64, ptr %97, align 8
+  %99 = icmp slt i64 %98, 33
+  %100 = select i1 %96, i1 %99, i1 false
+  %101 = mul nsw i64 %98, %94
+  %102 = icmp sgt i64 %101, 63
+  %103 = select i1 %100, i1 %102, i1 false
+  br i1 %103, label %104, label %147
+
+104:                                              ; preds = %70
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #18
+  %105 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 4
+  %106 = load double, ptr %105, align 8
+  %107 = fadd double %49, %106
+  %108 = getelementptr inbounds %struct.Part, ptr %1, i64 0, i32 1
+  %109 = load i64, ptr %108, align 8
+  store i64 0, ptr %10, align 8
+  %110 = mul nsw i64 %94, 3
+  %111 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 1
+  store i64 %110, ptr %111, align 8
+  %112 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 5
+  %113 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 37
+  %114 = load ptr, ptr %113, align 8
+  %115 = mul nsw i64 %109, 3
+  %116 = getelementptr inbounds double, ptr %114, i64 %115
+  %117 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 2
+  store ptr %116, ptr %117, align 8
+  %118 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 38
+  %119 = load ptr, ptr %118, align 8
+  %120 = getelementptr inbounds double, ptr %119, i64 %115
+  %121 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 3
+  store ptr %120, ptr %121, align 8
+  %122 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 39
+  %123 = load ptr, ptr %122, align 8
+  %124 = getelementptr inbounds double, ptr %123, i64 %115
+  %125 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
+  store ptr %124, ptr %125, align 8
+  %126 = getelementptr inbounds %struct.Part, ptr %2, i64 0, i32 1
+  %127 = load i64, ptr %126, align 8
+  store i64 0, ptr %11, align 8
+  %128 = mul nsw i64 %98, 3
+  %129 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  store i64 %128, ptr %129, align 8
+  %130 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  store ptr @hull_core.still, ptr %130, align 8
+  %131 = mul nsw i64 %127, 3
+  %132 = getelementptr inbounds double, ptr %114, i64 %131
+  %133 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  store ptr %132, ptr %133, align 8
+  %134 = getelementptr inbounds double, ptr %119, i64 %131
+  %135 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  store ptr %134, ptr %135, align 8
+  %136 = getelementptr inbounds double, ptr %123, i64 %131
+  %137 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  store ptr %136, ptr %137, align 8
+  %138 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  store ptr %138, ptr %112, align 8
+  %139 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %139, i64 24, i1 false)
+  %140 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef %107, double noundef %107, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef null, ptr noundef null)
+  %141 = icmp ne i32 %140, 0
+  %142 = load double, ptr %13, align 8
+  %143 = fcmp ogt double %142, %107
+  %144 = select i1 %141, i1 %143, i1 false
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
+  br i1 %144, label %424, label %145
+
+145:                                              ; preds = %104
+  %146 = load i64, ptr %56, align 8
+  br label %147
+
+147:                                              ; preds = %145, %70
+  %148 = phi i64 [ %146, %145 ], [ %60, %70 ]
+  %149 = icmp sgt i64 %148, -1
+  br i1 %149, label %151, label %150
+
+150:                                              ; preds = %147
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br label %193
+
+151:                                              ; preds = %147
+  %152 = load i64, ptr %59, align 8
+  %153 = icmp slt i64 %152, 0
+  br i1 %153, label %154, label %155
+
+154:                                              ; preds = %151
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br label %194
+
+155:                                              ; preds = %151
+  %156 = load ptr, ptr %71, align 8
+  %157 = mul nsw i64 %54, 6
+  %158 = getelementptr inbounds double, ptr %156, i64 %157
+  %159 = getelementptr inbounds double, ptr %158, i64 3
+  %160 = load double, ptr %159, align 8
+  %161 = load double, ptr %158, align 8
+  %162 = fsub double %160, %161
+  %163 = getelementptr inbounds double, ptr %158, i64 4
+  %164 = load double, ptr %163, align 8
+  %165 = fadd double %162, %164
+  %166 = getelementptr inbounds double, ptr %158, i64 1
+  %167 = load double, ptr %166, align 8
+  %168 = fsub double %165, %167
+  %169 = getelementptr inbounds double, ptr %158, i64 5
+  %170 = load double, ptr %169, align 8
+  %171 = fadd double %168, %170
+  %172 = getelementptr inbounds double, ptr %158, i64 2
+  %173 = load double, ptr %172, align 8
+  %174 = fsub double %171, %173
+  %175 = getelementptr inbounds double, ptr %156, i64 %73
+  %176 = getelementptr inbounds double, ptr %175, i64 3
+  %177 = load double, ptr %176, align 8
+  %178 = load double, ptr %175, align 8
+  %179 = fsub double %177, %178
+  %180 = getelementptr inbounds double, ptr %175, i64 4
+  %181 = load double, ptr %180, align 8
+  %182 = fadd double %179, %181
+  %183 = getelementptr inbounds double, ptr %175, i64 1
+  %184 = load double, ptr %183, align 8
+  %185 = fsub double %182, %184
+  %186 = getelementptr inbounds double, ptr %175, i64 5
+  %187 = load double, ptr %186, align 8
+  %188 = fadd double %185, %187
+  %189 = getelementptr inbounds double, ptr %175, i64 2
+  %190 = load double, ptr %189, align 8
+  %191 = fsub double %188, %190
+  %192 = fcmp ult double %174, %191
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br i1 %192, label %193, label %194
+
+193:                                              ; preds = %150, %155
+  br label %194
+
+194:                                              ; preds = %155, %154, %193
+  %195 = phi i64 [ %55, %155 ], [ %55, %154 ], [ %58, %193 ]
+  %196 = phi i1 [ true, %155 ], [ true, %154 ], [ false, %193 ]
+  %197 = phi ptr [ %1, %155 ], [ %1, %154 ], [ %2, %193 ]
+  %198 = getelementptr inbounds i8, ptr %197, i64 8
+  %199 = load i64, ptr %198, align 8
+  %200 = getelementptr inbounds i8, ptr %197, i64 16
+  %201 = load i64, ptr %200, align 8
+  %202 = sdiv i64 %201, 2
+  %203 = load ptr, ptr %52, align 8
+  %204 = getelementptr inbounds i64, ptr %203, i64 %195
+  %205 = load i64, ptr %204, align 8
+  store i64 %205, ptr %15, align 16
+  %206 = getelementptr inbounds %struct.Part, ptr %15, i64 0, i32 1
+  store i64 %199, ptr %206, align 8
+  %207 = getelementptr inbounds %struct.Part, ptr %15, i64 0, i32 2
+  store i64 %202, ptr %207, align 16
+  %208 = getelementptr inbounds %struct.Part, ptr %15, i64 1
+  %209 = getelementptr inbounds i8, ptr %1, i64 8
+  %210 = load i64, ptr %209, align 8
+  %211 = getelementptr inbounds i8, ptr %2, i64 8
+  %212 = load i64, ptr %211, align 8
+  %213 = select i1 %196, i64 %210, i64 %212
+  %214 = select i1 %196, i64 %54, i64 %57
+  %215 = select i1 %196, i64 %94, i64 %98
+  %216 = sdiv i64 %215, 2
+  %217 = shl nsw i64 %214, 1
+  %218 = or i64 %217, 1
+  %219 = getelementptr inbounds i64, ptr %203, i64 %218
+  %220 = load i64, ptr %219, align 8
+  store i64 %220, ptr %208, align 8
+  %221 = getelementptr inbounds %struct.Part, ptr %15, i64 1, i32 1
+  %222 = add nsw i64 %216, %213
+  store i64 %222, ptr %221, align 16
+  %223 = getelementptr inbounds %struct.Part, ptr %15, i64 1, i32 2
+  %224 = sub nsw i64 %215, %216
+  store i64 %224, ptr %223, align 8
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %16) #18
+  %225 = load ptr, ptr %71, align 8
+  %226 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  %227 = getelementptr inbounds double, ptr %5, i64 1
+  %228 = getelementptr inbounds double, ptr %5, i64 2
+  %229 = getelementptr inbounds double, ptr %8, i64 1
+  %230 = getelementptr inbounds double, ptr %8, i64 2
+  %231 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 3
+  %232 = getelementptr inbounds double, ptr %6, i64 1
+  %233 = getelementptr inbounds double, ptr %6, i64 2
+  %234 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 4
+  %235 = load double, ptr %234, align 8
+  br label %242
+
+236:                                              ; preds = %404
+  %237 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 1
+  %238 = load double, ptr %237, align 8
+  %239 = load double, ptr %16, align 16
+  %240 = fcmp olt double %238, %239
+  %241 = zext i1 %240 to i32
+  br label %409
+
+242:                                              ; preds = %194, %404
+  %243 = phi i1 [ true, %194 ], [ false, %404 ]
+  %244 = phi i64 [ 0, %194 ], [ 1, %404 ]
+  %245 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %244
+  %246 = select i1 %196, ptr %245, ptr %1
+  %247 = load i64, ptr %246, align 8
+  %248 = mul nsw i64 %247, 6
+  %249 = getelementptr inbounds double, ptr %225, i64 %248
+  %250 = select i1 %196, ptr %2, ptr %245
+  %251 = load i64, ptr %250, align 8
+  %252 = mul nsw i64 %251, 6
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  br label %282
+
+253:                                              ; preds = %282
+  %254 = load double, ptr %5, align 16
+  %255 = load double, ptr %227, align 8
+  %256 = load double, ptr %228, align 16
+  br label %257
+
+257:                                              ; preds = %257, %253
+  %258 = phi i64 [ 0, %253 ], [ %278, %257 ]
+  %259 = mul nuw nsw i64 %258, 3
+  %260 = getelementptr inbounds double, ptr %226, i64 %259
+  %261 = load double, ptr %260, align 8
+  %262 = fmul double %254, %261
+  %263 = add nuw nsw i64 %259, 1
+  %264 = getelementptr inbounds double, ptr %226, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = fmul double %255, %265
+  %267 = fadd double %262, %266
+  %268 = add nuw nsw i64 %259, 2
+  %269 = getelementptr inbounds double, ptr %226, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fmul double %256, %270
+  %272 = fadd double %267, %271
+  %273 = add nuw nsw i64 %258, 9
+  %274 = getelementptr inbounds double, ptr %226, i64 %273
+  %275 = load double, ptr %274, align 8
+  %276 = fadd double %275, %272
+  %277 = getelementptr inbounds double, ptr %8, i64 %258
+  store double %276, ptr %277, align 8
+  %278 = add nuw nsw i64 %258, 1
+  %279 = icmp eq i64 %278, 3
+  br i1 %279, label %280, label %257
+
+280:                                              ; preds = %257
+  %281 = getelementptr inbounds double, ptr %225, i64 %252
+  br label %323
+
+282:                                              ; preds = %282, %242
+  %283 = phi i64 [ 0, %242 ], [ %295, %282 ]
+  %284 = getelementptr inbounds double, ptr %249, i64 %283
+  %285 = load double, ptr %284, align 8
+  %286 = add nuw nsw i64 %283, 3
+  %287 = getelementptr inbounds double, ptr %249, i64 %286
+  %288 = load double, ptr %287, align 8
+  %289 = fadd double %285, %288
+  %290 = fmul double %289, 5.000000e-01
+  %291 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %283
+  store double %290, ptr %291, align 8
+  %292 = fsub double %288, %285
+  %293 = fmul double %292, 5.000000e-01
+  %294 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %283
+  store double %293, ptr %294, align 8
+  %295 = add nuw nsw i64 %283, 1
+  %296 = icmp eq i64 %295, 3
+  br i1 %296, label %253, label %282
+
+297:                                              ; preds = %323
+  %298 = load double, ptr %8, align 16
+  %299 = load double, ptr %229, align 8
+  %300 = load double, ptr %230, align 16
+  br label %301
+
+301:                                              ; preds = %301, %297
+  %302 = phi i64 [ 0, %297 ], [ %317, %301 ]
+  %303 = getelementptr inbounds double, ptr %226, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = fmul double %298, %304
+  %306 = add nuw nsw i64 %302, 3
+  %307 = getelementptr inbounds double, ptr %226, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = fmul double %299, %308
+  %310 = fadd double %305, %309
+  %311 = add nuw nsw i64 %302, 6
+  %312 = getelementptr inbounds double, ptr %226, i64 %311
+  %313 = load double, ptr %312, align 8
+  %314 = fmul double %300, %313
+  %315 = fadd double %310, %314
+  %316 = getelementptr inbounds double, ptr %9, i64 %302
+  store double %315, ptr %316, align 8
+  %317 = add nuw nsw i64 %302, 1
+  %318 = icmp eq i64 %317, 3
+  br i1 %318, label %319, label %301
+
+319:                                              ; preds = %301
+  %320 = load double, ptr %6, align 16
+  %321 = load double, ptr %232, align 8
+  %322 = load double, ptr %233, align 16
+  br label %342
+
+323:                                              ; preds = %280, %323
+  %324 = phi i64 [ %338, %323 ], [ 0, %280 ]
+  %325 = getelementptr inbounds double, ptr %281, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = add nuw nsw i64 %324, 3
+  %328 = getelementptr inbounds double, ptr %281, i64 %327
+  %329 = load double, ptr %328, align 8
+  %330 = fadd double %326, %329
+  %331 = fmul double %330, 5.000000e-01
+  %332 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %324
+  %333 = load double, ptr %332, align 8
+  %334 = fsub double %333, %331
+  store double %334, ptr %332, align 8
+  %335 = fsub double %329, %326
+  %336 = fmul double %335, 5.000000e-01
+  %337 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %324
+  store double %336, ptr %337, align 8
+  %338 = add nuw nsw i64 %324, 1
+  %339 = icmp eq i64 %338, 3
+  br i1 %339, label %297, label %323
+
+340:                                              ; preds = %366
+  %341 = fcmp ogt double %376, 0.000000e+00
+  br i1 %341, label %400, label %404
+
+342:                                              ; preds = %366, %319
+  %343 = phi i64 [ 0, %319 ], [ %385, %366 ]
+  %344 = phi double [ 0.000000e+00, %319 ], [ %382, %366 ]
+  %345 = phi double [ 0.000000e+00, %319 ], [ %384, %366 ]
+  %346 = phi double [ 0xFFF0000000000000, %319 ], [ %376, %366 ]
+  %347 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %343
+  %348 = load double, ptr %347, align 8
+  %349 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %343
+  %350 = load double, ptr %349, align 8
+  %351 = mul nuw nsw i64 %343, 3
+  %352 = getelementptr inbounds double, ptr %231, i64 %351
+  %353 = load double, ptr %352, align 8
+  %354 = getelementptr inbounds double, ptr %352, i64 1
+  %355 = load double, ptr %354, align 8
+  %356 = fmul double %321, %355
+  %357 = getelementptr inbounds double, ptr %352, i64 2
+  %358 = load double, ptr %357, align 8
+  %359 = fmul double %322, %358
+  %360 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %343
+  %361 = load double, ptr %360, align 8
+  %362 = tail call double @llvm.fabs.f64(double %361)
+  %363 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %343
+  %364 = load double, ptr %363, align 8
+  %365 = fsub double %362, %364
+  br label %387
+
+366:                                              ; preds = %387
+  %367 = fmul double %320, %353
+  %368 = fadd double %367, %356
+  %369 = fadd double %368, %359
+  %370 = tail call double @llvm.fabs.f64(double %348)
+  %371 = fsub double %370, %350
+  %372 = fsub double %371, %369
+  %373 = fcmp ogt double %372, %346
+  %374 = select i1 %373, double %372, double %346
+  %375 = fcmp ogt double %397, %374
+  %376 = select i1 %375, double %397, double %374
+  %377 = fcmp ogt double %372, 0.000000e+00
+  %378 = select i1 %377, double %372, double 0.000000e+00
+  %379 = fcmp ogt double %397, 0.000000e+00
+  %380 = select i1 %379, double %397, double 0.000000e+00
+  %381 = fmul double %378, %378
+  %382 = fadd double %344, %381
+  %383 = fmul double %380, %380
+  %384 = fadd double %345, %383
+  %385 = add nuw nsw i64 %343, 1
+  %386 = icmp eq i64 %385, 3
+  br i1 %386, label %340, label %342
+
+387:                                              ; preds = %387, %342
+  %388 = phi i64 [ 0, %342 ], [ %398, %387 ]
+  %389 = phi double [ %365, %342 ], [ %397, %387 ]
+  %390 = mul nuw nsw i64 %388, 3
+  %391 = add nuw nsw i64 %390, %343
+  %392 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 3, i64 %391
+  %393 = load double, ptr %392, align 8
+  %394 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %388
+  %395 = load double, ptr %394, align 8
+  %396 = fmul double %393, %395
+  %397 = fsub double %389, %396
+  %398 = add nuw nsw i64 %388, 1
+  %399 = icmp eq i64 %398, 3
+  br i1 %399, label %366, label %387
+
+400:                                              ; preds = %340
+  %401 = fcmp ogt double %384, %382
+  %402 = select i1 %401, double %384, double %382
+  %403 = tail call double @llvm.sqrt.f64(double %402)
+  br label %404
+
+404:                                              ; preds = %340, %400
+  %405 = phi double [ %403, %400 ], [ %376, %340 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  %406 = fsub double %405, %235
+  %407 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 %244
+  store double %406, ptr %407, align 8
+  br i1 %243, label %242, label %236
+
+408:                                              ; preds = %419
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 48, ptr nonnull %15) #18
+  br label %424
+
+409:                                              ; preds = %236, %419
+  %410 = phi i1 [ true, %236 ], [ false, %419 ]
+  %411 = phi i32 [ 0, %236 ], [ 1, %419 ]
+  %412 = xor i32 %411, %241
+  br i1 %196, label %413, label %416
+
+413:                                              ; preds = %409
+  %414 = zext i32 %412 to i64
+  %415 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %414
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %17, ptr noundef nonnull align 8 dereferenceable(24) %415, i64 24, i1 false)
+  br label %419
+
+416:                                              ; preds = %409
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %17, ptr noundef nonnull align 8 dereferenceable(24) %1, i64 24, i1 false)
+  %417 = zext i32 %412 to i64
+  %418 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %417
+  br label %419
+
+419:                                              ; preds = %416, %413
+  %420 = phi ptr [ %418, %416 ], [ %2, %413 ]
+  %421 = phi i64 [ %417, %416 ], [ %414, %413 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %420, i64 24, i1 false)
+  %422 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 %421
+  %423 = load double, ptr %422, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %0, ptr noundef nonnull byval(%struct.Part) align 8 %17, ptr noundef nonnull byval(%struct.Part) align 8 %18, double noundef %423)
+  br i1 %410, label %409, label %408
+
+424:                                              ; preds = %104, %65, %408, %40, %46
+  ret void
+}
+
+define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+  %6 = alloca [2 x [3 x [3 x double]]], align 16
+  %7 = alloca [2 x [3 x [3 x double]]], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca double, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  %10 = load ptr, ptr %0, align 8
+  %11 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 15
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %12, i64 %14
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %12, i64 %1
+  %18 = load double, ptr %17, align 8
+  %19 = fadd double %16, %18
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %21 = load ptr, ptr %20, align 8
+  %22 = icmp eq ptr %21, null
+  br i1 %22, label %23, label %25
+
+23:                                               ; preds = %5
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %24, align 8
+  br label %276
+
+25:                                               ; preds = %5
+  %26 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 12
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i64, ptr %27, i64 %14
+  %29 = load i64, ptr %28, align 8
+  %30 = icmp eq i64 %29, 4
+  br i1 %30, label %31, label %234
+
+31:                                               ; preds = %25
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %7) #18
+  br label %36
+
+32:                                               ; preds = %92
+  %33 = getelementptr inbounds double, ptr %8, i64 1
+  %34 = getelementptr inbounds double, ptr %8, i64 2
+  %35 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 1
+  br label %104
+
+36:                                               ; preds = %92, %31
+  %37 = phi i1 [ true, %31 ], [ false, %92 ]
+  %38 = phi i64 [ 0, %31 ], [ 1, %92 ]
+  %39 = select i1 %37, ptr %2, ptr %3
+  %40 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 1
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 2
+  %43 = load ptr, ptr %42, align 8
+  %44 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 3
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 4
+  %47 = load ptr, ptr %46, align 8
+  %48 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 5
+  %49 = load ptr, ptr %48, align 8
+  br label %50
+
+50:                                               ; preds = %84, %36
+  %51 = phi i64 [ 0, %36 ], [ %85, %84 ]
+  %52 = icmp sgt i64 %41, %51
+  %53 = select i1 %52, i64 %51, i64 0
+  %54 = getelementptr inbounds double, ptr %43, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = getelementptr inbounds double, ptr %45, i64 %53
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %47, i64 %53
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %51
+  br label %61
+
+61:                                               ; preds = %61, %50
+  %62 = phi i64 [ 0, %50 ], [ %82, %61 ]
+  %63 = mul nuw nsw i64 %62, 3
+  %64 = getelementptr inbounds double, ptr %49, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %55, %65
+  %67 = add nuw nsw i64 %63, 1
+  %68 = getelementptr inbounds double, ptr %49, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = fmul double %57, %69
+  %71 = fadd double %66, %70
+  %72 = add nuw nsw i64 %63, 2
+  %73 = getelementptr inbounds double, ptr %49, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %59, %74
+  %76 = fadd double %71, %75
+  %77 = add nuw nsw i64 %62, 9
+  %78 = getelementptr inbounds double, ptr %49, i64 %77
+  %79 = load double, ptr %78, align 8
+  %80 = fadd double %79, %76
+  %81 = getelementptr inbounds double, ptr %60, i64 %62
+  store double %80, ptr %81, align 8
+  %82 = add nuw nsw i64 %62, 1
+  %83 = icmp eq i64 %82, 3
+  br i1 %83, label %84, label %61
+
+84:                                               ; preds = %61
+  %85 = add nuw nsw i64 %51, 1
+  %86 = icmp eq i64 %85, 3
+  br i1 %86, label %87, label %50
+
+87:                                               ; preds = %84, %93
+  %88 = phi i64 [ %89, %93 ], [ 0, %84 ]
+  %89 = add nuw nsw i64 %88, 1
+  %90 = icmp eq i64 %89, 3
+  %91 = select i1 %90, i64 0, i64 %89
+  br label %94
+
+92:                                               ; preds = %93
+  br i1 %37, label %36, label %32
+
+93:                                               ; preds = %94
+  br i1 %90, label %92, label %87
+
+94:                                               ; preds = %94, %87
+  %95 = phi i64 [ 0, %87 ], [ %102, %94 ]
+  %96 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %91, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %88, i64 %95
+  %99 = load double, ptr %98, align 8
+  %100 = fsub double %97, %99
+  %101 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %38, i64 %88, i64 %95
+  store double %100, ptr %101, align 8
+  %102 = add nuw nsw i64 %95, 1
+  %103 = icmp eq i64 %102, 3
+  br i1 %103, label %93, label %94
+
+104:                                              ; preds = %227, %32
+  %105 = phi i64 [ 0, %32 ], [ %229, %227 ]
+  %106 = phi double [ 0x7FF0000000000000, %32 ], [ %228, %227 ]
+  %107 = icmp ult i64 %105, 9
+  br i1 %107, label %108, label %116
+
+108:                                              ; preds = %104
+  %109 = trunc i64 %105 to i8
+  %110 = udiv i8 %109, 3
+  %111 = zext i8 %110 to i64
+  %112 = getelementptr inbounds [3 x [3 x double]], ptr %7, i64 0, i64 %111
+  %113 = urem i8 %109, 3
+  %114 = zext i8 %113 to i64
+  %115 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 1, i64 %114
+  br label %121
+
+116:                                              ; preds = %104
+  %117 = add nuw nsw i64 %105, 4294967287
+  %118 = and i64 %117, 4294967295
+  %119 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %118
+  %120 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %118, i64 1
+  br label %121
+
+121:                                              ; preds = %116, %108
+  %122 = phi ptr [ %112, %108 ], [ %119, %116 ]
+  %123 = phi ptr [ %115, %108 ], [ %120, %116 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  br label %124
+
+124:                                              ; preds = %124, %121
+  %125 = phi i64 [ 0, %121 ], [ %126, %124 ]
+  %126 = add nuw nsw i64 %125, 1
+  %127 = icmp ult i64 %125, 2
+  %128 = add nuw nsw i64 %125, 4294967294
+  %129 = select i1 %127, i64 %126, i64 %128
+  %130 = and i64 %129, 4294967295
+  %131 = getelementptr inbounds double, ptr %122, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = icmp eq i64 %125, 0
+  %134 = add nuw nsw i64 %125, 4294967295
+  %135 = and i64 %134, 4294967295
+  %136 = select i1 %133, i64 2, i64 %135
+  %137 = getelementptr inbounds double, ptr %123, i64 %136
+  %138 = load double, ptr %137, align 8
+  %139 = fmul double %132, %138
+  %140 = getelementptr inbounds double, ptr %122, i64 %136
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr inbounds double, ptr %123, i64 %130
+  %143 = load double, ptr %142, align 8
+  %144 = fmul double %141, %143
+  %145 = fsub double %139, %144
+  %146 = getelementptr inbounds double, ptr %8, i64 %125
+  store double %145, ptr %146, align 8
+  %147 = icmp eq i64 %126, 3
+  br i1 %147, label %148, label %124
+
+148:                                              ; preds = %124
+  %149 = load double, ptr %8, align 16
+  %150 = fmul double %149, %149
+  %151 = load double, ptr %33, align 8
+  %152 = fmul double %151, %151
+  %153 = fadd double %150, %152
+  %154 = load double, ptr %34, align 16
+  %155 = fmul double %154, %154
+  %156 = fadd double %153, %155
+  %157 = load double, ptr %122, align 8
+  %158 = fmul double %157, %157
+  %159 = getelementptr inbounds double, ptr %122, i64 1
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %160, %160
+  %162 = fadd double %158, %161
+  %163 = getelementptr inbounds double, ptr %122, i64 2
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %164, %164
+  %166 = fadd double %162, %165
+  %167 = fmul double %166, 0x3BC79CA10C924223
+  %168 = load double, ptr %123, align 8
+  %169 = fmul double %168, %168
+  %170 = getelementptr inbounds double, ptr %123, i64 1
+  %171 = load double, ptr %170, align 8
+  %172 = fmul double %171, %171
+  %173 = fadd double %169, %172
+  %174 = getelementptr inbounds double, ptr %123, i64 2
+  %175 = load double, ptr %174, align 8
+  %176 = fmul double %175, %175
+  %177 = fadd double %173, %176
+  %178 = fmul double %167, %177
+  %179 = fcmp ogt double %156, %178
+  br i1 %179, label %185, label %227
+
+180:                                              ; preds = %185
+  %181 = fsub double %216, %218
+  %182 = fsub double %220, %214
+  %183 = tail call double @llvm.minnum.f64(double %181, double %182)
+  %184 = fcmp ogt double %183, 0.000000e+00
+  br i1 %184, label %223, label %227
+
+185:                                              ; preds = %148, %185
+  %186 = phi i64 [ %221, %185 ], [ 0, %148 ]
+  %187 = phi double [ %218, %185 ], [ 0x7FF0000000000000, %148 ]
+  %188 = phi double [ %214, %185 ], [ 0x7FF0000000000000, %148 ]
+  %189 = phi double [ %220, %185 ], [ 0xFFF0000000000000, %148 ]
+  %190 = phi double [ %216, %185 ], [ 0xFFF0000000000000, %148 ]
+  %191 = getelementptr inbounds [3 x double], ptr %6, i64 %186
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %149, %192
+  %194 = getelementptr inbounds double, ptr %191, i64 1
+  %195 = load double, ptr %194, align 8
+  %196 = fmul double %151, %195
+  %197 = fadd double %193, %196
+  %198 = getelementptr inbounds double, ptr %191, i64 2
+  %199 = load double, ptr %198, align 8
+  %200 = fmul double %154, %199
+  %201 = fadd double %197, %200
+  %202 = getelementptr inbounds [3 x double], ptr %35, i64 %186
+  %203 = load double, ptr %202, align 8
+  %204 = fmul double %149, %203
+  %205 = getelementptr inbounds double, ptr %202, i64 1
+  %206 = load double, ptr %205, align 8
+  %207 = fmul double %151, %206
+  %208 = fadd double %204, %207
+  %209 = getelementptr inbounds double, ptr %202, i64 2
+  %210 = load double, ptr %209, align 8
+  %211 = fmul double %154, %210
+  %212 = fadd double %208, %211
+  %213 = fcmp olt double %201, %188
+  %214 = select i1 %213, double %201, double %188
+  %215 = fcmp ogt double %201, %190
+  %216 = select i1 %215, double %201, double %190
+  %217 = fcmp olt double %212, %187
+  %218 = select i1 %217, double %212, double %187
+  %219 = fcmp ogt double %212, %189
+  %220 = select i1 %219, double %212, double %189
+  %221 = add nuw nsw i64 %186, 1
+  %222 = icmp eq i64 %221, 3
+  br i1 %222, label %180, label %185
+
+223:                                              ; preds = %180
+  %224 = tail call double @llvm.sqrt.f64(double %156)
+  %225 = fdiv double %183, %224
+  %226 = tail call double @llvm.minnum.f64(double %225, double %106)
+  br label %227
+
+227:                                              ; preds = %223, %180, %148
+  %228 = phi double [ %106, %148 ], [ %226, %223 ], [ 0.000000e+00, %180 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  %229 = add nuw nsw i64 %105, 1
+  %230 = icmp eq i64 %229, 11
+  br i1 %230, label %231, label %104
+
+231:                                              ; preds = %227
+  %232 = fcmp olt double %228, 0x7FF0000000000000
+  %233 = select i1 %232, double %228, double 0.000000e+00
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %6) #18
+  br label %241
+
+234:                                              ; preds = %25
+  %235 = call fastcc i32 @depth_of(ptr noundef %2, ptr noundef %3, ptr noundef %4, ptr noundef nonnull %9, ptr noundef null, ptr noundef null, ptr noundef null)
+  %236 = icmp eq i32 %235, 0
+  br i1 %236, label %239, label %237
+
+237:                                              ; preds = %234
+  %238 = load double, ptr %9, align 8
+  br label %241
+
+239:                                              ; preds = %234
+  %240 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  store i32 1, ptr %240, align 4
+  br label %276
+
+241:                                              ; preds = %237, %231
+  %242 = phi double [ %238, %237 ], [ %233, %231 ]
+  %243 = fneg double %242
+  %244 = fsub double %243, %19
+  %245 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %246 = load ptr, ptr %245, align 8
+  %247 = icmp eq ptr %246, null
+  %248 = getelementptr inbounds i64, ptr %246, i64 %1
+  %249 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %250 = select i1 %247, ptr %249, ptr %248
+  %251 = load i64, ptr %250, align 8
+  %252 = getelementptr inbounds double, ptr %21, i64 %251
+  %253 = load double, ptr %252, align 8
+  %254 = fcmp ult double %244, %253
+  br i1 %254, label %255, label %276
+
+255:                                              ; preds = %241
+  %256 = fsub double %244, %244
+  %257 = fcmp ole double %256, 1.000000e-08
+  %258 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %259 = load double, ptr %258, align 8
+  %260 = tail call double @llvm.minnum.f64(double %253, double %259)
+  %261 = fcmp ult double %244, %260
+  br i1 %261, label %262, label %276
+
+262:                                              ; preds = %255
+  %263 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %264 = load ptr, ptr %263, align 8
+  %265 = icmp ne ptr %264, null
+  %266 = fcmp oeq double %253, 0x7FF0000000000000
+  %267 = select i1 %265, i1 %266, i1 false
+  br i1 %267, label %268, label %274
+
+268:                                              ; preds = %262
+  %269 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 45
+  %270 = load ptr, ptr %269, align 8
+  %271 = load i64, ptr %264, align 8
+  %272 = add nsw i64 %271, 1
+  store i64 %272, ptr %264, align 8
+  %273 = getelementptr inbounds i64, ptr %270, i64 %271
+  store i64 %251, ptr %273, align 8
+  br label %274
+
+274:                                              ; preds = %268, %262
+  %275 = select i1 %257, double %244, double 0x7FF8000000000000
+  store double %275, ptr %252, align 8
+  br label %276
+
+276:                                              ; preds = %274, %255, %241, %239, %23
+  %277 = phi i32 [ 0, %239 ], [ 1, %23 ], [ 0, %241 ], [ 1, %255 ], [ 1, %274 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  ret i32 %277
+}
+
+declare double @llvm.sqrt.f64(double) #4
+
+define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #6 {
   %11 = alloca [3 x double], align 16
   %12 = alloca [3 x double], align 16
   %13 = alloca [3 x double], align 16
@@ -6270,13 +9221,13 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %25 = alloca [3 x double], align 16
   %26 = alloca [3 x double], align 16
   %27 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #15
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #18
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22)
   %28 = icmp ne ptr %9, null
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
   %29 = load double, ptr %2, align 8
   %30 = fmul double %29, %29
   %31 = getelementptr inbounds double, ptr %2, i64 1
@@ -6381,7 +9332,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 111:                                              ; preds = %138
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %26, ptr noundef nonnull %24)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %23, ptr noundef nonnull %25)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
   %112 = load double, ptr %24, align 16
   %113 = load double, ptr %25, align 16
   %114 = fsub double %112, %113
@@ -6511,7 +9462,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %578
 
 195:                                              ; preds = %186
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
   br label %206
 
 196:                                              ; preds = %206
@@ -6584,12 +9535,12 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %245
 
 245:                                              ; preds = %231, %243
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
   br label %578
 
 246:                                              ; preds = %186
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14)
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #15
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #18
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
   %247 = icmp eq i32 %193, 4
   %248 = zext i1 %247 to i32
@@ -6626,9 +9577,9 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %273 = sub i32 6, %272
   %274 = sext i32 %273 to i64
   %275 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %274
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
   br label %301
 
 276:                                              ; preds = %301
@@ -6698,22 +9649,22 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %319, %276
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   br label %335
 
 334:                                              ; preds = %319
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   br label %529
 
 335:                                              ; preds = %333, %253
   %336 = phi i32 [ %257, %253 ], [ 0, %333 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
   br label %394
 
 337:                                              ; preds = %394
@@ -6936,8 +9887,8 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 514:                                              ; preds = %479, %496, %452, %428, %511
   %515 = phi i32 [ %513, %511 ], [ 3, %428 ], [ 5, %452 ], [ 7, %496 ], [ 6, %479 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
   %516 = load double, ptr %19, align 16
   %517 = fmul double %516, %516
   %518 = load double, ptr %86, align 8
@@ -6957,7 +9908,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 526:                                              ; preds = %525, %514
   %527 = phi i32 [ %515, %525 ], [ %256, %514 ]
   %528 = phi double [ %523, %525 ], [ %255, %514 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
   br label %529
 
 529:                                              ; preds = %526, %334
@@ -6974,7 +9925,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %537, label %576, label %538
 
 538:                                              ; preds = %536
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #15
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #18
   br label %559
 
 539:                                              ; preds = %572
@@ -7011,7 +9962,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 558:                                              ; preds = %555, %539
   store i32 %573, ptr %45, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #18
   br label %576
 
 559:                                              ; preds = %572, %538
@@ -7040,7 +9991,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 576:                                              ; preds = %558, %536, %250
   %577 = phi i32 [ 0, %558 ], [ 1, %250 ], [ 0, %536 ]
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #18
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14)
   br label %578
 
@@ -7116,27 +10067,248 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 620:                                              ; preds = %168, %165, %604, %609, %613, %611, %617, %179, %590, %596, %603
   %621 = phi i32 [ 1, %603 ], [ 0, %590 ], [ 1, %596 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %604 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
   br label %625
 
 622:                                              ; preds = %617
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
   %623 = add nuw nsw i32 %110, 1
   %624 = icmp eq i32 %623, 300
   br i1 %624, label %625, label %108
 
 625:                                              ; preds = %622, %620
   %626 = phi i32 [ %621, %620 ], [ 1, %622 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22)
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #15
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #18
   ret i32 %626
 }
 
-define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #9 {
+define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, double noundef %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+  %6 = alloca [9 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca double, align 8
+  %9 = alloca double, align 8
+  %10 = alloca %struct.Core, align 8
+  %11 = alloca %struct.Plane, align 8
+  %12 = alloca %struct.Simplex, align 8
+  %13 = load ptr, ptr %0, align 8
+  %14 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 36
+  %15 = load ptr, ptr %14, align 8
+  %16 = mul nsw i64 %2, 9
+  %17 = getelementptr inbounds double, ptr %15, i64 %16
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %19 = load ptr, ptr %18, align 8
+  %20 = icmp eq ptr %19, null
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
+  br label %21
+
+21:                                               ; preds = %51, %5
+  %22 = phi i64 [ 0, %5 ], [ %55, %51 ]
+  %23 = phi i32 [ 1, %5 ], [ %54, %51 ]
+  %24 = mul nuw nsw i64 %22, 3
+  br label %34
+
+25:                                               ; preds = %34
+  %26 = add nuw nsw i64 %22, 3
+  %27 = getelementptr inbounds double, ptr %17, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %17, i64 %22
+  %30 = load double, ptr %29, align 8
+  %31 = fsub double %28, %30
+  %32 = tail call double @llvm.fabs.f64(double %31)
+  %33 = fcmp olt double %32, 3.000000e-07
+  br i1 %33, label %44, label %51
+
+34:                                               ; preds = %34, %21
+  %35 = phi i64 [ 0, %21 ], [ %42, %34 ]
+  %36 = mul nuw nsw i64 %35, 3
+  %37 = add nuw nsw i64 %36, %22
+  %38 = getelementptr inbounds double, ptr %17, i64 %37
+  %39 = load double, ptr %38, align 8
+  %40 = add nuw nsw i64 %35, %24
+  %41 = getelementptr inbounds double, ptr %6, i64 %40
+  store double %39, ptr %41, align 8
+  %42 = add nuw nsw i64 %35, 1
+  %43 = icmp eq i64 %42, 3
+  br i1 %43, label %25, label %34
+
+44:                                               ; preds = %25
+  %45 = add nuw nsw i64 %22, 6
+  %46 = getelementptr inbounds double, ptr %17, i64 %45
+  %47 = load double, ptr %46, align 8
+  %48 = fsub double %47, %30
+  %49 = tail call double @llvm.fabs.f64(double %48)
+  %50 = fcmp olt double %49, 3.000000e-07
+  br label %51
+
+51:                                               ; preds = %44, %25
+  %52 = phi i1 [ false, %25 ], [ %50, %44 ]
+  %53 = zext i1 %52 to i32
+  %54 = and i32 %23, %53
+  %55 = add nuw nsw i64 %22, 1
+  %56 = icmp eq i64 %55, 3
+  br i1 %56, label %57, label %21
+
+57:                                               ; preds = %51
+  %58 = select i1 %20, double %3, double 0xFFF0000000000000
+  store i64 0, ptr %10, align 8
+  %59 = icmp eq i32 %54, 0
+  %60 = select i1 %59, i64 3, i64 1
+  %61 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 1
+  store i64 %60, ptr %61, align 8
+  %62 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 5
+  store ptr @place.still, ptr %62, align 8
+  %63 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 2
+  store ptr %6, ptr %63, align 8
+  %64 = getelementptr inbounds double, ptr %6, i64 3
+  %65 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 3
+  store ptr %64, ptr %65, align 8
+  %66 = getelementptr inbounds double, ptr %6, i64 6
+  %67 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
+  store ptr %66, ptr %67, align 8
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #18
+  %68 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %68, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %12) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %7, ptr noundef nonnull align 8 dereferenceable(24) %4, i64 24, i1 false)
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %70 = load i64, ptr %69, align 8
+  %71 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %72 = load ptr, ptr %71, align 8
+  %73 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 15
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds double, ptr %74, i64 %70
+  %76 = load double, ptr %75, align 8
+  %77 = getelementptr inbounds double, ptr %74, i64 %1
+  %78 = load double, ptr %77, align 8
+  %79 = fadd double %76, %78
+  %80 = fadd double %79, %3
+  %81 = fadd double %58, %79
+  %82 = call fastcc i32 @bounds(ptr noundef %72, ptr noundef nonnull %10, ptr noundef nonnull %7, double noundef %80, double noundef %81, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %8, ptr noundef nonnull %9, ptr noundef nonnull %11, ptr noundef nonnull %12)
+  %83 = load double, ptr %8, align 8
+  %84 = fsub double %83, %79
+  %85 = load double, ptr %9, align 8
+  %86 = fsub double %85, %79
+  %87 = icmp eq i32 %82, 0
+  br i1 %87, label %88, label %94
+
+88:                                               ; preds = %57
+  %89 = load ptr, ptr %71, align 8
+  %90 = call fastcc i32 @tell_depth(ptr noundef nonnull %0, i64 noundef %1, ptr noundef %89, ptr noundef nonnull %10, ptr noundef nonnull %12)
+  %91 = icmp eq i32 %90, 0
+  br i1 %91, label %147, label %92
+
+92:                                               ; preds = %88
+  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %2, ptr %93, align 8
+  br label %147
+
+94:                                               ; preds = %57
+  %95 = fcmp ugt double %84, %3
+  br i1 %95, label %147, label %96
+
+96:                                               ; preds = %94
+  %97 = load ptr, ptr %18, align 8
+  %98 = icmp eq ptr %97, null
+  br i1 %98, label %131, label %99
+
+99:                                               ; preds = %96
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %101 = load ptr, ptr %100, align 8
+  %102 = icmp eq ptr %101, null
+  %103 = getelementptr inbounds i64, ptr %101, i64 %1
+  %104 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %105 = select i1 %102, ptr %104, ptr %103
+  %106 = load i64, ptr %105, align 8
+  %107 = getelementptr inbounds double, ptr %97, i64 %106
+  %108 = fsub double %86, %84
+  %109 = fcmp ole double %108, 1.000000e-08
+  %110 = select i1 %109, double %86, double %84
+  %111 = load double, ptr %107, align 8
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %113 = load double, ptr %112, align 8
+  %114 = call double @llvm.minnum.f64(double %111, double %113)
+  %115 = fcmp ult double %110, %114
+  br i1 %115, label %116, label %146
+
+116:                                              ; preds = %99
+  %117 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %118 = load ptr, ptr %117, align 8
+  %119 = icmp ne ptr %118, null
+  %120 = fcmp oeq double %111, 0x7FF0000000000000
+  %121 = select i1 %119, i1 %120, i1 false
+  br i1 %121, label %122, label %129
+
+122:                                              ; preds = %116
+  %123 = load ptr, ptr %0, align 8
+  %124 = getelementptr inbounds %struct.World, ptr %123, i64 0, i32 45
+  %125 = load ptr, ptr %124, align 8
+  %126 = load i64, ptr %118, align 8
+  %127 = add nsw i64 %126, 1
+  store i64 %127, ptr %118, align 8
+  %128 = getelementptr inbounds i64, ptr %125, i64 %126
+  store i64 %106, ptr %128, align 8
+  br label %129
+
+129:                                              ; preds = %122, %116
+  %130 = select i1 %109, double %86, double 0x7FF8000000000000
+  store double %130, ptr %107, align 8
+  br label %144
+
+131:                                              ; preds = %96
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %133 = load double, ptr %132, align 8
+  %134 = fcmp ult double %133, %86
+  br i1 %134, label %137, label %135
+
+135:                                              ; preds = %131
+  %136 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %136, align 8
+  br label %144
+
+137:                                              ; preds = %131
+  %138 = fcmp ult double %133, %84
+  br i1 %138, label %144, label %139
+
+139:                                              ; preds = %137
+  %140 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %141 = load i32, ptr %140, align 8
+  %142 = icmp eq i32 %141, 0
+  br i1 %142, label %143, label %144
+
+143:                                              ; preds = %139
+  store i32 2, ptr %140, align 8
+  br label %144
+
+144:                                              ; preds = %129, %135, %143, %139, %137
+  %145 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %2, ptr %145, align 8
+  br label %146
+
+146:                                              ; preds = %99, %144
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %68, ptr noundef nonnull align 8 dereferenceable(32) %11, i64 32, i1 false)
+  br label %147
+
+147:                                              ; preds = %94, %146, %88, %92
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
+  ret void
+}
+
+define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
@@ -7206,9 +10378,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, 9
   %61 = getelementptr inbounds double, ptr %57, i64 %60
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
   br label %93
 
 62:                                               ; preds = %93
@@ -7325,9 +10497,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
 
 159:                                              ; preds = %156, %148, %128, %113, %62
   %160 = phi i32 [ 0, %62 ], [ 0, %113 ], [ %158, %156 ], [ 0, %148 ], [ 0, %128 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
   br label %161
 
 161:                                              ; preds = %16, %159
@@ -7336,13 +10508,61 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #7 {
+define internal fastcc double @in_front(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #13 {
+  %3 = load double, ptr %0, align 8
+  %4 = load double, ptr %1, align 8
+  %5 = fmul double %3, %4
+  %6 = getelementptr inbounds double, ptr %0, i64 1
+  %7 = load double, ptr %6, align 8
+  %8 = getelementptr inbounds double, ptr %1, i64 1
+  %9 = load double, ptr %8, align 8
+  %10 = fmul double %7, %9
+  %11 = fadd double %5, %10
+  %12 = getelementptr inbounds double, ptr %0, i64 2
+  %13 = load double, ptr %12, align 8
+  %14 = getelementptr inbounds double, ptr %1, i64 2
+  %15 = load double, ptr %14, align 8
+  %16 = fmul double %13, %15
+  %17 = fadd double %11, %16
+  %18 = getelementptr inbounds double, ptr %1, i64 3
+  %19 = load double, ptr %18, align 8
+  %20 = fmul double %3, %19
+  %21 = getelementptr inbounds double, ptr %1, i64 4
+  %22 = load double, ptr %21, align 8
+  %23 = fmul double %7, %22
+  %24 = fadd double %20, %23
+  %25 = getelementptr inbounds double, ptr %1, i64 5
+  %26 = load double, ptr %25, align 8
+  %27 = fmul double %13, %26
+  %28 = fadd double %24, %27
+  %29 = getelementptr inbounds double, ptr %1, i64 6
+  %30 = load double, ptr %29, align 8
+  %31 = fmul double %3, %30
+  %32 = getelementptr inbounds double, ptr %1, i64 7
+  %33 = load double, ptr %32, align 8
+  %34 = fmul double %7, %33
+  %35 = fadd double %31, %34
+  %36 = getelementptr inbounds double, ptr %1, i64 8
+  %37 = load double, ptr %36, align 8
+  %38 = fmul double %13, %37
+  %39 = fadd double %35, %38
+  %40 = fcmp ogt double %17, %28
+  %41 = select i1 %40, double %17, double %28
+  %42 = getelementptr inbounds %struct.Plane, ptr %0, i64 0, i32 1
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %39, %41
+  %45 = select i1 %44, double %39, double %41
+  %46 = fsub double %43, %45
+  ret double %46
+}
+
+define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #8 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %9 = sext i32 %2 to i64
   %10 = sext i32 %1 to i64
   %11 = sext i32 %3 to i64
@@ -7450,33 +10670,279 @@ define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 nou
 
 94:                                               ; preds = %36, %63
   %95 = phi i32 [ %85, %63 ], [ 0, %36 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret i32 %95
 }
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #12
+declare double @llvm.sin.f64(double) #4
 
-declare i64 @llvm.smin.i64(i64, i64) #13
+declare double @llvm.cos.f64(double) #4
 
-declare i64 @llvm.smax.i64(i64, i64) #13
+define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4) unnamed_addr #3 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  br label %15
 
-attributes #0 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+9:                                                ; preds = %15
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i64, ptr %11, i64 %1
+  %13 = load i64, ptr %12, align 8
+  %14 = icmp eq i64 %13, 4
+  br i1 %14, label %25, label %94
+
+15:                                               ; preds = %5, %15
+  %16 = phi i64 [ 0, %5 ], [ %23, %15 ]
+  %17 = mul nuw nsw i64 %16, 3
+  %18 = add nuw nsw i64 %17, 2
+  %19 = getelementptr inbounds double, ptr %3, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = fneg double %20
+  %22 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %16
+  store double %21, ptr %22, align 8
+  %23 = add nuw nsw i64 %16, 1
+  %24 = icmp eq i64 %23, 3
+  br i1 %24, label %9, label %15
+
+25:                                               ; preds = %9
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i64, ptr %29, i64 %1
+  %31 = load i64, ptr %30, align 8
+  %32 = mul nsw i64 %31, 12
+  %33 = getelementptr inbounds double, ptr %27, i64 %32
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  %34 = load double, ptr %6, align 16
+  %35 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %36 = load double, ptr %35, align 8
+  %37 = fneg double %36
+  %38 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %39 = load double, ptr %38, align 16
+  br label %40
+
+40:                                               ; preds = %40, %25
+  %41 = phi i64 [ 0, %25 ], [ %56, %40 ]
+  %42 = getelementptr inbounds double, ptr %33, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = add nuw nsw i64 %41, 3
+  %45 = getelementptr inbounds double, ptr %33, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fmul double %46, %37
+  %48 = fmul double %34, %43
+  %49 = fsub double %47, %48
+  %50 = add nuw nsw i64 %41, 6
+  %51 = getelementptr inbounds double, ptr %33, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fmul double %39, %52
+  %54 = fsub double %49, %53
+  %55 = getelementptr inbounds double, ptr %7, i64 %41
+  store double %54, ptr %55, align 8
+  %56 = add nuw nsw i64 %41, 1
+  %57 = icmp eq i64 %56, 3
+  br i1 %57, label %58, label %40
+
+58:                                               ; preds = %40
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %60 = load ptr, ptr %59, align 8
+  %61 = getelementptr inbounds i64, ptr %60, i64 %1
+  %62 = load i64, ptr %61, align 8
+  %63 = call fastcc double @lowest_of(ptr noundef %0, i64 noundef %62, ptr noundef nonnull %7, double noundef 0x7FF0000000000000, ptr noundef nonnull %8)
+  %64 = getelementptr inbounds double, ptr %8, i64 1
+  %65 = getelementptr inbounds double, ptr %8, i64 2
+  %66 = load double, ptr %8, align 16
+  %67 = load double, ptr %64, align 8
+  %68 = load double, ptr %65, align 16
+  br label %69
+
+69:                                               ; preds = %69, %58
+  %70 = phi i64 [ 0, %58 ], [ %90, %69 ]
+  %71 = mul nuw nsw i64 %70, 3
+  %72 = getelementptr inbounds double, ptr %33, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fmul double %73, %66
+  %75 = add nuw nsw i64 %71, 1
+  %76 = getelementptr inbounds double, ptr %33, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = fmul double %77, %67
+  %79 = fadd double %74, %78
+  %80 = add nuw nsw i64 %71, 2
+  %81 = getelementptr inbounds double, ptr %33, i64 %80
+  %82 = load double, ptr %81, align 8
+  %83 = fmul double %82, %68
+  %84 = fadd double %79, %83
+  %85 = add nuw nsw i64 %70, 9
+  %86 = getelementptr inbounds double, ptr %33, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = fadd double %87, %84
+  %89 = getelementptr inbounds double, ptr %4, i64 %70
+  store double %88, ptr %89, align 8
+  %90 = add nuw nsw i64 %70, 1
+  %91 = icmp eq i64 %90, 3
+  br i1 %91, label %92, label %69
+
+92:                                               ; preds = %69
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  br label %93
+
+93:                                               ; preds = %94, %92
+  br label %96
+
+94:                                               ; preds = %9
+  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef %4)
+  br label %93
+
+95:                                               ; preds = %96
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  ret double %108
+
+96:                                               ; preds = %93, %96
+  %97 = phi i64 [ %109, %96 ], [ 0, %93 ]
+  %98 = phi double [ %108, %96 ], [ 0.000000e+00, %93 ]
+  %99 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %97
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr inbounds double, ptr %4, i64 %97
+  %102 = load double, ptr %101, align 8
+  %103 = add nuw nsw i64 %97, 9
+  %104 = getelementptr inbounds double, ptr %3, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = fsub double %102, %105
+  %107 = fmul double %100, %106
+  %108 = fsub double %98, %107
+  %109 = add nuw nsw i64 %97, 1
+  %110 = icmp eq i64 %109, 3
+  br i1 %110, label %95, label %96
+}
+
+define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, double noundef %3, ptr nocapture noundef writeonly %4) unnamed_addr #3 {
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %7 = load ptr, ptr %6, align 8
+  %8 = mul nsw i64 %1, 6
+  %9 = getelementptr inbounds double, ptr %7, i64 %8
+  br label %12
+
+10:                                               ; preds = %12
+  %11 = fcmp olt double %24, %3
+  br i1 %11, label %27, label %77
+
+12:                                               ; preds = %5, %12
+  %13 = phi i64 [ 0, %5 ], [ %25, %12 ]
+  %14 = phi double [ 0.000000e+00, %5 ], [ %24, %12 ]
+  %15 = getelementptr inbounds double, ptr %2, i64 %13
+  %16 = load double, ptr %15, align 8
+  %17 = fcmp ogt double %16, 0.000000e+00
+  %18 = add nuw i64 %13, 3
+  %19 = select i1 %17, i64 %13, i64 %18
+  %20 = and i64 %19, 4294967295
+  %21 = getelementptr inbounds double, ptr %9, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = fmul double %16, %22
+  %24 = fadd double %14, %23
+  %25 = add nuw nsw i64 %13, 1
+  %26 = icmp eq i64 %25, 3
+  br i1 %26, label %10, label %12
+
+27:                                               ; preds = %10
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %29 = load ptr, ptr %28, align 8
+  %30 = shl nsw i64 %1, 1
+  %31 = getelementptr inbounds i64, ptr %29, i64 %30
+  %32 = load i64, ptr %31, align 8
+  %33 = icmp sgt i64 %32, -1
+  br i1 %33, label %40, label %34
+
+34:                                               ; preds = %27
+  %35 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %36 = getelementptr inbounds i64, ptr %31, i64 1
+  %37 = getelementptr inbounds double, ptr %2, i64 1
+  %38 = getelementptr inbounds double, ptr %2, i64 2
+  %39 = load double, ptr %2, align 8
+  br label %47
+
+40:                                               ; preds = %27, %40
+  %41 = phi i1 [ false, %40 ], [ true, %27 ]
+  %42 = phi i64 [ 1, %40 ], [ 0, %27 ]
+  %43 = phi double [ %46, %40 ], [ %3, %27 ]
+  %44 = getelementptr inbounds i64, ptr %31, i64 %42
+  %45 = load i64, ptr %44, align 8
+  %46 = tail call fastcc double @lowest_of(ptr noundef %0, i64 noundef %45, ptr noundef %2, double noundef %43, ptr noundef %4)
+  br i1 %41, label %40, label %77
+
+47:                                               ; preds = %34, %72
+  %48 = phi double [ %39, %34 ], [ %73, %72 ]
+  %49 = phi i64 [ 0, %34 ], [ %75, %72 ]
+  %50 = phi double [ %3, %34 ], [ %74, %72 ]
+  %51 = load ptr, ptr %35, align 8
+  %52 = load i64, ptr %36, align 8
+  %53 = mul nsw i64 %52, 9
+  %54 = getelementptr inbounds double, ptr %51, i64 %53
+  %55 = mul nuw nsw i64 %49, 3
+  %56 = getelementptr inbounds double, ptr %54, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fmul double %48, %57
+  %59 = load double, ptr %37, align 8
+  %60 = getelementptr inbounds double, ptr %56, i64 1
+  %61 = load double, ptr %60, align 8
+  %62 = fmul double %59, %61
+  %63 = fadd double %58, %62
+  %64 = load double, ptr %38, align 8
+  %65 = getelementptr inbounds double, ptr %56, i64 2
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %64, %66
+  %68 = fadd double %63, %67
+  %69 = fcmp olt double %68, %50
+  br i1 %69, label %70, label %72
+
+70:                                               ; preds = %47
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %4, ptr noundef nonnull align 8 dereferenceable(24) %56, i64 24, i1 false)
+  %71 = load double, ptr %2, align 8
+  br label %72
+
+72:                                               ; preds = %70, %47
+  %73 = phi double [ %71, %70 ], [ %48, %47 ]
+  %74 = phi double [ %68, %70 ], [ %50, %47 ]
+  %75 = add nuw nsw i64 %49, 1
+  %76 = icmp eq i64 %75, 3
+  br i1 %76, label %77, label %47
+
+77:                                               ; preds = %72, %40, %10
+  %78 = phi double [ %3, %10 ], [ %46, %40 ], [ %74, %72 ]
+  ret double %78
+}
+
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #14
+
+declare i64 @llvm.smin.i64(i64, i64) #15
+
+declare i64 @llvm.smax.i64(i64, i64) #15
+
+
+attributes #0 = { nofree nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 attributes #2 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
-attributes #3 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #4 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #3 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
 attributes #5 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #6 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #7 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #8 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
-attributes #9 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #10 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #11 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #12 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #13 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #14 = { memory(none) }
-attributes #15 = { nounwind }
+attributes #6 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #7 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #8 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #9 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
+attributes #10 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #11 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #12 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #13 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #14 = { nofree nounwind willreturn memory(argmem: read) }
+attributes #15 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #16 = { nocallback nofree nosync nounwind willreturn memory(inaccessiblemem: readwrite) }
+attributes #17 = { memory(none) }
+attributes #18 = { nounwind }
 
 

@@ -98,16 +98,18 @@ class Robot(Pictured):
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
         meshes: bool = True,
+        collision: str = "collision",
         arguments: Mapping[str, str | float | bool] | None = None,
         trust_file: bool = False,
         **limits: ArrayLike,
     ) -> "Robot":
-        """Read an arm from a URDF, or from a xacro file, whose name ends in .xacro.
+        """Read an arm from a URDF or a xacro file.
 
         Args:
             file: the URDF or xacro file.
-            tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector of the
-                SRDF, or the only leaf.
+            tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector or the
+                chain of the SRDF, or the end of the only arm; where it ends in fingers or a jaw, the body that carries them,
+                so that their joints are locked. `robots.ends` has the rule, and the log says what was chosen.
             joints: the active joints, from base to tool. Default: all that move a tool, themselves or by joints that mimic
                 them. A joint that mimics an active one moves with it, one that mimics a locked one is locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
@@ -119,6 +121,8 @@ class Robot(Pictured):
             packages: folder of each package by its name in `package://name/...`, where the folder has another name.
             meshes: whether collision meshes are read. Without them only the description's primitives are checked, and the log
                 says so.
+            collision: "visual" checks the visual elements of the links instead of the collision elements, for a description
+                that has no others.
             arguments: values of a xacro file's arguments, by name.
             trust_file: whether a xacro file may run Python code and read any file and environment variable. Otherwise it
                 gets arithmetic, text, lists and mappings, and files of its own and the other packages.
@@ -129,10 +133,11 @@ class Robot(Pictured):
             FileFormatError: a file is missing, not XML, cannot be expanded, or Pinocchio cannot read it.
             UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
             UnsupportedJointError: an active joint is a mimic, floating or planar joint.
-            MissingExtraError: the file is a xacro file, and the package xacro is not installed.
-            InvalidInputError: joints out of order, limits that are not positive, or a folder in `packages` that does not exist.
+            MissingExtraError: the file has elements of xacro, and the package xacro is not installed.
+            InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
+                limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
+        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes, collision=collision)
         files = replace(places, arguments=arguments or {}, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
@@ -174,9 +179,9 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
-        semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
-        tools = parts.choose_tools(whole, tool, semantic)
+        tools = parts.choose_tools(read, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
         active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
@@ -271,12 +276,15 @@ class Robot(Pictured):
 
     @property
     def default_task(self) -> "Task":
-        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position()."""
-        from manipplan.symbolic.task import Task
+        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position().
 
-        if self.planar:
-            return Task.planar()
-        return Task.pose() if min(len(self.joints_of(tool)) for tool in self.tools) >= 6 else Task.position()
+        For an arm whose joints cannot make all these motions, such as one of two joints, it is the part that they span, if
+        that is fixed in the world or in the tool: x and y for a gantry of two slides. Otherwise the manipulability is
+        identically zero, and `plan` searches for the shortest path.
+        """
+        from manipplan.symbolic.spanned import default_task
+
+        return default_task(self)
 
     @property
     def self_collisions(self) -> "SelfCollisions":

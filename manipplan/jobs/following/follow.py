@@ -188,10 +188,12 @@ def follow(
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
     if objective.task is None and has_few_joints(robot) and not robot.planar:
-        wanted = (
-            f"one with a task of at most {robot.n} rows, as {robot.name} has {robot.n} joints: mp.PathObjective(task=...) with "
-            "mp.Task.position() or, from five joints on, mp.Task.pointing(axis), which keeps the direction of a tool axis too"
-        )
+        wanted = f"one with a task of at most {robot.n} rows, as {robot.name} has {robot.n} joints: mp.PathObjective(task=...)"
+        if robot.n >= 3:
+            wanted += (
+                " with mp.Task.position() or, from five joints on, mp.Task.pointing(axis), which keeps the direction of a tool "
+                "axis too"
+            )
         raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
     epsilon = check_epsilon(epsilon, robot.endless)

@@ -37,6 +37,9 @@ SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
 #: Maximum number of joints of one body, as in MuJoCo: the memory that Pinocchio takes for them grows without bounds.
 BODY_JOINTS = 6
 
+#: Formats of meshes; by the contents of a file with another name the mesh loader would choose one of its many other formats.
+MESHES = (".stl", ".obj")
+
 Attributes = Mapping[str, str]
 
 
@@ -57,6 +60,8 @@ def check_bodies(file: Path, root: ET.Element) -> None:
             twice = [tag for tag, count in Counter(each.tag for each in element).items() if count > 1 and tag != "default"]
             if twice:
                 raise _error(file, f"<default> with each element once, not several <{twice[0]}>")
+        if element.tag == "mesh" and not element.get("file", MESHES[0]).lower().endswith(MESHES):
+            raise _error(file, f"collision meshes are {', '.join(MESHES)} files, unlike {element.get('file')}")
     for tag in ("body", "joint", "default"):
         count = sum(1 for _ in root.iter(tag))
         if count > MOST_JOINTS:
