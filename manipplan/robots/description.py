@@ -1,4 +1,4 @@
-"""Robot descriptions: read URDF and MJCF files into Pinocchio models with one plain number per joint."""
+"""Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one."""
 
 import tempfile
 import xml.etree.ElementTree as ET
@@ -11,13 +11,12 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots import attached
-from manipplan.robots.formats import mjcf_bodies, urdf_links
+from manipplan.robots.formats import urdf_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
-from manipplan.robots.formats.xml_files import DEEPEST, read_xml
+from manipplan.robots.formats.xml_files import DEEPEST
 from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.meshes.files import check_mjcf_meshes, check_urdf_meshes
-from manipplan.robots.mimics import WORLD, Mimic, read_couplings, read_mimics
+from manipplan.robots.meshes.files import check_urdf_meshes
+from manipplan.robots.mimics import WORLD, Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
 from manipplan.support.errors import FileFormatError
 
@@ -74,33 +73,6 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
         geometry=geometry,
         mimics=mimics,
         unchecked=_adjacent_bodies(model, geometry, _joined_links(root)),
-    )
-
-
-def read_mjcf(file: Path) -> Description:
-    """The robot of a MuJoCo MJCF file; unlimited hinges become plain angles."""
-    root = read_xml("file", file, "mujoco")
-    _check_names(file, root)
-    mjcf_bodies.check_bodies(file, root)
-    check_mjcf_meshes(file, root)
-    model = _pinocchio(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
-    geometry = _pinocchio(
-        file,
-        "an MJCF file whose meshes can be found",
-        lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
-    )
-    mjcf_bodies.check_loaded(file, root, model, geometry)
-    mimics = read_couplings(file, root, model)
-    model, geometry = attached.move_base(model, geometry, mjcf_bodies.root_pose(root))
-    _check_meshes(file, geometry)
-    joined = {(str(body.get("name")), str(child.get("name"))) for body in root.iter("body") for child in body.findall("body")}
-    return Description(
-        file=file,
-        source="MJCF",
-        model=plain_angles(model),
-        geometry=geometry,
-        mimics=mimics,
-        unchecked=_adjacent_bodies(model, geometry, joined),
     )
 
 

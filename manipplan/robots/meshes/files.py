@@ -9,7 +9,7 @@ from manipplan.support.errors import FileFormatError
 
 #: Formats of collision meshes, by the end of their names: by the contents of a file with another name the mesh loader would
 #: choose one of its many other formats.
-URDF_MESHES, MJCF_MESHES = (".stl", ".obj", ".dae", ".ply"), (".stl", ".obj")
+URDF_MESHES = (".stl", ".obj", ".dae", ".ply")
 
 
 def fault_of(file: Path) -> str | None:
@@ -45,13 +45,6 @@ def check_urdf_meshes(file: Path, root: ET.Element, folders: Sequence[str], plac
             fault = getattr(error, "strerror", None) or str(error)
             wanted = f"a description whose meshes can be read; {str(path)[-200:]}: {fault}"
             raise FileFormatError("file", str(file), wanted) from error
-
-
-def check_mjcf_meshes(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError for a mesh of an MJCF file that is not in one of the formats `MJCF_MESHES`."""
-    for mesh in root.iter("mesh"):
-        if mesh.get("file") is not None:
-            _check_format(file, str(mesh.get("file")), MJCF_MESHES)
 
 
 def _check_format(file: Path, name: str, formats: Sequence[str]) -> None:

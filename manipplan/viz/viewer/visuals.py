@@ -2,9 +2,7 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, model_tree
-from manipplan.robots.formats import mjcf_bodies
-from manipplan.robots.formats.xml_files import read_xml
+from manipplan.robots import attached, mjcf, model_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import ManipplanError
 
@@ -21,9 +19,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         return None, f"{file} does not exist any more"
     try:
         if source.kind == "mjcf":
-            whole = pin.buildModelFromMJCF(str(file))
-            geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
-            whole, geometry = attached.move_base(whole, geometry, mjcf_bodies.root_pose(read_xml("file", file, "mujoco")))
+            whole, geometry = mjcf.read_visuals(file)
         else:
             text, folders = source.urdf_files.read(file), source.urdf_files.folders(file)
             whole = pin.buildModelFromXML(text)
