@@ -101,6 +101,9 @@ def reduce(
     reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
     for frame in reduced.frames:
         frame.name = called.get(frame.name, frame.name)
+    for item in geometry.geometryObjects:
+        if item.parentFrame >= reduced.nframes:  # Pinocchio does not find the frame of the world again
+            item.parentFrame = 0
     if list(reduced.names)[1:] != list(active):
         raise FileFormatError("joints", list(active), f"the order of the description: {list(reduced.names)[1:]}")
     return reduced, geometry

@@ -28,7 +28,7 @@ PROCESSOR, TIME_LIMIT = 20, 120.0
 MEMORY, WRITTEN = 4 * 2**30, 2**30
 #: Numbers of a model that are checked, by the kind of element that they belong to.
 CHECKED = {
-    "body": ("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia"),
+    "body": ("body_pos", "body_quat", "body_ipos", "body_iquat"),
     "joint": ("jnt_pos", "jnt_axis", "jnt_range", "jnt_actfrcrange"),
     "geom": ("geom_pos", "geom_quat", "geom_size"),
     "site": ("site_pos", "site_quat"),
