@@ -19,7 +19,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 
-#: Number of random configurations. A pair that touches in at least the share ALWAYS of them is dropped: it touches by
+#: Number of random configurations. Two links that touch in at least the share ALWAYS of them are not checked: they touch by
 #: construction.
 SAMPLES = 200
 ALWAYS = 0.95
@@ -32,7 +32,7 @@ TOUCHING = 1e-6
 def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     """The collision model of a robot among the obstacles of a scene, with convex pieces for the robot's meshes.
 
-    An SRDF's disabled pairs, adjacent pairs, pairs that touch nearly everywhere and pairs that the scene allows are not
+    Pairs of links that the description or an SRDF exempts, that touch nearly everywhere, or that the scene allows are not
     checked; `dropped` of the model lists them.
 
     Raises:
@@ -40,13 +40,13 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
             obstacle's and that of a carried part or, in an allowed pair, of a link.
         UnknownNameError: an allowed pair names something that neither the scene nor the robot has.
     """
-    alone, origins = _self_model(robot)
+    alone, _ = self_model(robot)
     geometry = alone.geometry.copy()
     if scene.obstacles and not alone.bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
     check_names(robot, scene)
     dropped, radii, solids = dict(alone.dropped), dict[int, float](), set[int]()
-    named = {k: robot.link_of(robot.geometry.geometryObjects[origin]) for k, origin in enumerate(origins)}
+    named = dict(enumerate(alone.links))
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         parts = obstacle.parts()
         for label, part in zip(number_names(name, len(parts)), parts, strict=True):
@@ -65,7 +65,15 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
                     dropped[item.name, label] = f"neither moves; they overlap by {1e3 * depth:.2g} mm"
     _drop_allowed(scene, geometry, named, dropped)
     return CollisionModel(
-        robot, geometry, dropped, bodies=alone.bodies, excess=alone.excess, radii=radii, solids=frozenset(solids)
+        robot,
+        geometry,
+        dropped,
+        bodies=alone.bodies,
+        excess=alone.excess,
+        radii=radii,
+        solids=frozenset(solids),
+        links=[named[k] for k in range(geometry.ngeoms)],
+        contacts=alone.contacts,
     )
 
 
@@ -105,20 +113,24 @@ def _overlap(body: pin.GeometryObject, part: Part, pose: pin.SE3) -> float:
 
 
 @once_per_owner
-def _self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
+def self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
     """The robot alone: its convex pieces and the pairs of its own bodies that are checked.
 
     Also the object of the robot's geometry that each object of the model represents.
     """
     geometry, origins, excess = _convex_geometry(robot)
     bodies = geometry.ngeoms
-    dropped = add_self_pairs(robot, geometry, origins)
+    left_out = add_self_pairs(robot, geometry, origins)
     samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
     touching = _touching(robot, geometry, samples)
     if _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching):
         touching = _touching(robot, geometry, samples)
-    _drop_always_touching(robot, geometry, origins, dropped, touching)
-    return CollisionModel(robot, geometry, dropped, bodies=bodies, excess=excess), origins
+    links = [robot.link_of(robot.geometry.geometryObjects[origin]) for origin in origins]
+    contacts = _drop_always_touching(robot, geometry, links, left_out, touching)
+    model = CollisionModel(
+        robot, geometry, _by_links(geometry, links, left_out), bodies=bodies, excess=excess, links=links, contacts=contacts
+    )
+    return model, origins
 
 
 def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[str, float]]:
@@ -141,28 +153,27 @@ def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[s
 
 
 def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
-    """Add the pairs of different links to `geometry`, except adjacent and disabled ones; returns these, with the reason.
+    """Add the pairs of bodies that can move relative to each other to `geometry`; returns those left out, with the reason.
 
-    `origins` gives the object of the robot's description that each object of `geometry` represents.
+    Left out are pairs that the description or the SRDF exempts. `origins` gives the object of the robot's description that each
+    object of `geometry` represents.
     """
-    dropped: dict[tuple[str, str], str] = {}
-    objects = list(geometry.geometryObjects)
+    left_out: dict[tuple[str, str], str] = {}
+    objects, described = list(geometry.geometryObjects), list(robot.geometry.geometryObjects)
+    links = [robot.link_of(described[origin]) for origin in origins]
+    disabled = robot.disabled_pairs or frozenset()
     for j, second in enumerate(objects):
         for i, first in enumerate(objects[:j]):
-            joints = (first.parentJoint, second.parentJoint)
-            if joints[0] == joints[1]:
+            if first.parentJoint == second.parentJoint:
                 continue
-            if robot.disabled_pairs is not None:
-                links = frozenset(robot.link_of(robot.geometry.geometryObjects[origins[k]]) for k in (i, j))
-                if links in robot.disabled_pairs:
-                    dropped[first.name, second.name] = "disabled in the SRDF"
-                    continue
-            origin = frozenset(robot.geometry.geometryObjects[origins[k]].name for k in (i, j))
-            if origin in robot.unchecked:
-                dropped[first.name, second.name] = robot.unchecked[origin]
-                continue
-            geometry.addCollisionPair(pin.CollisionPair(j, i))
-    return dropped
+            reason = robot.unchecked.get(frozenset((described[origins[i]].name, described[origins[j]].name)))
+            if frozenset((links[i], links[j])) in disabled:
+                reason = "disabled in the SRDF"
+            if reason is None:
+                geometry.addCollisionPair(pin.CollisionPair(j, i))
+            else:
+                left_out[first.name, second.name] = reason
+    return left_out
 
 
 def _touching(robot: Robot, geometry: pin.GeometryModel, samples: Array) -> NDArray[np.bool_]:
@@ -213,15 +224,49 @@ def _use_meshes_for_coarse_pairs(
 def _drop_always_touching(
     robot: Robot,
     geometry: pin.GeometryModel,
-    origins: list[int],
-    dropped: dict[tuple[str, str], str],
+    links: list[str],
+    left_out: dict[tuple[str, str], str],
     touching: NDArray[np.bool_],
-) -> None:
-    """Drop pairs of links that are `touching` (m, k) nearly everywhere: they touch by construction, as at a shoulder."""
-    counts = touching.sum(axis=0)
-    for k, pair in enumerate([(p.first, p.second) for p in geometry.collisionPairs]):
-        carried = robot.carried.keys() & {robot.link_of(robot.geometry.geometryObjects[origins[body]]) for body in pair}
-        if counts[k] >= ALWAYS * len(touching) and not carried:
-            geometry.removeCollisionPair(pin.CollisionPair(*pair))
-            first, second = (geometry.geometryObjects[body].name for body in pair)
-            dropped[first, second] = f"touching at {counts[k]} of {len(touching)} configurations"
+) -> dict[frozenset[str], float]:
+    """Drop pairs of links of which any pieces are `touching` (m, k) nearly everywhere: they touch by construction.
+
+    Args:
+        robot: parts that it carries are never dropped.
+        geometry: the pairs.
+        links: the link or part of each object of `geometry`.
+        left_out: gets the pairs that are dropped.
+        touching: whether each pair touches at each of m configurations.
+
+    Returns the share of the configurations at which each two links touch that are checked, where there are any.
+    """
+    pairs = [(pair.first, pair.second) for pair in geometry.collisionPairs]
+    anywhere: dict[frozenset[str], NDArray[np.bool_]] = {}
+    for k in np.flatnonzero(touching.any(axis=0)):
+        names = frozenset(links[body] for body in pairs[k])
+        anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
+    always = {
+        names: f"touching at {rows.sum()} of {len(rows)} configurations"
+        for names, rows in anywhere.items()
+        if rows.sum() >= ALWAYS * len(rows) and not names & robot.carried.keys()
+    }
+    for first, second in pairs:
+        reason = always.get(frozenset((links[first], links[second])))
+        if reason is not None:
+            geometry.removeCollisionPair(pin.CollisionPair(first, second))
+            left_out[geometry.geometryObjects[second].name, geometry.geometryObjects[first].name] = reason
+    return {names: float(rows.mean()) for names, rows in anywhere.items() if names not in always}
+
+
+def _by_links(
+    geometry: pin.GeometryModel, links: list[str], left_out: dict[tuple[str, str], str]
+) -> dict[tuple[str, str], str]:
+    """The pairs left out, as one pair of links where no bodies of these are checked, otherwise by the names of the bodies."""
+    link = {item.name: name for item, name in zip(geometry.geometryObjects, links, strict=True)}
+    checked = {frozenset((links[pair.first], links[pair.second])) for pair in geometry.collisionPairs}
+    found: dict[tuple[str, str], str] = {}
+    for (first, second), reason in left_out.items():
+        if frozenset((link[first], link[second])) in checked:
+            found[first, second] = reason
+        elif (link[second], link[first]) not in found:
+            found.setdefault((link[first], link[second]), reason)
+    return found

@@ -1,6 +1,6 @@
 """CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
@@ -26,6 +26,8 @@ GJK_TOLERANCE = 1e-10
 BLOCK = 256
 #: Number of configurations from one to the next whose distances are all measured first; these bound the smallest.
 COARSE_STEP = 16
+#: Two links that touch at more than this share of random configurations may touch by their shape.
+OFTEN = 0.3
 #: Distances up to which the nearest pair is searched, in turn [m]: where something is near, the others are not measured.
 REACHES = (0.05, 0.2, 0.8, np.inf)
 
@@ -38,11 +40,14 @@ class CollisionModel:
     Attributes:
         geometry: the convex bodies of the robot and the obstacles, with the pairs that are checked.
         pair_names: (first, second) of every pair; the first belongs to the robot.
-        dropped: pairs that are not checked, with the reason.
+        dropped: pairs of links, or of single bodies where others of the same links are checked, that are left out, with the
+            reason.
         bodies: number of convex bodies of the robot, which are the first objects of `geometry`.
         excess: by how much bodies that are pieces of a mesh are known to stick out of it [m], by name.
         radii: distances around objects of `geometry` that belong to them as well [m], by index; 0 for the others.
         solids: indices of the surfaces in `geometry` that are solid inside.
+        links: the link, carried part or obstacle of each object of `geometry`.
+        contacts: share of random configurations at which two links touch that are checked, by their names.
     """
 
     def __init__(
@@ -55,6 +60,8 @@ class CollisionModel:
         excess: Mapping[str, float] = MappingProxyType({}),
         radii: Mapping[int, float] = MappingProxyType({}),
         solids: Collection[int] = (),
+        links: Sequence[str] = (),
+        contacts: Mapping[frozenset[str], float] = MappingProxyType({}),
     ) -> None:
         self.robot = robot
         self.bodies = bodies
@@ -63,6 +70,8 @@ class CollisionModel:
         self.excess = excess
         self.radii = radii
         self.solids = solids
+        self.links = links
+        self.contacts = contacts
         objects = geometry.geometryObjects
         self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
         self._data = robot.model.createData()
@@ -105,6 +114,8 @@ class CollisionModel:
             excess=self.excess,
             radii=self.radii,
             solids=self.solids,
+            links=self.links,
+            contacts=self.contacts,
         )
         copied.__dict__["_kernel"] = self.kernel_copy()
         return copied
@@ -266,7 +277,17 @@ class CollisionModel:
         apart, row, pair = self.least_distance(q)
         if pair < 0:
             return "no two bodies that are checked", 0
-        return f"{' and '.join(self.pair_names[pair])} {apart_text(apart)}", row
+        return f"{' and '.join(self.pair_names[pair])} {apart_text(apart)}{self.contact_hint(pair)}", row
+
+    def contact_hint(self, pair: int) -> str:
+        """What to do about a pair whose links touch at more than OFTEN of random configurations; "" for any other."""
+        bodies = self.geometry.collisionPairs[pair]
+        first, second = (self.links[k] if self.links else "" for k in (bodies.second, bodies.first))
+        share = self.contacts.get(frozenset((first, second)), 0.0)
+        if share <= OFTEN:
+            return ""
+        remedy = f"scene.allow({first!r}, {second!r}) leaves them out, robot.self_collisions.to_srdf(file, touching={OFTEN})"
+        return f"; they touch at {share:.0%} of random configurations. If that is their shape, {remedy} all such links"
 
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and collision-free.
@@ -279,8 +300,9 @@ class CollisionModel:
             first, second = self.pair_names[nearest]
             apart = f"are {least:.4g} m apart" if least > 0 else f"overlap by {-least:.4g} m"
             demanded = f", but the required clearance is {clearance:g} m" if clearance else ""
+            hint = self.contact_hint(nearest)
             raise InvalidInputError(
-                argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}"
+                argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}{hint}"
             )
         return q
 

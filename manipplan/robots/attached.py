@@ -112,15 +112,11 @@ def with_part(
 ) -> tuple[pin.GeometryModel, tuple[str, ...]]:
     """The geometry with a part posed in the frame `tool`, and the names of its bodies.
 
-    Raises InvalidInputError when the part has no bounded shape or one that is not convex, or one of its bodies would have a
-    name that is taken.
+    Raises InvalidInputError when the part has no bounded shape, or one of its bodies would have a name that is taken.
     """
     shapes = part.shapes()
     if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):
         raise InvalidInputError("shape", part, "a bounded shape: Box, Sphere, Capsule, Cylinder or Mesh")
-    if any(isinstance(shape, coal.BVHModelBase) for shape in shapes):
-        wanted = 'a convex part; fill="hull" of Mesh replaces its parts by their convex hulls, boxes can stand for points'
-        raise InvalidInputError("shape", f"{name}, a {type(part).__name__} that is not convex", wanted)
     if hasattr(part, "parts") and any(each.radius for each in part.parts()):  # obstacles have parts
         raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its Part)")
     names = number_names(name, len(shapes))

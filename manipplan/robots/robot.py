@@ -26,6 +26,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import state_without_memo
 
 if TYPE_CHECKING:
+    from manipplan.collision.self_collisions import SelfCollisions
     from manipplan.kinematics.kinematics import Kinematics
     from manipplan.measures.measure import Measure
     from manipplan.symbolic.task import Task
@@ -253,6 +254,13 @@ class Robot(Pictured):
             return Task.planar()
         return Task.pose() if min(len(self.joints_of(tool)) for tool in self.tools) >= 6 else Task.position()
 
+    @property
+    def self_collisions(self) -> "SelfCollisions":
+        """Which pairs of links are checked for contact with each other, and why the others are not; `to_srdf` writes them."""
+        from manipplan.collision.self_collisions import SelfCollisions
+
+        return SelfCollisions.of(self)
+
     def kinematics(
         self,
         task: "Task | None" = None,
@@ -347,8 +355,10 @@ class Robot(Pictured):
             name: name of the part. Default: that of the shape, or "part".
             tool: of several tools the one that carries it; default the first.
 
-        Raises InvalidInputError when `shape` is not a shape with a pose, is unbounded, a cloud of points or a mesh that is not
-        convex (`fill="hull"` of Mesh makes it so), or the robot has a link, body or part of that name.
+        A mesh that is not convex is checked as the meshes of links are, in place of which convex pieces stand.
+
+        Raises InvalidInputError when `shape` is not a shape with a pose, is unbounded or a cloud of points, or the robot has a
+        link, body or part of that name.
         """
         if not isinstance(shape, Solid) or isinstance(shape, type):
             raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")

@@ -75,8 +75,15 @@ def read_srdf(file: Path) -> Semantics:
     )
 
 
-def write_srdf(robot: "Robot", file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
-    """Write an SRDF with the arm as one group; see `Robot.to_srdf`."""
+def write_srdf(
+    robot: "Robot",
+    file: str | Path,
+    states: Mapping[str, ArrayLike] | None = None,
+    *,
+    group: str = "arm",
+    disabled: Mapping[frozenset[str], str] | None = None,
+) -> None:
+    """Write an SRDF with the arm as one group and disabled pairs, each with its reason; see `Robot.to_srdf`."""
     states = robot.states if states is None else states
     if not isinstance(states, Mapping):
         raise InvalidInputError("states", states, "a mapping of names to configurations")
@@ -92,7 +99,8 @@ def write_srdf(robot: "Robot", file: str | Path, states: Mapping[str, ArrayLike]
         state = ET.SubElement(root, "group_state", name=name, group=group)
         for joint, value in zip(robot.joint_names, q.tolist(), strict=True):
             ET.SubElement(state, "joint", name=joint, value=repr(value))
-    for pair in sorted(sorted(pair) for pair in robot.disabled_pairs or ()):
-        ET.SubElement(root, "disable_collisions", link1=pair[0], link2=pair[-1], reason="User")
+    pairs = dict.fromkeys(robot.disabled_pairs or (), "User") if disabled is None else disabled
+    for pair, reason in sorted(pairs.items(), key=lambda each: sorted(each[0])):
+        ET.SubElement(root, "disable_collisions", link1=min(pair), link2=max(pair), reason=reason)
     ET.indent(root)
     write_bytes(file, lambda stream: ET.ElementTree(root).write(stream, encoding="utf-8", xml_declaration=True))

@@ -15,6 +15,7 @@ ROOMS = re.findall(r"^\| `(\w+)/` \|", CONTRIBUTING.read_text(), flags=re.MULTIL
 CONVENIENCES = {
     "robots.robot.Robot.default_task",
     "robots.robot.Robot.kinematics",
+    "robots.robot.Robot.self_collisions",
     "support.display.Pictured._repr_html_",
     "jobs.result.PartialPlan.save",
     "jobs.result.PartialPlan.show",

@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import has_hull
+from manipplan.robots.hulls import has_hull, hull_triangles, outer_corners
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -71,16 +71,13 @@ class _Part:
     """The part of a mesh between some cuts, by its triangles (t, 3, 3) and its corners inside the mesh (c, 3), and its hull."""
 
     def __init__(self, mesh: "_Mesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
-        from scipy.spatial import ConvexHull
-
         self.triangles, self.cuts = triangles, cuts
         points = np.unique(np.concatenate([triangles.reshape(-1, 3), inner]), axis=0)
         if not has_hull(points):
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
             points = (points[:, None] + box).reshape(-1, 3)
-        hull = ConvexHull(points, qhull_options="Qt")
-        self.corners = np.asarray(points[hull.vertices])
-        self.excess, self._worst = mesh.excess(points[hull.simplices], cuts)
+        self.corners = outer_corners(points)
+        self.excess, self._worst = mesh.excess(hull_triangles(self.corners), cuts)
 
     def best_cut(self) -> Plane | None:
         """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut."""

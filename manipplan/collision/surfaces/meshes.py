@@ -8,7 +8,7 @@ import numpy as np
 
 from manipplan.collision.formats.mesh_files import read_mesh
 from manipplan.collision.surfaces.shells import Faces, Shell, connected_parts, merged_corners, shells
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.hulls import FARTHEST, convex_hull, has_few_neighbours, has_hull, hull_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
@@ -71,7 +71,8 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
         if not has_hull(corners):
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
-        hulls.append((convex_hull(corners), True))
+        fits = has_few_neighbours(corners)
+        hulls.append((convex_hull(corners) if fits else triangle_tree(*merged_corners(hull_triangles(corners))), True))
     if not hulls:
         raise InvalidInputError(
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
@@ -91,11 +92,11 @@ def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
 
 
 def _solid(shell: Shell) -> coal.CollisionGeometry | None:
-    """The hull of a closed part that is convex; otherwise None."""
+    """The hull of a closed part that is convex, where coal takes it; otherwise None."""
     if not shell.closed:
         return None
     corners, _ = merged_corners(shell.triangles)
-    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners):
+    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners) or not has_few_neighbours(corners):
         return None
     from scipy.spatial import ConvexHull
 

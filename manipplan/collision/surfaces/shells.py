@@ -1,13 +1,17 @@
 """The connected parts of a mesh: which of them enclose a solid, which are cavities in another, which are open."""
 
-from collections.abc import Sequence
+import ctypes
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
+from manipplan.support.compiling.native import needed_code
 
 #: Corners nearer to each other than this, along each axis, are one [m].
 MERGED = 1e-9
@@ -15,10 +19,10 @@ MERGED = 1e-9
 HOLLOW = 1e-9
 #: Minimum number of triangles that enclose a volume.
 LEAST = 4
-#: Number of triangle-point pairs whose solid angles are computed at a time.
-CHUNK = 1_000_000
 
 Faces = NDArray[np.int64]
+
+_P, _N = ctypes.c_void_p, ctypes.c_long
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,19 +122,17 @@ def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:
 
 
 def winding_number(triangles: Array, points: Array) -> Array:
-    """How often closed triangles (t, 3, 3) go around each of points (k, 3): 1 inside, 0 outside.
-
-    The sum of the signed solid angles, each by the formula of van Oosterom and Strackee, over 4π.
-    """
+    """How often closed triangles (t, 3, 3) go around each of points (k, 3), by `winding.c`: 1 inside, 0 outside."""
+    triangles, points = np.ascontiguousarray(triangles, dtype=float), np.ascontiguousarray(points, dtype=float)
     found = np.empty(len(points))
-    step = max(1, CHUNK // len(triangles))
-    for at in range(0, len(points), step):
-        a, b, c = np.moveaxis(triangles[None] - points[at : at + step, None, None], 2, 0)
-        la, lb, lc = (np.linalg.norm(side, axis=-1) for side in (a, b, c))
-        volume = np.einsum("kti,kti->kt", a, np.cross(b, c))
-        dot = [np.einsum("kti,kti->kt", u, v) for u, v in ((a, b), (b, c), (c, a))]
-        found[at : at + step] = np.arctan2(volume, la * lb * lc + dot[0] * lc + dot[1] * la + dot[2] * lb).sum(axis=1)
-    return found / (2 * np.pi)
+    _winding()(triangles.ctypes.data, len(triangles), points.ctypes.data, len(points), found.ctypes.data)
+    return found
+
+
+@cache
+def _winding() -> Callable[..., Any]:
+    code = needed_code(Path(__file__).with_name("winding.c"), "insides of meshes")
+    return code.functions("manipplan_", {"winding": (None, _P, _N, _P, _N, _P)})["winding"]
 
 
 def _connected(faces: Faces, corners: int) -> list[Faces]:

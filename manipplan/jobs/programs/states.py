@@ -47,7 +47,8 @@ class State:
         if distance > clearance + TOUCHING:
             return ""
         first, second = model.pair_names[pair]
-        return f"{first} and {second} {apart_text(distance)}; scene.allow takes out a pair such as a part and its table"
+        hint = model.contact_hint(pair)
+        return f"{first} and {second} {apart_text(distance)}{hint}; scene.allow takes out a pair such as a part and its table"
 
     def after(self, step: Attach | Detach, q: Array) -> "State":
         """The state after a part was taken up or put down at q (n,)."""
