@@ -120,9 +120,8 @@ def _tree(file: Path, mj: Any, names: Sequence[str]) -> tuple[pin.Model, list[in
     bodies = _body_names(mj)
     for name in (*names, *bodies[1:], *(mj.site(k).name for k in range(mj.nsite))):
         if name == WORLD:
-            raise FileFormatError(
-                "file", str(file), f"elements with other names than {WORLD!r}, Pinocchio's name for the world"
-            )
+            wanted = f"joints, bodies and sites with other names than {WORLD!r}, Pinocchio's name for the world"
+            raise FileFormatError("file", str(file), wanted)
     if mj.njnt > MOST_JOINTS or mj.nbody - 1 > MOST_JOINTS:
         raise FileFormatError("file", str(file), f"at most {MOST_JOINTS} joints and bodies, not {mj.njnt} and {mj.nbody - 1}")
     armature, frames = list[float](), [0]
@@ -242,7 +241,9 @@ def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geom
     for k in geoms:
         body = int(mj.geom_bodyid[k])
         name = mj.geom(k).name
-        if not name:
+        if body == 0 and name in bodies:
+            name = _new(name, taken)  # a geom of the world counts as a link of its own
+        elif not name:
             name = _new(f"{bodies[body]}_{numbers[body]}", taken)
             numbers[body] += 1
         frame = model.frames[frames[body]]

@@ -380,11 +380,16 @@ class Robot(Pictured):
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 
     def link_of(self, body: pin.GeometryObject) -> str:
-        """The name of the part or link to which a body of `geometry` belongs; "" for a geom of the world of an MJCF."""
+        """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own."""
         part = next((name for name, part in self.carried.items() if body.name in part.bodies), None)
         if part is not None:
             return part
-        return str(self.model.frames[body.parentFrame].name) if body.parentFrame > 0 else ""
+        return str(self.model.frames[body.parentFrame].name if body.parentFrame > 0 else body.name)
+
+    @property
+    def world_geoms(self) -> frozenset[str]:
+        """Names of the bodies that an MJCF gives to the world itself, such as its floor: like obstacles, they stay put."""
+        return frozenset(item.name for item in self.geometry.geometryObjects if item.parentFrame == 0)
 
     def to_srdf(self, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
         """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.
