@@ -84,6 +84,7 @@ from manipplan.support.errors import (
     MissingProgramError,
     MissingSourcesError,
     PlanningError,
+    RobotNotFetchedError,
     UnknownNameError,
     UnsupportedJointError,
 )
@@ -182,6 +183,7 @@ __all__ = [
     "Refinement",
     "Report",
     "Robot",
+    "RobotNotFetchedError",
     "Rollout",
     "Scene",
     "SearchResult",

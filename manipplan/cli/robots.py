@@ -1,29 +1,51 @@
-"""`manipplan robots`: the known arms."""
+"""`manipplan robots`: the arms that can be had by name."""
+
+from collections.abc import Iterator
 
 from rich.console import Console
-from rich.table import Table
+from rich.table import Column, Table
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.robots.catalog import available_robots, load_robot
+from manipplan.robots.catalog import CATALOG, load_robot
+from manipplan.robots.collections import CHECKOUT, names_of_collections, own_robots
 from manipplan.support.untrusted import terminal_text
 
+#: How the robots of each collection become available.
+REMEDIES = {
+    "robot_descriptions": "pip install 'manipplan[descriptions]'",
+    "MuJoCo Menagerie": f"pip install 'manipplan[menagerie]', or set {CHECKOUT} to a checkout",
+}
 
-def robots(name: Positional[str | None] = None, /) -> None:
+
+def robots(name: Positional[str | None] = None, /, *, names: bool = False) -> None:
     """List the known arms, or print the table of one.
 
     Args:
         name: An arm's name, or a URDF, xacro or MJCF file.
+        names: Also list all names of robot_descriptions and of MuJoCo Menagerie.
     """
     console = Console()
     if name is not None:
         terminal.show_line(console, str(load_robot(name)))
         return
-    table = Table("name", "joints", "tool frame", box=None)
-    names = available_robots()
-    with terminal.progress() as tell:
-        for k, each in enumerate(names):
-            tell(k / len(names), f"loading {each}")
-            robot = load_robot(each)
-            table.add_row(each, str(robot.n), terminal_text(", ".join(robot.tools)))
+    table = Table(Column("name", no_wrap=True), "joints", Column("tool frame", overflow="fold"), "IK", "source", box=None)
+    for each, entry in CATALOG.items():
+        tools = (entry.tool,) if isinstance(entry.tool, str) else entry.tool
+        table.add_row(each, str(entry.joints), terminal_text(", ".join(tools)), entry.ik, "example-robot-data")
+    for each, point in own_robots().items():
+        table.add_row(terminal_text(each), "", "", "", terminal_text(point.value))
     console.print(table)
+    for line in _collections(names):
+        terminal.show_line(console, line)
+
+
+def _collections(all_names: bool) -> Iterator[str]:
+    """What can be had of other collections, or how."""
+    for collection, found in names_of_collections().items():
+        if not found:
+            yield f"{collection}: {REMEDIES[collection]}"
+            continue
+        yield f"{collection}: {len(found)} names, such as {found[0]}" + ("" if all_names else "   (--names lists them)")
+        if all_names:
+            yield from (f"  {each}" for each in found)

@@ -296,7 +296,9 @@ def _listed(names: list[str]) -> str:
 
 
 def _loses_rank(kinematics: Kinematics, q: Array) -> bool:
-    """Whether the task's Jacobian has a row too few at a configuration (1, n)."""
+    """Whether the task's Jacobian has a row too few at a configuration (1, n); never where the measure is constant."""
+    if kinematics.measure.constant:
+        return False
     values = np.linalg.svd(kinematics.jacobian(q)[0], compute_uv=False)
     return bool(values[-1] <= VANISHING * values[0])
 

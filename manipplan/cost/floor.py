@@ -32,8 +32,13 @@ def typical_measure(kinematics: Kinematics) -> float:
 
 
 def floor_of(kinematics: Kinematics, floor: float | None) -> float:
-    """The floor ε, in the unit of the measure: `floor` itself, or the default SHARE of the typical measure for None."""
-    return SHARE * typical_measure(kinematics) if floor is None else floor
+    """The floor ε, in the unit of the measure: `floor` itself, or the default for None.
+
+    That is SHARE of the typical measure, and 0 for a constant one.
+    """
+    if floor is not None:
+        return floor
+    return 0.0 if kinematics.measure.constant else SHARE * typical_measure(kinematics)
 
 
 def warn_of_floor(kinematics: Kinematics, floor: float) -> None:

@@ -8,12 +8,14 @@ from manipplan.cost.floor import floor_of, warn_of_floor
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.manipulability import Constant
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import instance, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.spanned import is_always_singular
 from manipplan.symbolic.task import Task
 
 #: Maximum exponent of m.
@@ -28,8 +30,9 @@ class PathObjective:
     Attributes:
         power: exponent p of m, above 0 and at most 100. A larger one keeps further away from singularities.
         task: task whose manipulability m counts; None: the robot's default task.
-        measure: m, a name from `available_measures()` or a Measure that is at least zero and better when larger; None:
-            Yoshikawa's manipulability.
+        measure: m, a name from `available_measures()` or a Measure that is at least zero and better when larger; "constant"
+            for the shortest path. None: Yoshikawa's manipulability, and "constant" where that of the default task is zero in
+            every configuration of the arm, as for a positioner of two joints.
         metric: W in ‖q'‖_W² = q'ᵀ W q': weights (n,) > 0, or a symmetric positive definite matrix (n, n); None: the identity.
         floor: ε >= 0 in the unit of m. It keeps g finite on a path through a singularity. Where m is above ε on the whole path,
             g with the floor is at most g without it, and at least its (1 + (ε / min m)²)^(-power/2) part. 0: no floor, and g is
@@ -56,7 +59,10 @@ class PathObjective:
             InvalidInputError: the task has more rows than the arm has joints, or the measure can be negative or is better
                 when smaller.
         """
-        kinematics = robot.kinematics(self.task, measure=self.measure, compiled=compiled)
+        measure = self.measure
+        if self.task is None and measure is None and is_always_singular(robot, robot.default_task):
+            measure = Constant()
+        kinematics = robot.kinematics(self.task, measure=measure, compiled=compiled)
         check_task(kinematics)
         check_measure(kinematics)
         return kinematics
@@ -78,10 +84,10 @@ class PathObjective:
 def check_task(kinematics: Kinematics) -> None:
     """Raise InvalidInputError when the task has more rows than the arm has joints."""
     task, n = kinematics.task, kinematics.symbolic.joints
-    if task.rows > n:
-        raise InvalidInputError(
-            "task", task.name, f"at most {n} rows; with more rows than joints the manipulability is identically zero"
-        )
+    if task.rows > n and not kinematics.measure.constant:
+        rows = f"at most {n} row{'s' * (n > 1)}; with more rows than joints the manipulability is identically zero"
+        remedy = 'leave task out for the motions that the joints span, or take measure="constant" for the shortest path'
+        raise InvalidInputError("task", task.name, f"{rows}: {remedy}")
 
 
 def check_measure(kinematics: Kinematics) -> None:

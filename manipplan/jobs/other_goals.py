@@ -51,7 +51,7 @@ class OtherGoal:
     def __str__(self) -> str:
         crossings = sum(not each.at_end for each in self.result.certificate.crossings) if self.result.certificate else 0
         count = "no singularity" if crossings == 0 else f"{crossings} singularit{'y' if crossings == 1 else 'ies'}"
-        status = "" if self.result.status is Status.OPTIMAL else f", {self.result.status.name}"
+        status = "" if self.result.status in (Status.OPTIMAL, Status.SHORTEST) else f", {self.result.status.name}"
         return f"g {self.g:.5g}, crosses {count}{status}: {self.q.round(9).tolist()}"
 
 

@@ -29,6 +29,7 @@ from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
 from manipplan.symbolic.relative import Seen, task_rows
+from manipplan.symbolic.spanned import usual_task
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -156,13 +157,17 @@ class Kinematics:
 
     @property
     def is_square(self) -> bool:
-        """Whether the arm has as many joints as the task has rows."""
-        return self.task.rows == self.robot.n and not self.measure.over_tools
+        """Whether the arm has as many joints as the task has rows, and the measure depends on det J."""
+        return self.task.rows == self.robot.n and not (self.measure.over_tools or self.measure.constant)
 
     @property
     def free_motion(self) -> FreeMotion:
-        """What the task leaves free of a pose; raises InvalidInputError for a task whose rows do not fix a set of poses."""
-        return FreeMotion.of(self.task, planar=self.robot.planar)
+        """What the task leaves free of a pose: of a default task that is cut to what the joints span, what the whole one does.
+
+        Raises InvalidInputError for a task whose rows do not fix a set of poses.
+        """
+        task = usual_task(self.robot) if self.task == self.robot.default_task else self.task
+        return FreeMotion.of(task, planar=self.robot.planar)
 
     def __reduce__(self) -> tuple[object, ...]:
         return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)
@@ -309,7 +314,7 @@ def measure_for(robot: "Robot", task: Task, measure: Measure) -> Measure:
         if measure.over_tools:
             raise InvalidInputError("measure", measure.name, f"a measure of one motion: that relative to {task.relative_to}")
         return measure
-    if len(robot.tools) > 1 and not measure.over_tools:
+    if len(robot.tools) > 1 and not (measure.over_tools or measure.constant):
         return OverTools(measure=measure)
     inner = getattr(measure, "measure", None)
     for each in (measure, inner):

@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
+from manipplan.measures.measure import JacobianMeasure, Measure, Posture, row_unit
 from manipplan.support.checks import number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
@@ -160,6 +160,23 @@ class Isotropy(JacobianMeasure):
         value = m * factor.manipulability ** (2 / m) / trace
         slope = 2 / m * log_gradient(factor, posture.motion) - ca.gradient(ca.log(trace), posture.q)
         return factor, value, value * slope
+
+
+@dataclass(frozen=True, kw_only=True)
+class Constant(Measure):
+    """The number 1: with it g is the length of the path, and no configuration counts as singular."""
+
+    name: ClassVar[str] = "constant"
+    formula: ClassVar[str] = "1"
+    source: ClassVar[str] = "kth2012"
+    vanishes: ClassVar[bool] = False
+    constant: ClassVar[bool] = True
+
+    def unit(self, task: Task) -> str:  # noqa: ARG002
+        return "1"
+
+    def value(self, posture: Posture) -> ca.SX:  # noqa: ARG002
+        return ca.SX(1.0)
 
 
 def yoshikawa(jacobian: ca.SX) -> ca.SX:

@@ -74,6 +74,7 @@ class Measure(ABC):
         vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
         grows: whether it is at least zero and larger is better.
         over_tools: whether it combines the measures of all tools of a robot.
+        constant: whether it is the same in every configuration, so that no configuration counts as singular.
     """
 
     name: ClassVar[str]
@@ -82,6 +83,7 @@ class Measure(ABC):
     vanishes: ClassVar[bool] = True
     grows: ClassVar[bool] = True
     over_tools: ClassVar[bool] = False
+    constant: ClassVar[bool] = False
 
     @abstractmethod
     def unit(self, task: Task) -> str:

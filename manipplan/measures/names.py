@@ -2,7 +2,7 @@
 
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.manipulability import Constant, FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
@@ -25,6 +25,7 @@ MEASURES: dict[str, type[Measure]] = {
         ForceTransmission,
         JointLimitPenalised,
         OverTools,
+        Constant,
     )
 }
 

@@ -16,6 +16,7 @@ from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
+from manipplan.measures.manipulability import Constant
 from manipplan.optimize.descents.constraint_rows import ConstraintRows
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LinearRows
@@ -278,7 +279,9 @@ class Certificate:
             f"solver       {self.solver or 'nothing was solved for this path'}",
             f"optimality   {self._optimality()}",
             f"g            {self.g:.6g}, exponent {self.power:g}{self._beside()}",
-            f"minimum m    {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})",
+            f"minimum m    {self.min_manipulability:.4g}{unit} at s = {self.min_at:.3f} ({self.measure})"
+            if self.measure != Constant.name
+            else "minimum m    does not count: the shortest path was sought",
         ]
         if self.crossings:
             lines.append(f"singularity  {describe(self.crossings, self.least_crossings)}")

@@ -171,7 +171,8 @@ def solve_local(
     same = CONFIRMED_TIE if best is not None and best.optimality.reached else ACCURACY
     if best is not None and (best.cost.g <= first_cost.g * (1 + same) or not fallback):
         path, cost = best.path, best.cost
-        status = Status.OPTIMAL if best.optimality.reached else Status.STOPPED_EARLY
+        reached = Status.SHORTEST if integral.kinematics.measure.constant else Status.OPTIMAL
+        status = reached if best.optimality.reached else Status.STOPPED_EARLY
     else:
         path, cost = first, first_cost
         status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE

@@ -183,13 +183,14 @@ class Trajectory(Pictured):
         urscript.to_urscript(self, file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
 
     def to_franka_csv(self, file: str | Path) -> None:
-        """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka Panda.
+        """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
 
-        The joints are found by their names, panda_joint1 to 7 or fer_joint1 to 7, in any order.
+        The joints are found by their names, in any order: panda_joint1 to 7 or fer_joint1 to 7 of a Panda, fr3_joint1 to 7 of a
+        Franka Research 3, whose largest velocity falls to zero towards its position limits.
 
-        Raises InvalidInputError: other joints, positions outside the Panda's limits, a motion that does not begin and end at
+        Raises InvalidInputError: other joints, positions outside the arm's limits, a motion that does not begin and end at
         rest or has more than 300,000 positions, or differences of neighbouring positions above the velocity, acceleration or
-        jerk that libfranka accepts for a Panda.
+        jerk that libfranka accepts for that arm.
         """
         from manipplan.paths.controllers import franka
 

@@ -10,6 +10,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
+from manipplan.robots.collections import GROUP, own_robots, robot_file
+from manipplan.robots.data_sheets import with_published_limits
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
 from manipplan.robots.robot import Robot
@@ -17,14 +19,23 @@ from manipplan.robots.source import RobotSource
 from manipplan.support.checks import number, number_array
 from manipplan.support.errors import InvalidInputError, MissingExtraError, UnknownNameError
 
+#: Endings of the files that hold a robot.
+FILES = (".urdf", ".xacro", ".xml", ".mjcf")
+
 
 @dataclass(frozen=True, kw_only=True)
 class Entry:
-    """One arm of the catalogue: where its files are and which part of them is the arm."""
+    """One arm of the catalogue: where its files are and which part of them is the arm.
+
+    `joints` is their number, and `ik` the method of `inverse_kinematics`, of several arms that of each; `manipplan robots`
+    lists both without loading the arm.
+    """
 
     folder: str
     urdf: str
     tool: str | tuple[str, ...]
+    joints: int
+    ik: str = "newton"
     first: str | None = None
     srdf: str | None = None
     neutral: tuple[float, ...] | None = None
@@ -33,34 +44,120 @@ class Entry:
     data_sheet: str = ""
 
 
-# Accelerations and jerks are given only where the manufacturer publishes them; otherwise the default of JointLimits applies.
+# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in data_sheets);
+# otherwise the default of JointLimits applies.
 _PANDA = Entry(
-    folder="panda_description",
-    urdf="urdf/panda.urdf",
-    srdf="srdf/panda.srdf",
-    tool="panda_hand_tcp",
-    acceleration=(15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0),
-    jerk=(7500.0, 3750.0, 5000.0, 6250.0, 7500.0, 10000.0, 10000.0),
-    data_sheet="Franka Emika control interface, robot and interface specifications",
+    folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", joints=7, ik="spherical"
 )
 _UR_NEUTRAL = (0.0, -1.5708, 1.5708, -1.5708, -1.5708, 0.0)
+_UR = Entry(
+    folder="ur_description",
+    urdf="urdf/ur5_robot.urdf",
+    srdf="srdf/ur5.srdf",
+    tool="tool0",
+    joints=6,
+    ik="parallel",
+    neutral=_UR_NEUTRAL,
+)
 _BAXTER_NEUTRAL = (0.0, -0.55, 0.0, 0.75, 0.0, 1.26, 0.0)
 
+_KINOVA_NEUTRAL = (4.8, 2.9, 1.0, 4.2, 1.4, 0.0)
+_Z1 = Entry(
+    folder="z1_description",
+    urdf="urdf/z1.urdf",
+    srdf="srdf/z1.srdf",
+    tool="gripperStator",
+    joints=6,
+    ik="parallel",
+    neutral=(0.0, 1.5, -1.0, -0.54, 0.0, 0.0),
+)
+_BRAVO = Entry(
+    folder="bravo7_description",
+    urdf="urdf/bravo7_no_ee.urdf",
+    srdf="srdf/bravo7_no_ee.srdf",
+    tool="end_effector_ball",
+    joints=6,
+)
+_BRAVO_HAND = "bravo_finger_jaws_base_link"
+_TALOS = Entry(
+    folder="talos_data",
+    urdf="robots/talos_reduced.urdf",
+    srdf="srdf/talos.srdf",
+    tool=("wrist_left_ft_tool_link", "wrist_right_ft_tool_link"),
+    joints=16,
+    ik="spherical",
+)
+_HUMANOID = Entry(
+    folder="simple_humanoid_description",
+    urdf="urdf/simple_humanoid.urdf",
+    srdf="srdf/simple_humanoid.srdf",
+    tool=("l_wrist", "r_wrist"),
+    joints=7,
+    ik="swivel",
+)
+_ICUB = Entry(
+    folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool=("l_hand", "r_hand"), joints=7, ik="swivel"
+)
+_PR2 = Entry(
+    folder="pr2_description",
+    urdf="urdf/pr2.urdf",
+    srdf="srdf/pr2.srdf",
+    tool=("l_gripper_tool_frame", "r_gripper_tool_frame"),
+    joints=15,
+    ik="spherical",
+)
+_ROMEO = Entry(
+    folder="romeo_description",
+    urdf="urdf/romeo.urdf",
+    srdf="srdf/romeo.srdf",
+    tool=("l_gripper", "r_gripper"),
+    joints=7,
+    ik="swivel",
+)
+_G1 = Entry(
+    folder="g1_description", urdf="urdf/g1_29dof_rev_1_0.urdf", tool=("left_rubber_hand", "right_rubber_hand"), joints=7
+)
+_ALEX = Entry(
+    folder="alex_description",
+    urdf="urdf/alex_nub_hands.urdf",
+    srdf="srdf/alex_nub_hands.srdf",
+    tool=("leftNub", "rightNub"),
+    joints=7,
+)
+_CENTAURO = Entry(
+    folder="centauro_description",
+    urdf="urdf/centauro.urdf",
+    srdf="srdf/centauro.srdf",
+    tool=("ball1_tip", "ball2_tip"),
+    joints=13,
+    ik="spherical",
+)
+_TIAGO_PRO = Entry(
+    folder="tiago_pro_description",
+    urdf="robots/tiago_pro.urdf",
+    tool=("arm_left_tool_link", "arm_right_tool_link"),
+    joints=15,
+)
 _TIAGO_ARM = (0.2, -0.6, 1.5, 1.6, -1.57, 0.2, 0.0)  # mirror images have the same values on both sides
 
 CATALOG: Mapping[str, Entry] = {
     "panda": _PANDA,
     "panda_collision": replace(_PANDA, urdf="urdf/panda_collision.urdf"),
-    "ur3": Entry(folder="ur_description", urdf="urdf/ur3_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL),
-    "ur5": Entry(folder="ur_description", urdf="urdf/ur5_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL),
-    "ur10": Entry(
-        folder="ur_description", urdf="urdf/ur10_robot.urdf", srdf="srdf/ur5.srdf", tool="tool0", neutral=_UR_NEUTRAL
-    ),
+    "ur3": replace(_UR, urdf="urdf/ur3_robot.urdf"),
+    "ur3_gripper": replace(_UR, urdf="urdf/ur3_gripper.urdf", srdf="srdf/ur3_gripper.srdf"),
+    "ur3_limited": replace(_UR, urdf="urdf/ur3_joint_limited_robot.urdf"),
+    "ur5": _UR,
+    "ur5_gripper": replace(_UR, urdf="urdf/ur5_gripper.urdf", srdf="srdf/ur5_gripper.srdf"),
+    "ur5_limited": replace(_UR, urdf="urdf/ur5_joint_limited_robot.urdf", srdf="srdf/ur5_joint_limited_robot.srdf"),
+    "ur10": replace(_UR, urdf="urdf/ur10_robot.urdf"),
+    "ur10_limited": replace(_UR, urdf="urdf/ur10_joint_limited_robot.urdf"),
     "xarm7": Entry(
         folder="xarm_description",
         urdf="urdf/xarm7.urdf",
         srdf="srdf/xarm7.srdf",
         tool="link_eef",
+        joints=7,
+        ik="spherical",
         neutral=(0.0, -0.5, 0.0, 1.0, 0.0, 1.5, 0.0),
         acceleration=float(np.deg2rad(1145.0)),
         jerk=float(np.deg2rad(28647.0)),
@@ -71,20 +168,29 @@ CATALOG: Mapping[str, Entry] = {
         urdf="robots/kinova.urdf",
         srdf="srdf/kinova.srdf",
         tool="j2s6s200_end_effector",
-        neutral=(4.8, 2.9, 1.0, 4.2, 1.4, 0.0),
+        joints=6,
+        ik="spherical",
+        neutral=_KINOVA_NEUTRAL,
     ),
-    "z1": Entry(
-        folder="z1_description",
-        urdf="urdf/z1.urdf",
-        srdf="srdf/z1.srdf",
-        tool="gripperStator",
-        neutral=(0.0, 1.5, -1.0, -0.54, 0.0, 0.0),
+    "anymal_kinova": Entry(
+        folder="anymal_b_simple_description",
+        urdf="robots/anymal-kinova.urdf",
+        srdf="srdf/anymal-kinova.srdf",
+        tool="j2s6s200_end_effector",
+        joints=6,
+        ik="spherical",
+        neutral=_KINOVA_NEUTRAL,
     ),
+    "z1": _Z1,
+    "b1_z1": replace(_Z1, folder="b1_description", urdf="urdf/b1-z1.urdf", srdf="srdf/b1-z1.srdf"),
+    "bravo7_no_ee": _BRAVO,
+    "bravo7_gripper": replace(_BRAVO, urdf="urdf/bravo7_gripper.urdf", srdf="srdf/bravo7_gripper.srdf", tool=_BRAVO_HAND),
     "baxter_left": Entry(
         folder="baxter_description",
         urdf="urdf/baxter.urdf",
         srdf="srdf/baxter_manipulation.srdf",
         tool="left_gripper",
+        joints=7,
         neutral=_BAXTER_NEUTRAL,
     ),
     "baxter_right": Entry(
@@ -92,6 +198,7 @@ CATALOG: Mapping[str, Entry] = {
         urdf="urdf/baxter.urdf",
         srdf="srdf/baxter_manipulation.srdf",
         tool="right_gripper",
+        joints=7,
         neutral=_BAXTER_NEUTRAL,
     ),
     "baxter": Entry(
@@ -99,84 +206,112 @@ CATALOG: Mapping[str, Entry] = {
         urdf="urdf/baxter.urdf",
         srdf="srdf/baxter_manipulation.srdf",
         tool=("left_gripper", "right_gripper"),
+        joints=14,
         neutral=_BAXTER_NEUTRAL * 2,
     ),
-    "talos": Entry(
-        folder="talos_data",
-        urdf="robots/talos_reduced.urdf",
-        srdf="srdf/talos.srdf",
-        tool=("wrist_left_ft_tool_link", "wrist_right_ft_tool_link"),
-    ),
-    "talos_right_arm": Entry(
-        folder="talos_data",
-        urdf="robots/talos_reduced.urdf",
-        srdf="srdf/talos.srdf",
-        tool="wrist_right_ft_tool_link",
-        first="arm_right_1_joint",
-    ),
-    "talos_torso_right_arm": Entry(
-        folder="talos_data",
-        urdf="robots/talos_reduced.urdf",
-        srdf="srdf/talos.srdf",
-        tool="wrist_right_ft_tool_link",
-    ),
-    "simple_humanoid_right_arm": Entry(
-        folder="simple_humanoid_description",
-        urdf="urdf/simple_humanoid.urdf",
-        srdf="srdf/simple_humanoid.srdf",
-        tool="r_wrist",
-        first="RARM_SHOULDER_P",
-    ),
-    "tiago": Entry(
-        folder="tiago_description",
-        urdf="robots/tiago.urdf",
-        tool="arm_tool_link",
+    "talos": _TALOS,
+    "talos_left_arm": replace(_TALOS, tool="wrist_left_ft_tool_link", first="arm_left_1_joint", joints=7),
+    "talos_right_arm": replace(_TALOS, tool="wrist_right_ft_tool_link", first="arm_right_1_joint", joints=7),
+    "talos_torso_right_arm": replace(_TALOS, tool="wrist_right_ft_tool_link", joints=9),
+    "simple_humanoid_left_arm": replace(_HUMANOID, tool="l_wrist", first="LARM_SHOULDER_P"),
+    "simple_humanoid_right_arm": replace(_HUMANOID, tool="r_wrist", first="RARM_SHOULDER_P"),
+    "pr2": _PR2,
+    "pr2_left_arm": replace(_PR2, tool="l_gripper_tool_frame", first="l_shoulder_pan_joint", joints=7),
+    "pr2_right_arm": replace(_PR2, tool="r_gripper_tool_frame", first="r_shoulder_pan_joint", joints=7),
+    "romeo_left_arm": replace(_ROMEO, tool="l_gripper", first="LShoulderPitch"),
+    "romeo_right_arm": replace(_ROMEO, tool="r_gripper", first="RShoulderPitch"),
+    "g1_left_arm": replace(_G1, tool="left_rubber_hand", first="left_shoulder_pitch_joint"),
+    "g1_right_arm": replace(_G1, tool="right_rubber_hand", first="right_shoulder_pitch_joint"),
+    "alex_left_arm": replace(_ALEX, tool="leftNub", first="LeftShoulderPitch"),
+    "alex_right_arm": replace(_ALEX, tool="rightNub", first="RightShoulderPitch"),
+    "centauro": _CENTAURO,
+    "centauro_left_arm": replace(_CENTAURO, tool="ball1_tip", first="j_arm1_1", joints=6),
+    "centauro_right_arm": replace(_CENTAURO, tool="ball2_tip", first="j_arm2_1", joints=6),
+    "tiago": Entry(folder="tiago_description", urdf="robots/tiago.urdf", tool="arm_tool_link", joints=8, ik="spherical"),
+    "tiago_no_hand": Entry(
+        folder="tiago_description", urdf="robots/tiago_no_hand.urdf", tool="wrist_ft_tool_link", joints=8, ik="spherical"
     ),
     "tiago_dual": Entry(
         folder="tiago_description",
         urdf="robots/tiago_dual.urdf",
         tool=("arm_left_tool_link", "arm_right_tool_link"),
+        joints=15,
+        ik="spherical",
         neutral=(0.15, *_TIAGO_ARM, *_TIAGO_ARM),
     ),
-    "icub": Entry(
-        folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool="r_hand", first="r_shoulder_pitch"
-    ),
-    "so100": Entry(folder="so_arm_description", urdf="urdf/so100.urdf", tool="gripper"),
+    "tiago_pro": _TIAGO_PRO,
+    "tiago_pro_left_arm": replace(_TIAGO_PRO, tool="arm_left_tool_link", first="arm_left_1_joint", joints=7),
+    "tiago_pro_right_arm": replace(_TIAGO_PRO, tool="arm_right_tool_link", first="arm_right_1_joint", joints=7),
+    "icub": replace(_ICUB, tool="r_hand", first="r_shoulder_pitch"),
+    "icub_left_arm": replace(_ICUB, tool="l_hand", first="l_shoulder_pitch"),
+    "so100": Entry(folder="so_arm_description", urdf="urdf/so100.urdf", tool="gripper", joints=5),
+    "so101": Entry(folder="so_arm_description", urdf="urdf/so101.urdf", tool="gripper_frame_link", joints=5),
+    "asr_twodof": Entry(folder="asr_twodof_description", urdf="urdf/TwoDofs.urdf", tool="Tip", joints=2),
 }
 
 
 def available_robots() -> tuple[str, ...]:
-    """Names that `load_robot` knows."""
-    return tuple(CATALOG)
+    """Names that `load_robot` knows: those of the catalogue, then those that installed packages add by an entry point.
+
+    Beside these it takes the names of robot_descriptions and of MuJoCo Menagerie's folders.
+    """
+    return (*CATALOG, *(name for name in own_robots() if name not in CATALOG))
 
 
 def load_robot(name: str | Path, **options: object) -> Robot:
-    """An arm by its catalogue name, or from a URDF, xacro or MJCF file.
+    """An arm by its name, or from a URDF, xacro or MJCF file.
 
     Args:
-        name: one of `available_robots()`, or a path that ends in .urdf, .xacro, .xml or .mjcf.
+        name: one of `available_robots()`; a name of the package robot_descriptions, such as "ur5e_description" (extra
+            descriptions); a folder of MuJoCo Menagerie, such as "menagerie:franka_fr3" or, where it holds several robots,
+            "menagerie:ufactory_lite6/lite6_gripper_wide.xml", of the checkout in the environment variable MUJOCO_MENAGERIE or
+            downloaded (extra menagerie); or a path that ends in .urdf, .xacro, .xml or .mjcf.
         **options: as for `Robot.from_urdf` (tool, joints, srdf, locked, velocity, acceleration, jerk, ...).
+
+    Robots by name get the limits that their maker publishes, where `limits` of a robot names a data sheet as the source.
 
     Raises:
         UnknownNameError: no such name; the nearest names are listed.
         MissingExtraError: the package with the robot descriptions is not installed.
+        RobotNotFetchedError: the files of the robot have to be fetched, and that failed.
+        FileFormatError: a folder holds several robots, or a file cannot be read.
     """
     if not isinstance(name, str | Path):
         raise InvalidInputError("name", name, "a name of the catalogue, or the path of a URDF, xacro or MJCF file")
     file = Path(name).expanduser()
-    if file.suffix in (".urdf", ".xacro"):
-        return Robot.from_urdf(file, **options)  # type: ignore[arg-type]  # checked by from_urdf itself
-    if file.suffix in (".xml", ".mjcf"):
-        return Robot.from_mjcf(file, **options)  # type: ignore[arg-type]  # checked by from_mjcf itself
-    if str(name) not in CATALOG:
-        raise UnknownNameError("name", str(name), CATALOG)
-    entry = CATALOG[str(name)]
+    if str(name) in CATALOG:
+        return _of_catalogue(str(name), options)
+    found = robot_file(str(name))
+    if found is not None:
+        robot = _read(found.file, {**found.options, **options})
+        if options.get("joints") is None:
+            robot = with_published_limits(robot, options)
+        return replace(robot, source=RobotSource.of("catalogue", found.file, options, name=str(name)))
+    if file.suffix in FILES:
+        return _read(file, options)
+    own = own_robots()
+    if str(name) not in own:
+        raise UnknownNameError("name", str(name), [*CATALOG, *own])
+    made = own[str(name)].load()(**options)
+    if not isinstance(made, Robot):
+        raise InvalidInputError("name", str(name), f"an entry point of {GROUP} whose function returns a Robot, not {made!r}")
+    return replace(made, source=RobotSource.of("catalogue", None, options, name=str(name)))
+
+
+def _read(file: Path, options: Mapping[str, object]) -> Robot:
+    """The robot of a file, by its ending."""
+    read = Robot.from_urdf if file.suffix in (".urdf", ".xacro") else Robot.from_mjcf
+    return read(file, **options)  # type: ignore[arg-type]  # checked by these functions themselves
+
+
+def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
+    entry = CATALOG[name]
     folder = _descriptions() / entry.folder
     chosen: dict[str, object] = {
         "tool": entry.tool,
         "joints": None,
         "srdf": folder / entry.srdf if entry.srdf else None,
-        "name": str(name),
+        "name": name,
         "neutral": entry.neutral,
     }
     if "joints" in options or "tool" in options:
@@ -184,12 +319,14 @@ def load_robot(name: str | Path, **options: object) -> Robot:
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
-    robot = Robot.from_urdf(folder / entry.urdf, **robot_options)  # type: ignore[arg-type]  # checked by from_urdf itself
-    published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
-    published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
-    if published and robot_options["joints"] is None:
-        robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
-    return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=str(name)))
+    robot = _read(folder / entry.urdf, robot_options)
+    if robot_options["joints"] is None:
+        published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
+        published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
+        if published:
+            robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
+        robot = with_published_limits(robot, options)
+    return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=name))
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:

@@ -121,13 +121,3 @@ def frame_pose(model: pin.Model, name: str, q: Array) -> Array:
     data = model.createData()
     pin.framesForwardKinematics(model, data, q)
     return np.asarray(data.oMf[frame_index(model, name)].homogeneous)
-
-
-def leaf_bodies(model: pin.Model) -> list[str]:
-    """Names of the body frames that carry no further body."""
-    bodies = [i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY]
-    inner = set()
-    for frame in model.frames:
-        if frame.type in (pin.FrameType.JOINT, pin.FrameType.FIXED_JOINT):
-            inner.add(frame.parentFrame)
-    return [model.frames[i].name for i in bodies if i not in inner]

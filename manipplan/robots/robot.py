@@ -102,8 +102,9 @@ class Robot(Pictured):
 
         Args:
             file: the URDF or xacro file.
-            tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector of the
-                SRDF, or the only leaf.
+            tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector or the
+                chain of the SRDF, or the end of the only arm; where it ends in fingers or a jaw, the body that carries them,
+                so that their joints are locked. `robots.ends` has the rule, and the log says what was chosen.
             joints: the active joints, from base to tool. Default: all that move a tool. Joints that mimic another follow it;
                 it has to be locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
@@ -125,7 +126,8 @@ class Robot(Pictured):
             UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
             UnsupportedJointError: an active joint is a mimic, floating or planar joint, or another joint mimics it.
             MissingExtraError: the file is a xacro file, and the package xacro is not installed.
-            InvalidInputError: joints out of order, limits that are not positive, or a folder in `packages` that does not exist.
+            InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
+                limits that are not positive, or a folder in `packages` that does not exist.
         """
         places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
         files = replace(places, arguments=arguments or {}, trust_file=trust_file)
@@ -171,7 +173,7 @@ class Robot(Pictured):
             given |= vars(files)
         semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
         whole = read.model
-        tools = parts.choose_tools(whole, tool, semantic)
+        tools = parts.choose_tools(read, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
         active = parts.choose_joints(whole, tools, chain, joints, read.mimics)
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
@@ -247,12 +249,15 @@ class Robot(Pictured):
 
     @property
     def default_task(self) -> "Task":
-        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position()."""
-        from manipplan.symbolic.task import Task
+        """Task.planar() for a planar arm, Task.pose() from six joints on (per tool), otherwise Task.position().
 
-        if self.planar:
-            return Task.planar()
-        return Task.pose() if min(len(self.joints_of(tool)) for tool in self.tools) >= 6 else Task.position()
+        For an arm whose joints cannot make all these motions, such as one of two joints, it is the part that they span, if
+        that is fixed in the world or in the tool: x and y for a gantry of two slides. Otherwise the manipulability is
+        identically zero, and `plan` searches for the shortest path.
+        """
+        from manipplan.symbolic.spanned import default_task
+
+        return default_task(self)
 
     @property
     def self_collisions(self) -> "SelfCollisions":

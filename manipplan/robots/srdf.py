@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Semantics:
-    """Contents of an SRDF: the end effector, pairs that are not checked, and named states.
+    """Contents of an SRDF: the end effector, base and tip of each chain, pairs that are not checked, and named states.
 
     `states` holds name and joint values in the order of the file; groups of one robot may use the same name.
     """
 
     end_effector: str | None
+    chains: tuple[tuple[str, str], ...]
     disabled: frozenset[frozenset[str]]
     states: tuple[tuple[str, Mapping[str, float]], ...]
 
@@ -70,6 +71,7 @@ def read_srdf(file: Path) -> Semantics:
         states.append((called, values))
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
+        chains=tuple((str(chain.get("base_link")), str(chain.get("tip_link"))) for chain in root.findall("group/chain")),
         disabled=frozenset(disabled),
         states=tuple(states),
     )

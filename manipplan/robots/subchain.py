@@ -2,15 +2,16 @@
 
 import logging
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots import model_tree
+from manipplan.robots.description import Description
+from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.mimics import Mimic, follow
+from manipplan.robots.mimics import WORLD, Mimic, follow
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
@@ -18,27 +19,16 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError, Unsupp
 log = logging.getLogger("manipplan")
 
 
-def choose_tools(model: pin.Model, tool: str | Sequence[str] | None, semantic: Semantics | None) -> tuple[str, ...]:
-    """The tool frames: the given ones, the SRDF's end effector, or the only leaf."""
-    if not isinstance(tool, list | tuple):
-        return (_choose_tool(model, tool, semantic),)
-    if not tool:
+def choose_tools(read: Description, tool: str | Sequence[str] | None, semantic: Semantics | None) -> tuple[str, ...]:
+    """The given tool frames, or that which `robots.ends` finds."""
+    given = [default_tool(read, semantic)] if tool is None else list(tool) if isinstance(tool, list | tuple) else [tool]
+    if not given:
         raise InvalidInputError("tool", tool, "at least one frame")
-    return tuple(_choose_tool(model, each, None) for each in tool)
-
-
-def _choose_tool(model: pin.Model, tool: Any, semantic: Semantics | None) -> str:
-    bodies = [frame.name for frame in model.frames if frame.name != "universe"]
-    if tool is None and semantic is not None and semantic.end_effector is not None:
-        tool = semantic.end_effector
-    if tool is None:
-        leaves = model_tree.leaf_bodies(model)
-        if len(leaves) != 1:
-            raise InvalidInputError("tool", None, f"a frame name; the description has several ends: {', '.join(leaves[:8])}")
-        tool = leaves[0]
-    if tool not in bodies:
-        raise UnknownNameError("tool", str(tool), bodies)
-    return str(tool)
+    frames = [str(frame.name) for frame in read.model.frames if frame.name != WORLD]
+    for each in given:
+        if each not in frames:
+            raise UnknownNameError("tool", str(each), frames)
+    return tuple(map(str, given))
 
 
 def choose_joints(

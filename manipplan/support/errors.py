@@ -65,6 +65,19 @@ class MissingExtraError(ManipplanError, ImportError):
         return type(self), (self.package, self.extra)
 
 
+class RobotNotFetchedError(ManipplanError):
+    """The files of a robot of another collection are not on this machine and could not be fetched; `remedy` says what helps."""
+
+    def __init__(self, robot: str, reason: str, remedy: str) -> None:
+        self.robot = robot
+        self.reason = reason
+        self.remedy = remedy
+        super().__init__(f"{robot} could not be fetched: {_cut(reason, 400)}; {remedy}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.robot, self.reason, self.remedy)
+
+
 class MissingSourcesError(ManipplanError, ImportError):
     """Something is part of the sources only, not of the installed package."""
 

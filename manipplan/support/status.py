@@ -11,6 +11,10 @@ class Status(Enum):
 
     # paths between two configurations
     OPTIMAL = "optimal: the first-order conditions of a local optimum hold, and every check passed"
+    SHORTEST = (
+        "shortest: the manipulability does not count, as it is zero in every configuration of this arm or its measure is "
+        "constant; the first-order conditions of a locally shortest path hold, and every check passed"
+    )
     STOPPED_EARLY = (
         "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; start "
         "again from this path (Seeding.initial), raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
@@ -99,6 +103,7 @@ class Status(Enum):
 
 MET = (
     Status.OPTIMAL,
+    Status.SHORTEST,
     Status.STOPPED_EARLY,
     Status.IMPROVED,
     Status.FOLLOWED,

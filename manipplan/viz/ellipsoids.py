@@ -1,6 +1,7 @@
 """Ellipsoids of velocity, force and acceleration, in the plane and in space, alone and along a path."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton
 from manipplan.viz.space import LINES
@@ -77,8 +79,8 @@ def plot_ellipsoids(
     """Velocity ellipsoids at each tool, evenly spaced in the parameter of a motion, with the tool path.
 
     Args:
-        kinematics: of the robot; each tool has the ellipsoids of its own arm. A task of three rows gives ellipsoids, a task of
-            two rows ellipses in the x-y plane; for any other task the ellipsoids of the tool's linear velocity are drawn.
+        kinematics: of the robot; each tool has the ellipsoids of its own arm. A task of three rows gives ellipsoids,
+            Task.planar() ellipses in the x-y plane; for any other task the ellipsoids of the tool's linear velocity are drawn.
         path: a JointPath, Trajectory or Tracking.
         places: number of ellipsoids, at least 2.
         scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
@@ -90,10 +92,11 @@ def plot_ellipsoids(
     robot = instance("kinematics", kinematics, Kinematics).robot
     curve = joint_path("path", path, robot)
     task = kinematics.task
-    if task.rows in (2, 3) and task.relative_to is not None:
+    is_drawn = task.rows == 3 or replace(task, relative_to=None) == Task.planar()
+    if is_drawn and task.relative_to is not None:
         tools: Sequence[DrawnTool] = [DrawnTool(kinematics=kinematics, joints=tuple(range(robot.n)))]
     else:
-        tools = drawn_tools(robot, task if task.rows in (2, 3) else None)
+        tools = drawn_tools(robot, task if is_drawn else None)
     m = tools[0].kinematics.task.rows
     q, fine = (curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2), WAY))
     scale = default_scale(robot, tools, q) if scale is None else scale

@@ -44,9 +44,9 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
         figure.set_layout_engine("constrained")
         parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
         left, right = parts
-        title = (
-            f"{plan.robot.name}: {plan.trajectory.duration:.2f} s, minimum manipulability {plan.report.min_manipulability:.3g}"
-        )
+        title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s"
+        if plan.report.counts:
+            title += f", minimum manipulability {plan.report.min_manipulability:.3g}"
         left.suptitle(title, fontsize=11, x=0.02, ha="left")
         if plan.robot.planar:
             plot_planar_arm(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=left.subplots())

@@ -184,9 +184,8 @@ def test_unknown_frame_names_the_nearest(two_link_urdf):
         mp.Robot.from_urdf(two_link_urdf(), tool="tipp")
 
 
-def test_several_ends_ask_for_a_tool(two_link_urdf):
-    with pytest.raises(mp.InvalidInputError, match="several ends: tip, left, right"):
-        mp.Robot.from_urdf(two_link_urdf())
+def test_the_frame_beside_the_fingers_is_the_tool(two_link_urdf):
+    assert mp.Robot.from_urdf(two_link_urdf()).tool == "tip"
 
 
 @pytest.mark.parametrize(

@@ -188,7 +188,8 @@ def follow(
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
     if objective.task is None and has_few_joints(robot) and not robot.planar:
-        wanted = f"one with a task of at most {robot.n} rows, such as Task.position(): {robot.name} has {robot.n} joints"
+        such = ", such as Task.position()" * (robot.n >= 3)
+        wanted = f"one with a task of at most {robot.n} rows{such}: {robot.name} has {robot.n} joints"
         raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
     epsilon = check_epsilon(epsilon, robot.endless)

@@ -87,7 +87,7 @@ class TubeProgram:
         lam_f = ca.MX.sym("lam_f")
         parts = [
             *([self._limits(c, tau)] if self._bounds else []),
-            self._equal(tau),
+            *([self._equal(tau)] if weights.time > 0 else []),
             self._tube(c, poses, tube),
             *([self._least(c, least)] if least > 0 else []),
             *([self._clearance(c, rows)] if rows else []),
@@ -240,7 +240,7 @@ class TubeProgram:
         error = pose_error(kinematics)
         q, pose, radii = (ca.SX.sym(name, size) for name, size in (("q", self.limits.n), ("pose", 16), ("radii", 2)))
         rows = error(q, pose)
-        moves = 2 if kinematics.robot.planar else 3
+        moves = len(kinematics.free_motion.fixed_directions) - kinematics.robot.planar
         squares = [ca.sumsqr(rows[:moves]) * radii[0] ** 2]
         turns = rows.size1() > moves and np.isfinite(tube[:, 1]).any()
         if turns:

@@ -15,7 +15,7 @@ from manipplan.cost.crossings import describe, find_crossings, least_crossings, 
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.reports.report import PlanReport, Report, first_path
+from manipplan.jobs.reports.report import UNCOUNTED, PlanReport, Report, first_path
 from manipplan.jobs.reports.tool import tool_distances
 from manipplan.jobs.reports.tools import tool_figures
 from manipplan.optimize.result import PathResult
@@ -285,6 +285,8 @@ def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
         return "seed: the best paths among the samples; straight: a line between the ends, on which the tools leave the object"
     if result.status is Status.COMPOSED:
         return "seed: the same motions without blends; straight: a line between the ends"
+    if not found.counts:
+        return UNCOUNTED
     first = first_path(result.status.value)
     others = {first: result.seed_cost.min_manipulability, "straight path": straight}
     note = ", ".join(_compared(least, other, name) for name, other in others.items())

@@ -10,6 +10,7 @@ from manipplan.jobs.recordings.comparison import VANISHING, Comparison
 from manipplan.jobs.reports import along
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.tools import ToolFigure
+from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import existing_file
@@ -19,6 +20,9 @@ from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
+
+#: What stands in place of the minimum manipulability where it does not count.
+UNCOUNTED = "does not count: it is zero in every configuration, or the measure is constant; the shortest path was sought"
 
 
 @one_line
@@ -97,8 +101,7 @@ class Report:
         lines += [f"  failed       {fault}" for fault in self.faults]
         lines += [
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {shown(self.min_manipulability)}{self.unit} ({self.measure}), after "
-            f"{self.min_at * self.duration:.3f} s",
+            f"  minimum m    {f'{self._minimum()}, after {self.min_at * self.duration:.3f} s' if self.counts else UNCOUNTED}",
             f"  g            {self.g:.5g}, exponent {self.power:g}",
             f"  length       {self.length:.4g} rad",
             *self._measured(),
@@ -115,7 +118,17 @@ class Report:
     @property
     def summary(self) -> str:
         """Duration, minimum manipulability and verdict in a few words."""
-        return f"{self.duration:.3f} s, minimum m {shown(self.min_manipulability)}{self.unit}, {self._verdict()}"
+        least = f"minimum m {shown(self.min_manipulability)}{self.unit}" if self.counts else f"length {self.length:.4g}"
+        return f"{self.duration:.3f} s, {least}, {self._verdict()}"
+
+    @property
+    def counts(self) -> bool:
+        """Whether the manipulability counts: not with the constant measure, as for an arm where it is identically zero."""
+        return self.measure != Constant.name
+
+    def _minimum(self, others: str = "") -> str:
+        """The minimum manipulability with its measure."""
+        return f"{shown(self.min_manipulability)}{self.unit} ({self.measure}{others})"
 
     def _verdict(self) -> str:
         """The verdict at the end of the first line."""
@@ -201,15 +214,15 @@ class PlanReport(Report):
 
     def __str__(self) -> str:
         first = first_path(self.status)
-        others = f"{first} {shown(self.seed_min_manipulability)}, straight {shown(self.straight_min_manipulability)}"
+        others = f"; {first} {shown(self.seed_min_manipulability)}, straight {shown(self.straight_min_manipulability)}"
+        others += "" if self.straight_free else ", which collides"
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
             f"  status       {self.status}",
             *(f"  failed       {fault}" for fault in self.faults),
             f"  duration     {self.duration:.3f} s",
-            f"  minimum m    {shown(self.min_manipulability)}{self.unit} ({self.measure}; {others}"
-            f"{'' if self.straight_free else ', which collides'})",
-            f"               {self.minimum_note}",
+            f"  minimum m    {self._minimum(others) if self.counts else UNCOUNTED}",
+            *([f"               {self.minimum_note}"] if self.counts else []),
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
