@@ -5,7 +5,7 @@ variable MUJOCO_MENAGERIE). Writes docs/benchmarks/menagerie.md.
 
 A contact of MuJoCo is one at a distance of at most zero between geoms that an active joint moves relative to each other.
 MuJoCo takes the convex hull of a mesh, the library the mesh itself. So where MuJoCo alone finds a contact, the triangles of its
-compiled meshes decide, by coal, and by ray casting whether one is inside the other.
+compiled meshes decide, by coal, and by their solid angle whether one is inside the other.
 """
 
 import argparse
@@ -210,7 +210,13 @@ class Judge:
             points = self.mesh(a).vertices[:1]
         places = [(self.data.geom_xmat[each].reshape(3, 3), self.data.geom_xpos[each]) for each in (a, b)]
         world = points @ places[0][0].T + places[0][1]
-        return bool(self.mesh(b).contains((world - places[1][1]) @ places[1][0])[0])
+        corners = self.mesh(b).triangles - (world - places[1][1]) @ places[1][0]
+        first, second, third = np.moveaxis(corners, 1, 0)
+        lengths = np.linalg.norm(corners, axis=2)
+        volume = np.einsum("ij,ij->i", first, np.cross(second, third))
+        dots = [np.einsum("ij,ij->i", *pair) for pair in ((second, third), (first, third), (first, second))]
+        half = np.arctan2(volume, lengths.prod(axis=1) + sum(dots[i] * lengths[:, i] for i in range(3)))
+        return bool(abs(half.sum()) > np.pi)  # the solid angle of the whole surface, halved, is 2 pi inside and 0 outside
 
     def mesh(self, geom: int) -> trimesh.Trimesh:
         """The triangles of a geom's mesh, after compilation."""
