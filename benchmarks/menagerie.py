@@ -51,7 +51,7 @@ FILES: dict[str, dict[str, Any]] = {
     "franka_fr3_v2/fr3v2.xml": {},
     "google_robot/robot.xml": {},
     "hello_robot_stretch/stretch.xml": {"tool": "link_gripper_slider"},
-    "hello_robot_stretch_3/stretch.xml": {"tool": "link_gripper_s3_body"},
+    "hello_robot_stretch_3/stretch.xml": {"tool": "link_SG3_gripper_body"},
     "i2rt_yam/yam.xml": {},
     "kinova_gen3/gen3.xml": {},
     "kuka_iiwa_14/iiwa14.xml": {},

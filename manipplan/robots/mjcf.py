@@ -395,10 +395,12 @@ def _log_left_out(file: Path, mj: Any) -> None:
     """Name what MuJoCo has and the robot has not, in one line; a warning where it changes what the robot can do."""
     active = Counter(EQUALITIES[mj.eq_type[k]] for k in range(mj.neq) if mj.eq_active0[k])
     constraints = [f"{count} <{kind}> of <equality>" for kind, count in active.items() if kind != "joint"]
-    constraints += list(_counted(mj, (("ntendon", "tendon"), ("nflex", "flex"), ("nskin", "skin"), ("nplugin", "plugin"))))
+    limited = int(np.count_nonzero(mj.tendon_limited))
+    constraints += [f"limits of {limited} tendon{'s' * (limited > 1)}"] * bool(limited)
     free = [_body_names(mj)[k] for k in range(1, mj.nbody) if _is_free(mj, k)]
     others = [f"the free joint of {each}, which stays where it is" for each in free]
-    others += list(_counted(mj, (("nu", "actuator"), ("nkey", "keyframe"))))
+    kinds = (("ntendon", "tendon"), ("nflex", "flex"), ("nskin", "skin"), ("nplugin", "plugin"))
+    others += list(_counted(mj, (*kinds, ("nu", "actuator"), ("nkey", "keyframe"))))
     others += ["gravcomp"] if np.any(mj.body_gravcomp) else []
     others += ["contact=disable"] if _flag(mj, "mjDSBL_CONTACT") else []
     if constraints or others:

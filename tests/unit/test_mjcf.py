@@ -504,25 +504,38 @@ def nested(count, depth):
     return f'<replicate count="{count}">' * depth + '<geom size=".1"/>' + "</replicate>" * depth
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "bomb",
-    [
-        nested(1_000_000, 1),
-        nested(100, 6),
-        '<body name="x"><joint/><geom size=".1"/></body>' * 1001,
-        '<geom size=".1"/>' * 1001,
-    ],
-    ids=["replicate", "nested", "bodies", "geoms"],
-)
+REFUSALS = {
+    "replicate": (nested(1_000_000, 1), "at most 100000 elements, and more than that .*replicate"),
+    "nested": (nested(100, 6), "at most 100000 elements"),
+    "included": ('<include file="many.xml"/>', "at most 100000 elements"),
+    "bodies": (
+        '<body><joint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body>' * 1001,
+        "at most 1000 joints and bodies, not 1001 and 1001",
+    ),
+    "geoms": ('<geom size=".1"/>' * 1001, "at most 1000 colliding geoms, not 1001"),
+}
+
+
+@pytest.mark.parametrize("bomb", REFUSALS)
 @pytest.mark.parametrize("read", [mp.Robot.from_mjcf, mp.Scene.from_mjcf], ids=["robot", "scene"])
-def test_bombs(written, monkeypatch, bomb, read):
-    monkeypatch.setattr(mjcf_files, "PROCESSOR", 20)
-    file = written(f"<mujoco><worldbody>{bomb}</worldbody></mujoco>")
-    if read == mp.Scene.from_mjcf and "replicate" not in bomb:
-        pytest.skip("obstacles may be many")
-    with pytest.raises(mp.FileFormatError, match="MuJoCo|at most 1000"):
+def test_bombs(written, bomb, read):
+    text, message = REFUSALS[bomb]
+    written(f"<mujoco>{nested(1000, 2)}</mujoco>", "many.xml")
+    file = written(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    if read == mp.Scene.from_mjcf and bomb in ("bodies", "geoms"):
+        return  # obstacles may be many
+    with pytest.raises(mp.FileFormatError, match=message):
         read(file)
+
+
+@pytest.mark.slow
+def test_what_takes_too_long(written, monkeypatch):
+    """What no count foresees ends at a limit of processor time."""
+    monkeypatch.setattr(mjcf_files, "MOST_ELEMENTS", 10**12)
+    monkeypatch.setattr(mjcf_files, "PROCESSOR", 3)
+    file = written(f"<mujoco><worldbody>{nested(1_000_000, 1)}</worldbody></mujoco>")
+    with pytest.raises(mp.FileFormatError, match="takes MuJoCo more than 3 s"):
+        mp.Robot.from_mjcf(file)
 
 
 @pytest.mark.parametrize(
@@ -615,8 +628,9 @@ def test_what_is_drawn(arm):
 
 
 def numbers(low, high, count):
+    """Millimetres: MuJoCo takes offsets below a micrometre for none."""
     return st.lists(st.floats(low, high, width=32), min_size=count, max_size=count).map(
-        lambda all_: " ".join(f"{each:.6g}" for each in all_)
+        lambda all_: " ".join(f"{each:.3f}" for each in all_)
     )
 
 

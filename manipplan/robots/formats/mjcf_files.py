@@ -1,7 +1,7 @@
 """Compiles MJCF files by MuJoCo, in a process of its own: a file from outside can take all memory or end the process.
 
 MuJoCo expands a few lines into millions of bodies (`<replicate>`), prints warnings and writes a log into the working directory.
-So the file is compiled under limits of memory and time, and this process reads the finished model.
+So repetitions are counted first, the file is compiled under limits of memory and time, and this process reads the model.
 """
 
 import importlib.util
@@ -12,10 +12,11 @@ import signal
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
-from manipplan.robots.formats.xml_files import LARGEST, read_xml
+from manipplan.robots.formats.xml_files import LARGEST, bounded_xml, numbers, read_xml
 from manipplan.support.errors import FileFormatError, MissingExtraError
 from manipplan.support.processes import commands
 from manipplan.support.untrusted import printable
@@ -26,6 +27,8 @@ log = logging.getLogger("manipplan")
 PROCESSOR, TIME_LIMIT = 20, 120.0
 #: Largest memory of that process, and largest model [bytes].
 MEMORY, WRITTEN = 4 * 2**30, 2**30
+#: Largest number of elements after repetitions: MuJoCo takes minutes for a million.
+MOST_ELEMENTS = 100_000
 #: Numbers of a model that are checked, by the kind of element that they belong to.
 CHECKED = {
     "body": ("body_pos", "body_quat", "body_ipos", "body_iquat"),
@@ -42,11 +45,11 @@ def compile_mjcf(file: Path) -> Any:
         MissingExtraError: MuJoCo is not installed.
         FileFormatError: MuJoCo cannot read the file, needs too much memory or time for it, or a number in it is too large.
     """
-    read_xml("file", file, "mujoco")
+    _check_size(file, read_xml("file", file, "mujoco"))
     if importlib.util.find_spec("mujoco") is None:
         raise MissingExtraError("mujoco", "mujoco")
     with tempfile.TemporaryDirectory() as folder:
-        request = {"file": str(file.expanduser().absolute()), "path": commands.search_path()}
+        request = {"file": str(file.expanduser().absolute()), "path": commands.search_path(), "processor": PROCESSOR}
         Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
         try:
             run = commands.run_module(__name__, folder, limit=TIME_LIMIT)
@@ -75,7 +78,7 @@ def main(folder: str) -> None:
     """Compile the file of `request.json` in `folder` into `model.mjb`; `answer.json` gets an error, if there is one."""
     request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
     sys.path[:] = request["path"]
-    commands.set_limits(memory=MEMORY, written=WRITTEN, processor=PROCESSOR)
+    commands.set_limits(memory=MEMORY, written=WRITTEN, processor=request["processor"])
     os.chdir(folder)  # for MuJoCo's log
     Path(folder, "answer.json").write_text(json.dumps(_compiled(request["file"])), encoding="utf-8")
 
@@ -93,6 +96,25 @@ def _compiled(file: str) -> dict[str, str]:
     except Exception as error:
         return {"error": " ".join(str(error).split()) or type(error).__name__}
     return {}
+
+
+def _check_size(file: Path, root: ET.Element) -> None:
+    """Raise FileFormatError where `<replicate>` makes too many elements, those of included files counted."""
+    included = {file.absolute()}
+
+    def count(element: ET.Element) -> int:
+        inner = [*element]
+        if element.tag == "include":
+            path = (file.parent / element.get("file", "")).absolute()
+            if path not in included and path.is_file():  # MuJoCo includes a file once
+                included.add(path)
+                inner += [*bounded_xml("file", path)]
+        repeated = numbers(element.get("count"), 1) if element.tag == "replicate" else None
+        return int(max(1.0, repeated[0] if repeated else 1.0)) * (1 + sum(map(count, inner)))
+
+    found = count(root)
+    if found > MOST_ELEMENTS:
+        raise _fault(file, f"at most {MOST_ELEMENTS} elements, and more than that stand in it once <replicate> is expanded")
 
 
 def _read(file: Path) -> Any:
