@@ -153,17 +153,15 @@ class Judge:
         """The library's name of each colliding geom, and its link, found by the place of the geom in its body's list."""
         found, bodies = {}, Counter[int]()
         own = {item.name: robot.link_of(item) for item in robot.geometry.geometryObjects}
+        paired = {*self.model.pair_geom1.tolist(), *self.model.pair_geom2.tolist()}
         for k in range(self.model.ngeom):
-            body = int(self.model.geom_bodyid[k])
-            name = self.model.geom(k).name
+            if not (self.model.geom_contype[k] or self.model.geom_conaffinity[k] or k in paired):
+                continue
+            body, name = int(self.model.geom_bodyid[k]), self.model.geom(k).name
             if not name:
                 name = f"{self.model.body(body).name}_{bodies[body]}"
-                if name in own:
-                    bodies[body] += 1
-            if name in own and (
-                self.model.geom_contype[k] or self.model.geom_conaffinity[k] or name == self.model.geom(k).name
-            ):
-                found[k] = name, own[name]
+                bodies[body] += 1
+            found[k] = name, own[name]
         return found
 
     def place(self, q: np.ndarray) -> None:
@@ -326,14 +324,13 @@ def plan(row: Row, robot: mp.Robot, judge: Judge, rng: np.random.Generator, seed
     row.statuses[made.status.name] += 1
     if made.path is None or not made.report.passed:
         return
-    worst: dict[str, float] = {}
+    kinds = set[str]()
     for q in made.path(made.path.fine_samples(STEP)):
         for kind, pair, depth in judge.contacts(q):
-            worst[kind] = max(worst.get(kind, 0.0), depth)
+            kinds.add(kind)
             if kind == OTHER:
                 row.notes.append(f"on a plan, {described(judge, pair, depth)}")
-    row.contacts.update(worst)
-    row.contacts.subtract({each: worst[each] - 1 for each in worst})  # plans, not depths
+    row.contacts.update(kinds)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
