@@ -58,7 +58,7 @@ pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
 # The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := manipplan/collision/distances manipplan/collision/look manipplan/collision/body_motion manipplan/paths/curves manipplan/optimize/descents/steps \
+KERNELS := manipplan/collision/distances manipplan/collision/surfaces/winding manipplan/collision/look manipplan/collision/body_motion manipplan/paths/curves manipplan/optimize/descents/steps \
     manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star manipplan/timing/barrier manipplan/ik/inverse \
     manipplan/search/sweep manipplan/search/restarts
 kernel: $(KERNELS:=.ll)
@@ -104,6 +104,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/collision_shapes.py
+	$(BIN)/python benchmarks/fixed_bodies.py
+	$(BIN)/python benchmarks/catalogue_arms.py
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 

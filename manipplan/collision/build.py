@@ -13,9 +13,9 @@ from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
 from manipplan.robots.attached import number_names
-from manipplan.robots.hulls import convex_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 
@@ -139,12 +139,13 @@ def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[s
     Also by how much each piece is known to stick out of its mesh [m].
     """
     geometry = pin.GeometryModel()
-    origins, excess = [], {}
+    origins, excess, total = [], {}, robot.geometry.ngeoms
     for origin, item in enumerate(robot.geometry.geometryObjects):
         shapes, out = [item.geometry], [0.0]
         if isinstance(item.geometry, coal.BVHModelBase):
-            pieces = find_or_cut(mesh_triangles(item.geometry))
-            shapes, out = [convex_hull(piece.corners) for piece in pieces], [piece.excess for piece in pieces]
+            with logged_when_slow(f"convex pieces of the mesh of {item.name}, body {origin + 1} of {total}, once per machine"):
+                pieces = find_or_cut(mesh_triangles(item.geometry))
+            shapes, out = [piece.hull.shape() for piece in pieces], [piece.excess for piece in pieces]
         for name, shape, beyond in zip(number_names(item.name, len(shapes)), shapes, out, strict=True):
             geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape))
             origins.append(origin)

@@ -73,14 +73,10 @@ class CollisionModel:
         self.links = links
         self.contacts = contacts
         objects = geometry.geometryObjects
-        self.pair_names = tuple((objects[p.first].name, objects[p.second].name) for p in geometry.collisionPairs)
-        self._data = robot.model.createData()
-        self._geometry_data = pin.GeometryData(geometry)
-        for k in range(len(geometry.collisionPairs)):  # Pinocchio's requests start at the last answer, which changes the next
-            self._geometry_data.distanceRequests[k] = coal.DistanceRequest(True)
-            self._geometry_data.distanceRequests[k].gjk_tolerance = GJK_TOLERANCE
-            self._geometry_data.collisionRequests[k] = coal.CollisionRequest()
         pairs = [(p.first, p.second) for p in geometry.collisionPairs]
+        names = [item.name for item in objects]
+        self.pair_names = tuple((names[i], names[j]) for i, j in pairs)
+        self._data = robot.model.createData()
         self._radii = np.array([radii.get(i, 0.0) + radii.get(j, 0.0) for i, j in pairs])
         carriers = np.array([item.parentJoint for item in objects], dtype=np.int64)
         self._bodies = np.array([(j, i) if carriers[i] == 0 else (i, j) for i, j in pairs], dtype=np.int64).reshape(-1, 2)
@@ -98,6 +94,16 @@ class CollisionModel:
         most = 1e3 * max(self.excess.values(), default=0.0)
         counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pair_names)} pairs"
         return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"
+
+    @cached_property
+    def _geometry_data(self) -> pin.GeometryData:
+        """Coal's working data, made where it is first asked."""
+        data = pin.GeometryData(self.geometry)
+        for k in range(len(self.pair_names)):  # Pinocchio's requests start at the last answer, which changes the next
+            data.distanceRequests[k] = coal.DistanceRequest(True)
+            data.distanceRequests[k].gjk_tolerance = GJK_TOLERANCE
+            data.collisionRequests[k] = coal.CollisionRequest()
+        return data
 
     @cached_property
     def _kernel(self) -> DistanceKernel | None:

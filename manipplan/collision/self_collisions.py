@@ -35,7 +35,8 @@ class LinkPair:
     contact: float
 
     def __str__(self) -> str:
-        state = f"touching at {self.contact:.0%} of {SAMPLES + 1} configurations" if self.contact > 0 else "checked"
+        touching = f"touching at {round(self.contact * (SAMPLES + 1))} of {SAMPLES + 1} configurations"
+        state = touching if self.contact > 0 else "checked"
         return f"{self.first} - {self.second}: {self.reason if not self.checked else state}"
 
 
@@ -86,8 +87,8 @@ class SelfCollisions:
 
         Args:
             file: the file to write, completely or not at all. `srdf=` of `load_robot` reads it.
-            touching: links that touch in at least this share of random configurations are disabled as well, because they overlap
-                by their shape. Look at them first: `print(robot.self_collisions)` lists them at the top.
+            touching: links that touch in at least this share of random configurations are disabled as well. Look at them first:
+                `print(robot.self_collisions)` lists them at the top.
 
         Raises InvalidInputError when the file cannot be written, or `touching` is not in (0, 1].
         """
@@ -107,7 +108,7 @@ class SelfCollisions:
         return len(self.pairs)
 
     def __repr__(self) -> str:
-        return f"SelfCollisions({self.robot.name!r}, {len(self.checked)} pairs checked, {len(self.left_out)} left out)"
+        return f"SelfCollisions({self.robot.name!r}, {len(self.checked)} checked, {len(self.left_out)} left out)"
 
     def __str__(self) -> str:
         touching = [f"  {pair}" for pair in self.checked if pair.contact > 0]

@@ -9,7 +9,7 @@ import numpy as np
 from manipplan.kinematics.instructions import SINE_COSINE, Instruction, instructions
 from manipplan.support.checks import Array
 from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.patience import told_when_slow
+from manipplan.support.compiling.patience import logged_when_slow
 
 #: Functions of the C library, with their numbers of arguments.
 LIBRARY = {
@@ -78,7 +78,7 @@ class JitKernel:
     """A kernel, as `manipplan.kinematics.batch.Kernel`, of one Function."""
 
     def __init__(self, function: ca.Function) -> None:
-        with told_when_slow(f"{function.name()}, by LLVM in each process"):
+        with logged_when_slow(f"compiling {function.name()}, by LLVM in each process"):
             self._engine = compiled_by_llvm(kernel_text(function))  # the code lives as long
         address = self._engine.get_function_address("kernel")
         self._call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)(address)

@@ -4,6 +4,7 @@ Qhull computes each hull in a cube of edge 1. Coal only takes the result: its ow
 1e17, and it lists at most 254 neighbours of a corner, fewer than the tip of a fine cone has.
 """
 
+from dataclasses import dataclass
 from typing import Any
 
 import coal
@@ -32,44 +33,57 @@ def has_hull(corners: Array) -> bool:
     return bool(sides.min() > max(FLAT * sides.max(), 1e-9)) and _qhull(corners) is not None
 
 
-def has_few_neighbours(corners: Array) -> bool:
-    """Whether coal takes the hull of corners (k, 3) [m] for which `has_hull` is true."""
-    return _most_neighbours(_qhull(corners)) <= MOST_NEIGHBOURS
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Hull:
+    """A convex body: its corners (k, 3) [m], and the indices (t, 3) of those of each triangle, which faces outward."""
+
+    corners: Array
+    faces: NDArray[np.int64]
+
+    @property
+    def triangles(self) -> Array:
+        """Corners (t, 3, 3) of its triangles [m]."""
+        return np.asarray(self.corners[self.faces])
+
+    @property
+    def fits_coal(self) -> bool:
+        """Whether no corner has more neighbours than coal takes: it has as many as triangles around it."""
+        return bool(np.bincount(self.faces.ravel()).max() <= MOST_NEIGHBOURS)
+
+    def shape(self) -> coal.Convex:
+        """The body for coal; `fits_coal` has to be true."""
+        points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+        points.extend(self.corners)
+        triangles.extend(coal.Triangle(*each) for each in self.faces.tolist())
+        return coal.Convex(points, triangles)
 
 
-def convex_hull(corners: Array) -> coal.Convex:
-    """The hull of corners (k, 3) [m] for which `has_hull` and `has_few_neighbours` are true."""
-    hull = _qhull(corners)
-    number = np.full(len(corners), -1)
+def convex_hull(points: Array) -> Hull:
+    """The hull of points (k, 3) [m] for which `has_hull` is true."""
+    hull = _qhull(points)
+    number = np.full(len(points), -1)
     number[hull.vertices] = np.arange(len(hull.vertices))
-    points, faces = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
-    points.extend(corners[hull.vertices])
-    faces.extend(coal.Triangle(*each) for each in number[_outward(hull)].tolist())
-    return coal.Convex(points, faces)
+    faces = hull.simplices.copy()
+    a, b, c = (hull.points[faces[:, k]] for k in range(3))
+    inward = np.einsum("ti,ti->t", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    return Hull(corners=points[hull.vertices], faces=number[faces])
 
 
-def hull_triangles(corners: Array) -> Array:
-    """Triangles (t, 3, 3) of the hull of corners (k, 3) [m] for which `has_hull` is true; they face outward."""
-    return np.asarray(corners[_outward(_qhull(corners))])
+def outer_hull(points: Array) -> Hull:
+    """A convex body that coal takes and that contains points (k, 3) [m] for which `has_hull` is true.
 
-
-def outer_corners(corners: Array) -> Array:
-    """Corners (c, 3) whose hull contains that of corners (k, 3) [m] with a volume, and which coal takes as one body.
-
-    These are the corners of the hull itself, unless a corner has too many neighbours, or half as many corners do that stick out
-    by less than SLACK.
+    It is their hull, unless a corner of that has too many neighbours, or half as many corners stick out by less than SLACK.
     """
-    hull = _qhull(corners)
-    own = corners[hull.vertices]
-    fits = _most_neighbours(hull) <= MOST_NEIGHBOURS
-    if fits and len(own) <= FEW:
-        return np.asarray(own)
-    most = len(own) // 2 if fits else MOST_NEIGHBOURS
-    slack = SLACK
-    while (found := _few_planes(hull, most, slack)) is None and not fits:
+    exact = convex_hull(points)
+    if exact.fits_coal and len(exact.corners) <= FEW:
+        return exact
+    hull, slack = _qhull(exact.corners), SLACK
+    most = len(exact.corners) // 2 if exact.fits_coal else MOST_NEIGHBOURS
+    while (found := _few_planes(hull, most, slack)) is None and not exact.fits_coal:
         slack *= 2
-    low, size = corners.min(axis=0), float(np.ptp(corners, axis=0).max())
-    return np.asarray(own if found is None else low + size * found)
+    low, size = exact.corners.min(axis=0), float(np.ptp(exact.corners, axis=0).max())
+    return exact if found is None else convex_hull(low + size * found)
 
 
 def _few_planes(hull: Any, most: int, slack: float) -> Array | None:
@@ -92,21 +106,9 @@ def _few_planes(hull: Any, most: int, slack: float) -> Array | None:
         far = np.unique(beyond.argmax(axis=1)[beyond.max(axis=1) > slack])
         if not len(far):
             return np.asarray(corners)
+        if len(chosen) + len(far) > most:  # these planes have about twice as many corners
+            return None
         chosen = np.concatenate([chosen, faces[far]])
-
-
-def _most_neighbours(hull: Any) -> int:
-    """The largest number of neighbours of a corner: as many as triangles around it."""
-    return int(np.bincount(hull.simplices.ravel()).max())
-
-
-def _outward(hull: Any) -> NDArray[np.int64]:
-    """Indices (t, 3) of the corners of each triangle of a hull, in the order in which it faces outward."""
-    triangles = hull.simplices.copy()
-    a, b, c = (hull.points[triangles[:, k]] for k in range(3))
-    inward = np.einsum("ti,ti->t", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
-    triangles[inward] = triangles[inward][:, ::-1]
-    return np.asarray(triangles)
 
 
 def _qhull(corners: Array) -> Any:

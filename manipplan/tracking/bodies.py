@@ -110,7 +110,7 @@ class Bodies:
 def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]:
     """Ends and radius of capsules that contain a shape, in its own frame."""
     if isinstance(shape, coal.BVHModelBase):  # around the convex pieces that a plan is checked with
-        corners = [piece.corners for piece in find_or_cut(mesh_triangles(shape))]
+        corners = [piece.hull.corners for piece in find_or_cut(mesh_triangles(shape))]
     else:
         points, radius = core_of(shape)
         if len(points) <= 2:

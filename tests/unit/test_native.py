@@ -11,7 +11,7 @@ import pytest
 
 from manipplan.support.compiling import native, patience
 from manipplan.support.compiling.native import NativeCode, compile_ahead, native_code, needed_code
-from manipplan.support.compiling.patience import told_when_slow
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import CompilerError
 
 
@@ -33,10 +33,10 @@ def slow_builds(monkeypatch):
 def test_a_long_build_is_told_about_once(monkeypatch, caplog):
     monkeypatch.setattr(patience, "PATIENCE", 0.02)
     with caplog.at_level(logging.INFO, logger=patience.log.name):
-        with told_when_slow("inverse kinematics"):
+        with logged_when_slow("compiling inverse kinematics"):
             time.sleep(0.1)
         monkeypatch.setattr(patience, "PATIENCE", 10.0)
-        with told_when_slow("something short"):
+        with logged_when_slow("something short"):
             pass
     assert [record.getMessage() for record in caplog.records] == ["... compiling inverse kinematics"]
 

@@ -15,7 +15,7 @@ def in_some_piece(points, pieces, margin=1e-7):
     """Whether each point (k, 3) lies in one of the pieces."""
     inside = np.zeros(len(points), dtype=bool)
     for piece in pieces:
-        planes = ConvexHull(piece.corners).equations
+        planes = ConvexHull(piece.hull.corners).equations
         inside |= (points @ planes[:, :3].T + planes[:, 3] <= margin).all(axis=1)
     return inside
 
@@ -81,11 +81,11 @@ def test_excess_is_what_sticks_out():
     pieces = convex_pieces(ell)
     assert 1 < len(pieces) <= MOST_PIECES and max(piece.excess for piece in pieces) <= 5 * GOOD
     whole = ConvexHull(ell.reshape(-1, 3)).volume
-    assert sum(ConvexHull(piece.corners).volume for piece in pieces) < 0.5 * whole
+    assert sum(ConvexHull(piece.hull.corners).volume for piece in pieces) < 0.5 * whole
 
 
 def test_a_flat_mesh_gets_a_little_thickness():
     square = np.array([[[0, 0, 0], [0.2, 0, 0], [0, 0.2, 0]], [[0.2, 0, 0], [0.2, 0.2, 0], [0, 0.2, 0]]], dtype=float)
     [piece] = convex_pieces(square)
     assert in_some_piece(square.reshape(-1, 3), [piece]).all()
-    assert 0 < np.ptp(piece.corners[:, 2]) < 1e-3
+    assert 0 < np.ptp(piece.hull.corners[:, 2]) < 1e-3

@@ -344,7 +344,7 @@ def test_inscribed_balls_are_inside_and_large(rng):
     for _ in range(20):
         points = rng.normal(size=(30, 3)) * rng.uniform(0.02, 0.2, 3) + rng.normal(size=3)
         place = pin.SE3.Random()
-        ball = inscribed_ball(pin.GeometryObject("hull", 0, 0, place, convex_hull(points)))
+        ball = inscribed_ball(pin.GeometryObject("hull", 0, 0, place, convex_hull(points).shape()))
         faces = ConvexHull(points).equations
         inside = -(faces[:, :3] @ place.actInv(ball.centre) + faces[:, 3])
         assert 0 < ball.radius <= inside.min()

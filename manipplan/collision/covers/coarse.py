@@ -51,7 +51,7 @@ class Hull(Obstacle):
     shape_name = "piece"
 
     def parts(self) -> list[Part]:
-        return [Part(shape=convex_hull(self.corners))]
+        return [Part(shape=convex_hull(self.corners).shape())]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

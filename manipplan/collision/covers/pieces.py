@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import has_hull, hull_triangles, outer_corners
+from manipplan.robots.hulls import Hull, has_hull, outer_hull
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -39,11 +39,11 @@ class Piece:
     """A convex piece of a mesh.
 
     Attributes:
-        corners: (k, 3) corners of its hull [m].
+        hull: what it fills.
         excess: the farthest that it sticks out of the mesh at the points where that was measured [m].
     """
 
-    corners: Array
+    hull: Hull
     excess: float
 
 
@@ -64,7 +64,7 @@ def convex_pieces(triangles: Array) -> list[Piece]:
             inner = mesh.inner_corners(cuts)
             if len(side) or len(inner) > 3:
                 open_pieces.append(_Part(mesh, side, inner, cuts))
-    return [Piece(corners=part.corners, excess=part.excess) for part in [*done, *open_pieces]]
+    return [Piece(hull=part.hull, excess=part.excess) for part in [*done, *open_pieces]]
 
 
 class _Part:
@@ -76,14 +76,14 @@ class _Part:
         if not has_hull(points):
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
             points = (points[:, None] + box).reshape(-1, 3)
-        self.corners = outer_corners(points)
-        self.excess, self._worst = mesh.excess(hull_triangles(self.corners), cuts)
+        self.hull = outer_hull(points)
+        self.excess, self._worst = mesh.excess(self.hull.triangles, cuts)
 
     def best_cut(self) -> Plane | None:
         """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut."""
         points = subdivide(self.triangles).mean(axis=1)
         points = np.concatenate(
-            [points[:: 1 + len(points) // MOST_POINTS], self.corners[:: 1 + len(self.corners) // MOST_POINTS]]
+            [points[:: 1 + len(points) // MOST_POINTS], self.hull.corners[:: 1 + len(self.hull.corners) // MOST_POINTS]]
         )
         axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
         best, least = None, np.inf

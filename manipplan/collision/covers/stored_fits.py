@@ -60,8 +60,12 @@ def find_or_cut(triangles: Array) -> list[pieces.Piece]:
     if stored is not None:
         return stored
     found = pieces.convex_pieces(triangles)
-    rows = [np.column_stack([each.corners, np.tile([k, each.excess], (len(each.corners), 1))]) for k, each in enumerate(found)]
-    plain = np.concatenate(rows).tobytes()
+    plain = b"".join(
+        np.array([len(each.hull.corners), len(each.hull.faces), each.excess]).tobytes()
+        + each.hull.corners.tobytes()
+        + each.hull.faces.astype(float).tobytes()
+        for each in found
+    )
     try:
         write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
     except InvalidInputError as error:
@@ -78,9 +82,16 @@ def _read_pieces(file: Path) -> list[pieces.Piece] | None:
     if hashlib.sha256(stored[32:]).digest() != stored[:32]:
         log.debug("%s is made again", file)
         return None
-    rows = np.frombuffer(stored[32:]).reshape(-1, 5)  # a corner, the number of its piece, and the excess of that piece
-    split = np.split(rows, np.flatnonzero(np.diff(rows[:, 3])) + 1)
-    return [pieces.Piece(corners=each[:, :3], excess=float(each[0, 4])) for each in split]
+    numbers, found = np.frombuffer(stored[32:]), []
+    while len(numbers):
+        corners, faces, excess = int(numbers[0]), int(numbers[1]), float(numbers[2])
+        ends = np.cumsum([3, 3 * corners, 3 * faces])
+        hull = hulls.Hull(
+            corners=numbers[ends[0] : ends[1]].reshape(-1, 3), faces=numbers[ends[1] : ends[2]].reshape(-1, 3).astype(np.int64)
+        )
+        found.append(pieces.Piece(hull=hull, excess=excess))
+        numbers = numbers[ends[2] :]
+    return found
 
 
 def _key(triangles: Array) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 
 from manipplan.collision.formats.mesh_files import read_mesh
 from manipplan.collision.surfaces.shells import Faces, Shell, connected_parts, merged_corners, shells
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_few_neighbours, has_hull, hull_triangles
+from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
@@ -71,8 +71,8 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
         if not has_hull(corners):
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
-        fits = has_few_neighbours(corners)
-        hulls.append((convex_hull(corners) if fits else triangle_tree(*merged_corners(hull_triangles(corners))), True))
+        hull = convex_hull(corners)
+        hulls.append((hull.shape() if hull.fits_coal else triangle_tree(hull.corners, hull.faces), True))
     if not hulls:
         raise InvalidInputError(
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
@@ -96,7 +96,7 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
     if not shell.closed:
         return None
     corners, _ = merged_corners(shell.triangles)
-    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners) or not has_few_neighbours(corners):
+    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners):
         return None
     from scipy.spatial import ConvexHull
 
@@ -113,7 +113,8 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
         heights = middles[at : at + step] @ hull.equations[:, :3].T + hull.equations[:, 3]
         if heights.max(axis=1).min() < -dent:
             return None
-    return convex_hull(corners)
+    outer = convex_hull(corners)
+    return outer.shape() if outer.fits_coal else None
 
 
 def _is_clearly_concave(triangles: Array, corners: Array) -> bool:

@@ -22,7 +22,7 @@ from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
-from manipplan.support.compiling.patience import told_when_slow
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes.commands import run
@@ -141,7 +141,7 @@ def load_library(
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
     file = folder / f"{_key(source, compiler.command, flags)}.so"
-    with _announced(subject) if announce else told_when_slow(subject):
+    with _announced(subject) if announce else logged_when_slow(f"compiling {subject}"):
         _build(file, source, compiler, flags, language, subject)
     try:
         return load(file)

@@ -14,7 +14,7 @@ from typing import Any
 
 from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.patience import told_when_slow
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import CompilerError
 
 log = logging.getLogger("manipplan")
@@ -69,7 +69,7 @@ def _compiled(source: Path, subject: str) -> NativeCode | None:
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
-        with told_when_slow(f"{subject}, by LLVM in each process"):
+        with logged_when_slow(f"compiling {subject}, by LLVM in each process"):
             engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
     except RuntimeError as error:
         log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
