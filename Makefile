@@ -106,6 +106,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/collision_shapes.py
 	$(BIN)/python benchmarks/fixed_bodies.py
 	$(BIN)/python benchmarks/catalogue_arms.py
+	$(if $(MUJOCO_MENAGERIE),$(BIN)/python benchmarks/menagerie.py)
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 
