@@ -48,7 +48,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.manipulability import FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.manipulability import Constant, FrobeniusNorm, Isotropy, LogDet, Yoshikawa
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.over_tools import OverTools
@@ -83,6 +83,7 @@ from manipplan.support.errors import (
     MissingExtraError,
     MissingProgramError,
     MissingSourcesError,
+    OutOfReachError,
     PlanningError,
     RobotNotFetchedError,
     UnknownNameError,
@@ -119,6 +120,7 @@ __all__ = [
     "CompilerWarning",
     "Completeness",
     "ConditionNumber",
+    "Constant",
     "Constraint",
     "ConstraintFigure",
     "Controller",
@@ -160,6 +162,7 @@ __all__ = [
     "NoPath",
     "Obstacle",
     "OtherGoal",
+    "OutOfReachError",
     "OverTools",
     "PartialPlan",
     "PathClearance",

@@ -49,6 +49,8 @@ OUT = 0.1
 LONG = 0.1
 #: Number of places of the path at which that is measured.
 PLACES = 2000
+#: Number of places at which it is looked whether a path is singular everywhere.
+ALONG = 25
 
 
 @one_line
@@ -95,11 +97,14 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
 
     With as many joints as task rows they are the places where a factor of det J, or det J itself where its factors are not
     known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
-    goal comes besides. Two factors that vanish at one place count as two crossings.
+    goal comes besides. Two factors that vanish at one place count as two crossings. A path that is singular everywhere crosses
+    none.
     """
     kinematics = integral.kinematics
     ends = {s: path(np.array([s])) for s in (0.0, 1.0)}
     ends = {s: q for s, q in ends.items() if _loses_rank(kinematics, q)}
+    if len(ends) == 2 and all(_loses_rank(kinematics, each[None]) for each in path(np.linspace(0.0, 1.0, ALONG))):
+        return ()
     sides = sides_of(kinematics)
     if sides is not None:
         found = _sign_changes(path, sides)

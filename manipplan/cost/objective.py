@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.cost.floor import floor_of, warn_of_floor
@@ -18,6 +19,9 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.spanned import is_always_singular
 from manipplan.symbolic.task import Task
 
+#: Number of random configurations in which joints that do not move the tool are looked for, and the largest entry of their
+#: columns of the Jacobian, as a share of the largest of all.
+POSTURES, IDLE = 50, 1e-9
 #: Maximum exponent of m.
 MOST_POWER = 100.0
 
@@ -88,6 +92,25 @@ def check_task(kinematics: Kinematics) -> None:
         rows = f"at most {n} row{'s' * (n > 1)}; with more rows than joints the manipulability is identically zero"
         remedy = 'leave task out for the motions that the joints span, or take measure="constant" for the shortest path'
         raise InvalidInputError("task", task.name, f"{rows}: {remedy}")
+
+
+def idle_hint(kinematics: Kinematics) -> str:
+    """The joints that make the manipulability of an arm zero everywhere, and the remedy; "" where there are none.
+
+    A joint whose axis the tool lies on does not move what counts of it.
+    """
+    robot = kinematics.robot
+    q = robot.random_configuration(np.random.default_rng(0), size=POSTURES)
+    jacobians = np.abs(kinematics.jacobian(q))
+    idle = jacobians.max(axis=(0, 1)) <= IDLE * jacobians.max()
+    if not idle.any() or robot.n - idle.sum() >= kinematics.task.rows:
+        return ""
+    names = " and ".join(name for name, still in zip(robot.joint_names, idle, strict=True) if still)
+    verb = "do" if idle.sum() > 1 else "does"
+    return (
+        f"{names} {verb} not move the tool as the task {kinematics.task.name!r} counts it, so that m is zero everywhere; give "
+        f"a tool beside the axis (robot.with_tool), or a task of at most {robot.n - idle.sum()} rows"
+    )
 
 
 def check_measure(kinematics: Kinematics) -> None:

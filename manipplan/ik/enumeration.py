@@ -54,6 +54,9 @@ class Enumeration:
 
     def __init__(self, form: ClosedForm, lower: Array, upper: Array, axis: Array | None) -> None:
         screws, endless = form.screws, np.isinf(lower)
+        # inverse.c undoes the held joints in this order: of those behind all free joints, the outermost comes first
+        behind = [k for k, joint in enumerate(form.held) if joint > max(form.free)]
+        self._order = [*(k for k in range(len(form.held)) if k not in behind), *reversed(behind)]
         low, high = np.where(endless, -np.pi, lower), np.where(endless, np.pi, upper)
         turns = np.where(endless, 0, (high - low + 2 * AT_LIMIT) // (2 * np.pi))[list(form.free)]
         self._n, self._most = screws.n, MOST * int(np.prod(np.maximum(turns + 1, 1)))
@@ -61,7 +64,7 @@ class Enumeration:
             real(screws.axes),
             real(screws.points),
             truth(screws.slides),
-            whole(form.held),
+            whole([form.held[k] for k in self._order]),
             whole(form.free),
             real(form.meeting),
             real(np.linalg.inv(screws.home)),
@@ -73,15 +76,18 @@ class Enumeration:
         numbers = (screws.n, len(form.held), len(form.free), form.solver, form.backward, form.moves_axes, form.triple)
         self._form = _Form(*numbers, *(each.ctypes.data for each in self._arrays))
 
-    def __call__(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Iterator[tuple[Array, NDArray[np.int64]]]:
-        """Blocks of solutions q (k, n), with the sample (k,) of each.
+    def __call__(
+        self, poses: Array, owners: NDArray[np.int64], samples: Array
+    ) -> Iterator[tuple[Array, NDArray[np.int64], int]]:
+        """Blocks of solutions q (k, n), with the sample (k,) of each, and the number of samples solved so far.
 
         Args:
             poses: (p, 4, 4).
             owners: (s,) pose index of each sample.
             samples: (s, r) values of the held joints, then the swivel, then the rotation about `axis` where it is free.
         """
-        poses, owners, samples = real(poses), whole(owners), real(samples)
+        columns = [*self._order, *range(len(self._order), samples.shape[1])]
+        poses, owners, samples = real(poses), whole(owners), real(samples[:, columns])
         asked = _Samples(poses.ctypes.data, owners.ctypes.data, samples.ctypes.data, *samples.shape)
         rows = max(4 * self._most, min(len(samples) * MOST, CHUNK * MOST))
         work, begin, call = np.empty(6 * self._n), 0, calls()["solutions"]
@@ -96,4 +102,4 @@ class Enumeration:
                 work.ctypes.data,
                 ctypes.addressof(found),
             )
-            yield out[: found.filled], source[: found.filled]
+            yield out[: found.filled], source[: found.filled], begin

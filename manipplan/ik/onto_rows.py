@@ -31,7 +31,7 @@ def onto_rows(
     """
     q, best, least, rows = q.copy(), q.copy(), np.full(len(q), np.inf), np.arange(len(q))
     for _ in range(STEPS):
-        error, jacobian = _errors(kinematics, free, q[rows], poses[rows])
+        error, jacobian = errors_to(kinematics, free, q[rows], poses[rows])
         size = np.abs(error).max(axis=1, initial=0.0)
         better = size < least[rows]
         best[rows[better]], least[rows[better]] = q[rows[better]], size[better]
@@ -50,11 +50,11 @@ def search_rows(
     kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
     """Configurations (k, n) inside the limits after damped steps from far-away ones, and their largest errors (k,) [m, rad]."""
-    q, error = descend(kinematics.robot.limits, lambda rows, q: _errors(kinematics, free, q, poses[rows]), q, ~moves)
+    q, error = descend(kinematics.robot.limits, lambda rows, q: errors_to(kinematics, free, q, poses[rows]), q, ~moves)
     return q, np.abs(error).max(axis=1, initial=0.0)
 
 
-def _errors(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) -> tuple[Array, Array]:
+def errors_to(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) -> tuple[Array, Array]:
     """What is missing (k, r) to poses (k, 4, 4) at q (k, n) [m, rad], and the rows (k, r, n) by which joints reduce it."""
     from scipy.spatial.transform import Rotation
 

@@ -1,17 +1,27 @@
 """All inverse kinematics solutions of a pose: every configuration that reaches it, for sampled redundancy parameters."""
 
+import logging
+import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, pose_matrix
+from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
+
+if TYPE_CHECKING:
+    from manipplan.ik.solver import Solver
+
+log = logging.getLogger(__name__)
+#: Time for one pose from which on the log says how to get its solutions faster [s].
+SLOW = 1.0
 
 
 class Completeness(StrEnum):
@@ -23,13 +33,16 @@ class Completeness(StrEnum):
     """All solutions for each value on a grid of parameters, with more between the grid points; or all for given values, except
     solutions near a singularity of an arm whose description rounds its axes."""
     STATISTICAL = "statistical"
-    """Found from many random starts; `SolutionSet.missing` estimates the share that is not found."""
+    """Not all: found from random starts, until a time limit, or on a grid whose steps exceed what the arm bridges between them;
+    `SolutionSet.missing` estimates the share that is not found."""
 
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SolutionSet(Pictured):
     """Configurations that reach a pose, or one of several; each verified by forward kinematics to 1e-10.
+
+    Farther than 10 km from the world's origin, to 1e-14 of the distance.
 
     Attributes:
         q: (k, n) [rad or m], inside the position limits.
@@ -72,13 +85,17 @@ def inverse_kinematics(
     held: Sequence[str] | None = None,
     method: str = "auto",
     turns: bool = True,
+    time_limit: float | None = None,
     seed: int = 0,
 ) -> SolutionSet:
     """Every configuration that reaches a pose.
 
     A redundant arm has finitely many solutions once some joints are held or, with a spherical shoulder and wrist, once the
     swivel angle of the elbow is fixed: these values are the parameters. A joint angle that fits its limits at several full
-    turns is listed at each of them; joints without limits are in [-π, π].
+    turns is listed at each of them; joints without limits, or with limits more than eight turns apart, are in one turn, [-π, π]
+    where the limits hold it.
+
+    The grid of a slide is confined to where the other joints can bridge what is left to the pose, however long it is.
 
     Closed forms [pieper1968], built from Paden-Kahan subproblems [murray1994], cover every arm with three joint axes that meet
     at the wrist or the shoulder, and arms with three parallel axes and two that meet (UR). Others are solved by Newton steps
@@ -89,13 +106,17 @@ def inverse_kinematics(
         pose: (4, 4) or pin.SE3 of the tool, or several, (p, 4, 4).
         parameters: (r,), or (s, r) to be tried for each pose: held joints [rad or m] in the order of the arm, then the
             swivel, then the motions that the task leaves free: shifts [m], rotation about an axis [rad], or azimuth, tilt and
-            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid.
+            tool rotation (Euler angles ZYZ) of a free orientation. Default: a grid, made finer where it finds nothing; if that
+            does not help, values of configurations to which random starts lead.
         task: Task.pose(), the default; Task.pointing(axis), whose rotation about the axis is free; or any other whose rows fix
             a set of poses, such as Task.position(). For planar arms Task.planar(), their default: the position alone.
         samples: number of grid points, one number or one per parameter.
         held: names of the joints to hold instead of those that the arm's closed form prefers.
         method: "closed-form", "newton", or "auto": the closed form where there is one.
         turns: False lists only one of the configurations that differ by full turns, the one with the smallest angles.
+        time_limit: time after which the search ends [s]; None: no limit. What was found until then is returned, as
+            "statistical" with `missing` above zero if the search was cut off. At least one sample is solved, also if that takes
+            longer.
         seed: seed of the random starts.
 
     Raises:
@@ -108,25 +129,110 @@ def inverse_kinematics(
     from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
 
+    instance("turns", turns, bool)
     poses = pose_stack("pose", pose)
+    began = time.monotonic()
+    deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
-    values, complete = solver.values(parameters, samples, poses)
-    owners = np.repeat(np.arange(len(poses)), len(values))
-    found = solver.solve(poses, owners, np.tile(values, (len(poses), 1)))
+    found = _solved(solver, poses, parameters, samples, deadline)
+    if parameters is None and samples is None:
+        for count in solver.finer_counts():
+            none = np.setdiff1d(np.arange(len(poses)), found.owners)
+            if not len(none) or deadline.passed:
+                break
+            found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
+        for k in np.setdiff1d(np.arange(len(poses)), found.owners):
+            values = solver.random_parameters(poses[k])
+            if len(values) and not deadline.passed:
+                more = _solved(solver, poses[k : k + 1], values, None, deadline)
+                part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
+                found = found.with_more(part, np.array([k]))
     keep = distinct(found.q, found.source)
-    if not instance("turns", turns, bool):
+    if not turns:
         keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
         keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
+    keep = keep[np.argsort(found.owners[keep], kind="stable")]
+    if parameters is None and samples is None and time_limit is None:
+        count = max(len(poses), 1)
+        _hint(robot, solver.method, (time.monotonic() - began) / count, found.tried // count)
     return SolutionSet(
         q=found.q[keep],
-        pose_index=owners[found.source[keep]],
-        parameters=np.tile(values, (len(poses), 1))[found.source[keep]],
+        pose_index=found.owners[keep],
+        parameters=found.parameters[keep],
         parameter_names=solver.names,
         residual=found.residual[keep],
-        complete=solver.complete or complete,
+        complete=found.complete,
         method=solver.method,
         missing=found.missing,
     )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Solved:
+    """Configurations (k, n) with the pose (k,), sample (k,), parameters (k, r) and residual (k,) of each.
+
+    Besides the number of samples, and how complete their solutions are.
+    """
+
+    q: Array
+    owners: NDArray[np.int64]
+    source: NDArray[np.int64]
+    parameters: Array
+    residual: Array
+    tried: int
+    complete: Completeness
+    missing: float
+
+    def with_more(self, more: "_Solved", poses: NDArray[np.int64]) -> "_Solved":
+        """These with those of other samples of some poses, by index."""
+        return _Solved(
+            q=np.concatenate([self.q, more.q]),
+            owners=np.concatenate([self.owners, poses[more.owners]]),
+            source=np.concatenate([self.source, self.tried + more.source]),
+            parameters=np.concatenate([self.parameters, more.parameters]),
+            residual=np.concatenate([self.residual, more.residual]),
+            tried=self.tried + more.tried,
+            complete=more.complete,
+            missing=max(self.missing, more.missing) if more.complete == Completeness.STATISTICAL else more.missing,
+        )
+
+
+def _solved(
+    solver: "Solver", poses: Array, parameters: ArrayLike | None, samples: int | Sequence[int] | None, deadline: Deadline
+) -> _Solved:
+    """All solutions of poses (p, 4, 4) for given parameters or a grid; each pose has its own grid where slides are in it."""
+    each = poses[:, None] if solver.sweeps_slides and len(poses) else poses[None]
+    grids = [solver.values(parameters, samples, some) for some in each]
+    if len(grids) == 1:
+        owners, values = np.repeat(np.arange(len(poses)), len(grids[0].values)), np.tile(grids[0].values, (len(poses), 1))
+    else:
+        owners = np.repeat(np.arange(len(poses)), [len(grid.values) for grid in grids])
+        values = np.concatenate([grid.values for grid in grids])
+    found = solver.solve(poses, owners, values, deadline)
+    cut = found.solved < 1 or any(grid.complete == Completeness.STATISTICAL for grid in grids)
+    return _Solved(
+        q=found.q,
+        owners=owners[found.source],
+        source=found.source,
+        parameters=values[found.source],
+        residual=found.residual,
+        tried=len(values),
+        complete=Completeness.STATISTICAL if cut else solver.complete or grids[0].complete,
+        missing=1 - found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids]))),
+    )
+
+
+def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
+    """Log how to get solutions faster where one pose took long [s]."""
+    if seconds > SLOW and samples > 1:
+        log.warning(
+            "%s: inverse kinematics by %s of one pose took %.1f s for %d samples of its redundancy; samples= takes fewer, and "
+            "time_limit= ends it earlier",
+            robot.name,
+            method,
+            seconds,
+            samples,
+        )
 
 
 def pose_stack(argument: str, pose: Any) -> Array:

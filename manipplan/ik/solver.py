@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 
@@ -16,40 +16,62 @@ from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
-from manipplan.ik.statistical import Sampled, best_held, in_range, merged, random_answers
+from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import reach_in, window
+from manipplan.ik.window import HeldValues, Starts, StartsOfPoses, bridge, in_turn, line, reach_in, span, spans_turn, window
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, random_seed, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number_array, random_seed, whole_number
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
 
-#: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1].
-REACHED = 1e-10
+#: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1]; beyond FAR [m] from the
+#: world's origin, where rounding is larger, by more than this share of FAR.
+REACHED, FAR = 1e-10, 1e4
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.
 STEPS = 200
 #: Default number of samples per parameter, for one to six parameters.
 SAMPLES = (64, 24, 12, 8, 6, 5)
+#: Maximum number of samples of all parameters together.
+MOST_SAMPLES = 50_000_000
+#: The same up to which a default grid that finds nothing is made finer.
+FINEST = 20_000
+#: Number of random starts where no grid finds anything.
+AT_RANDOM = 128
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and at least of all, of an arm with few joints.
 STARTS, ALL_STARTS = 8, 64
+#: Number of samples of an arm with few joints that are solved together.
+TOGETHER = 512
 METHODS = ("auto", "closed-form", "newton")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Found:
-    """Rows q (k, n), the sample (k,) of each, the residual (k,), and the estimated share of missing solutions."""
+    """Rows q (k, n), the sample (k,) of each, the residual (k,), the estimated share of missing solutions, and the share of the
+    samples that was solved until a deadline.
+    """
 
     q: Array
     source: NDArray[np.int64]
     residual: Array
+    missing: float = 0.0
+    solved: float = 1.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Grid:
+    """Parameters (s, r), how complete their solutions are, and the share that is missing for certain or by estimate."""
+
+    values: Array
+    complete: Completeness
     missing: float = 0.0
 
 
@@ -83,7 +105,7 @@ class Solver:
         one_tool(instance("robot", robot, Robot), "inverse kinematics")
         usual = robot.default_task if robot.planar else Task.pose()
         task = instance("task", task if task is not None else usual, Task)
-        if method not in METHODS:
+        if not isinstance(method, str) or method not in METHODS:
             raise UnknownNameError("method", str(method), METHODS)
         if task.relative_to is not None:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
@@ -151,37 +173,84 @@ class Solver:
         moves[list(self.held)] = False
         return MovingArm(self.screws, moves)
 
-    def values(
-        self, parameters: ArrayLike | None, samples: int | Sequence[int] | None, poses: Array
-    ) -> tuple[Array, Completeness]:
+    def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None, poses: Array) -> Grid:
         """Parameters (s, r): the given ones, or a grid for poses (p, 4, 4)."""
         r = len(self.names)
-        if parameters is not None:
-            if samples is not None:
-                raise InvalidInputError("samples", samples, "nothing where parameters are given")
-            values = finite_array(
-                "parameters", np.atleast_1d(np.asarray(parameters)), (r,) if np.ndim(parameters) < 2 else (None, r)
-            )
-            return np.atleast_2d(values), Completeness.EXACT
-        return self.grid(samples, SAMPLES, poses), Completeness.TO_RESOLUTION if r else Completeness.EXACT
+        if parameters is None:
+            return self._grid(samples, SAMPLES, poses)
+        if samples is not None:
+            raise InvalidInputError("samples", samples, "nothing where parameters are given")
+        given = np.atleast_1d(number_array("parameters", parameters))
+        values = finite_array("parameters", given, (r,) if given.ndim < 2 else (None, r))
+        return Grid(values=np.atleast_2d(values), complete=Completeness.EXACT)
 
     def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Array:
         """A grid of parameters (s, r) for poses (p, 4, 4).
 
         `usual` has the default number of values per parameter, by number of parameters.
         """
-        counts, limits = sample_counts(samples, self.names, usual), window(self.robot, poses)
-        return np.array(list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(counts)))))
+        return self._grid(samples, usual, poses).values
+
+    def finer_counts(self) -> list[int]:
+        """Numbers of samples per parameter to be tried where the default finds nothing; none without a closed form."""
+        r = len(self.names)
+        if self.form is None or not r:
+            return []
+        usual = SAMPLES[min(r, len(SAMPLES)) - 1]
+        return [count for k in range(1, 9) if (count := usual * 2**k) ** r <= FINEST]
+
+    def random_parameters(self, pose: Array) -> Array:
+        """Parameters (k, r) with which a pose (4, 4) has a solution: those of configurations to which random starts lead.
+
+        They serve where so few values have one that a grid misses them all. There are none without a closed form, where random
+        starts are the method, and none with a free motion.
+        """
+        if self.form is None or not self.names or self.free.names:
+            return np.zeros((0, len(self.names)))
+        starts = Starts.near(self.robot, pose, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+        arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
+        allowed = float(_allowed(pose[None])[0])
+        q, miss = arm.search(starts, pose, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
+        q = in_turn(self.robot, q[miss <= allowed])
+        return self.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+
+    @property
+    def sweeps_slides(self) -> bool:
+        """Whether the grid holds slides, so that it depends on the poses."""
+        return bool(self.screws.slides[list(self.held)].any())
+
+    def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Grid:
+        counts = sample_counts(samples, self.names, usual)
+        if math.prod(counts) > MOST_SAMPLES:
+            raise InvalidInputError("samples", samples, f"at most {MOST_SAMPLES:,} in all, not {' x '.join(map(str, counts))}")
+        limits = window(self.robot, poses)
+        own = len(self.held)
+        held = self._held_values(counts[:own], poses)
+        rest = list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(counts[own:], own))))
+        values = np.hstack([np.repeat(held.values, len(rest), axis=0), np.tile(np.array(rest), (len(held.values), 1))])
+        usual_label = Completeness.TO_RESOLUTION if self.names else Completeness.EXACT
+        label = Completeness.STATISTICAL if held.missing else usual_label
+        return Grid(values=values, complete=label, missing=held.missing)
+
+    def _held_values(self, counts: Sequence[int], poses: Array) -> HeldValues:
+        """Values of the held joints: their ranges with both ends, or where slides let the others reach one of the poses."""
+        if self.sweeps_slides and len(poses):
+            whole = not self.free.turns.value
+            return bridge(self.robot, self.held, whole).values(counts, poses)
+        lines = [self._joint_line(joint, count) for joint, count in zip(self.held, counts, strict=True)]
+        return HeldValues(values=np.array(list(product(*lines))), missing=0.0)
+
+    def _joint_line(self, joint: int, count: int) -> Array:
+        lower, upper = span(self.robot)
+        if spans_turn(self.robot)[joint]:
+            return np.asarray(lower[joint] + 2 * np.pi * np.arange(count) / count)
+        return line(float(lower[joint]), float(upper[joint]), count)
 
     def _line(self, parameter: int, count: int, limits: tuple[Array, Array], poses: Array) -> Array:
-        """Values of one parameter: a joint's range with its ends, a full turn, or those of a free motion."""
+        """Values of one parameter that is no held joint: a full turn of the swivel, or those of a free motion."""
         free = parameter - len(self.names) + len(self.free.names)
         if free >= 0 and not self.by_rows:
             return self.free.line(free, count, *reach_in(self.robot, limits), poses)
-        if parameter < len(self.held):
-            lower, upper = (float(limit[self.held[parameter]]) for limit in limits)
-            if np.isfinite(lower):
-                return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
         return -np.pi + 2 * np.pi * np.arange(count) / count
 
     def whole_poses(self, usual: Sequence[int], poses: Array) -> list[Array]:
@@ -226,11 +295,17 @@ class Solver:
         targets = self.free.nearest(self.kinematics.pose(q), poses)
         return MovingArm(self.screws, moves).refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)
 
-    def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
-        """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample."""
-        found = self.solve_once(poses, owners, samples)
+    def solve(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline = NEVER) -> Found:
+        """All solutions for samples (s, r), with duplicates; `owners` (s,) is the pose index of each sample.
+
+        Those found until the deadline are of samples in random order, so that they are spread over the grid.
+        """
+        order = np.random.default_rng(0).permutation(len(samples)) if np.isfinite(deadline.at) else np.arange(len(samples))
+        found = self.solve_once(poses, owners[order], samples[order], deadline)
         rows, q = self.with_turns(found.q)
-        return Found(q=q, source=found.source[rows], residual=found.residual[rows], missing=found.missing)
+        source = order[found.source[rows]]
+        usual = np.argsort(source, kind="stable")
+        return replace(found, q=q[usual], source=source[usual], residual=found.residual[rows][usual])
 
     def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
@@ -252,26 +327,29 @@ class Solver:
 
     @cached_property
     def _turning(self) -> list[int]:
-        """The joints that can make more than a full turn, but are not endless; none of an arm without closed form."""
+        """The joints that are listed at more than one full turn; none of an arm without closed form."""
         ranges = self.robot.limits.upper - self.robot.limits.lower
-        return [] if self.form is None else [k for k in self.form.free if 2 * np.pi - 2 * AT_LIMIT <= ranges[k] < np.inf]
+        once = spans_turn(self.robot)
+        return [] if self.form is None else [k for k in self.form.free if 2 * np.pi - 2 * AT_LIMIT <= ranges[k] and not once[k]]
 
-    def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
+    def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline = NEVER) -> Found:
         """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
         if self.by_rows:
-            return self._by_rows(poses[owners], self.free, samples)
+            return self._by_rows(poses[owners], self.free, samples, deadline)
         if self.robot.planar:
             targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
-            return self._by_rows(targets[rows], NOTHING, samples)
+            return self._by_rows(targets[rows], NOTHING, samples, deadline)
         if self.form is None:
-            return self._by_search(poses, owners, samples)
+            return self._by_search(poses, owners, samples, deadline)
         asked = poses, owners, samples
         if self.free.names and self.free.only_axis is None:
             every = np.arange(len(samples))
             asked = self._targets(poses, owners, samples, every)[0], every, samples[:, : -len(self.free.names)]
-        blocks = [
-            self._judged(q, source, *self._targets(poses, owners, samples, source)) for q, source in self._enumeration(*asked)
-        ]
+        blocks: list[Found] = []
+        for q, source, solved in self._enumeration(*asked):
+            blocks.append(self._judged(q, source, *self._targets(poses, owners, samples, source)))
+            if deadline.passed:
+                return replace(_joined(blocks, self.robot.n), solved=solved / len(samples))
         return _joined(blocks, self.robot.n)
 
     def _targets(
@@ -285,16 +363,16 @@ class Solver:
 
     def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""
-        residual = self._residual(q, targets, rows)
-        off = residual > REACHED
+        residual, allowed = self._residual(q, targets, rows), _allowed(targets)[rows]
+        off = residual > allowed
         if self.form is not None and self.form.exact:
-            off &= residual < ROUNDED
+            off &= residual < ROUNDED * allowed / REACHED
         if off.any():
             better = self._holding.refine(q[off], targets, rows[off], steps=STEPS, tolerance=REACHED / 100)
             q = q.copy()
             q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
             residual[off] = self._residual(q[off], targets, rows[off])
-        good = residual <= REACHED
+        good = residual <= allowed
         return Found(q=q[good], source=source[good], residual=residual[good])
 
     def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:
@@ -302,34 +380,50 @@ class Solver:
             return np.zeros(0)
         return residuals(self.kinematics.pose(q), targets, rows)
 
-    def _by_rows(self, poses: Array, free: FreeMotion, samples: Array) -> Found:
+    def _by_rows(self, poses: Array, free: FreeMotion, samples: Array, deadline: Deadline) -> Found:
         """Solutions of what counts of poses (s, 4, 4), the pose of each sample (s, r), from random starts."""
-        rng, limits = np.random.default_rng(self.seed), self.robot.limits
-        source = np.repeat(np.arange(len(samples)), max(STARTS, ALL_STARTS // max(len(samples), 1)))
-        q = self.robot.random_configuration(rng, size=len(source))
-        q[:, list(self.held)] = samples[source, : len(self.held)]
-        moves = np.ones(self.robot.n, dtype=np.bool_)
+        rng, limits, robot = np.random.default_rng(self.seed), self.robot.limits, self.robot
+        count, begin = max(STARTS, ALL_STARTS // max(len(samples), 1)), 0
+        blocks: list[Found] = []
+        moves = np.ones(robot.n, dtype=np.bool_)
         moves[list(self.held)] = False
-        q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
-        found = (residual <= REACHED) & (limits.outside(q) <= 0).all(axis=1)
-        q, source = in_range(q[found], limits), source[found]
-        kept, hits = merged(q, source)
+        places = StartsOfPoses(robot, whole_pose=not free.turns.value)
+        while begin < len(samples) and not (blocks and deadline.passed):
+            source = np.repeat(np.arange(begin, min(begin + TOGETHER, len(samples))), count)
+            q = places.random(poses[source], rng)
+            q[:, list(self.held)] = samples[source, : len(self.held)]
+            q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
+            good = (residual <= _allowed(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
+            blocks.append(Found(q=in_turn(robot, q[good]), source=source[good], residual=residual[good]))
+            begin += TOGETHER
+        found = _joined(blocks, robot.n)
+        kept, hits = merged(found.q, found.source)
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
-        return Found(q=q[kept], source=source[kept], residual=residual[found][kept], missing=missing)
+        solved = min(begin / max(len(samples), 1), 1.0)
+        return Found(q=found.q[kept], source=found.source[kept], residual=found.residual[kept], missing=missing, solved=solved)
 
-    def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array) -> Found:
-        blocks, missing = [], []
-        rng = np.random.default_rng(self.seed)
+    def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline) -> Found:
+        blocks, missing, solved = [], [], 1.0
+        rng, places = np.random.default_rng(self.seed), StartsOfPoses(self.robot, whole_pose=True)
         targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
+        bound = bridge(self.robot, self.held, True)
         for k, target in enumerate(targets[rows]):
-            setup = Sampled(screws=self.screws, held=self.held, values=samples[k, : len(self.held)], limits=self.robot.limits)
-            q, share = random_answers(setup, target, rng)
+            if not bound.allows(samples[k, : len(self.held)], target):
+                continue
+            setup = Sampled(robot=self.robot, screws=self.screws, held=self.held, values=samples[k, : len(self.held)])
+            q, share = random_answers(setup, target, places.of(target), rng, deadline)
             blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             missing.append(share)
+            if deadline.passed:
+                solved = (k + 1) / len(samples)
+                break
         found = _joined(blocks, self.robot.n)
-        return Found(
-            q=found.q, source=found.source, residual=found.residual, missing=float(np.mean(missing)) if missing else 0.0
-        )
+        return replace(found, missing=float(np.mean(missing)) if missing else 0.0, solved=solved)
+
+
+def _allowed(poses: Array) -> Array:
+    """The largest entry (p,) by which a configuration may miss each of poses (p, 4, 4)."""
+    return np.asarray(REACHED * np.maximum(np.abs(poses[:, :3, 3]).max(axis=1, initial=0.0) / FAR, 1.0))
 
 
 def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], usual: Sequence[int]) -> tuple[int, ...]:
@@ -338,11 +432,11 @@ def sample_counts(samples: int | Sequence[int] | None, names: tuple[str, ...], u
     if samples is None:
         return (usual[min(r, len(usual)) - 1],) * r
     if not isinstance(samples, list | tuple):
-        return (whole_number("samples", samples, least=1),) * r
+        return (whole_number("samples", samples, least=1, most=10**12),) * r
     if len(samples) != r:
         wanted = f"one whole number, or one for each of {', '.join(names) or 'no parameters'}"
         raise InvalidInputError("samples", samples, wanted)
-    return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1) for k, each in enumerate(samples))
+    return tuple(whole_number(f"samples[{k}] ({names[k]})", each, least=1, most=10**12) for k, each in enumerate(samples))
 
 
 def _solves_rows(robot: Robot, free: FreeMotion) -> bool:
@@ -353,9 +447,11 @@ def _solves_rows(robot: Robot, free: FreeMotion) -> bool:
 @once_per_owner
 def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None) -> Enumeration:
     """The enumeration of solutions in the first full turn of each joint that is free."""
-    lower, upper = robot.limits.lower, robot.limits.upper.copy()
-    free = list(form.free)
-    upper[free] = np.minimum(upper[free], lower[free] + 2 * np.pi)
+    lower, upper = robot.limits.lower.copy(), robot.limits.upper.copy()
+    for k in form.free:
+        if spans_turn(robot)[k] and lower[k] <= -np.pi and upper[k] >= np.pi:
+            lower[k], upper[k] = -np.inf, np.inf
+        upper[k] = min(upper[k], lower[k] + 2 * np.pi) if np.isfinite(lower[k]) else upper[k]
     return Enumeration(form, lower, upper, None if axis is None else np.array(axis))
 
 

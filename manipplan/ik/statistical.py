@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
-from manipplan.robots.limits import JointLimits
+from manipplan.ik.window import Starts, in_turn, within_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.symbolic.task import Task
 
 #: Number of random starts per round, and their maximum number in total.
@@ -18,12 +19,15 @@ ROUND = 64
 MOST = 4096
 #: Number of starts without a solution after which the pose counts as unreachable.
 FRUITLESS = 512
-#: Rounds continue until each solution was found this often on average and none only once.
-SEEN = 8
-STEPS = 80
+#: Rounds continue until each solution was found SEEN times on average and none less than OFTEN times.
+SEEN, OFTEN = 16, 3
+#: Number of steps of each start, and of further ones where these came so near [m, rad].
+FIRST, PROMISING, STEPS = 20, 0.2, 60
 #: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
 NEAR, MORE_STEPS = 1e-2, 500
-TOLERANCE = 1e-12
+#: Error at which a pose is reached [m, rad]. Beyond FAR [m] from the world's origin, where rounding is larger, it grows with
+#: the distance.
+TOLERANCE, FAR = 1e-12, 1e3
 #: Solutions that differ by less than this are the same [rad or m].
 SAME = 1e-5
 
@@ -33,29 +37,29 @@ class Sampled:
     """An arm with some joints held.
 
     Attributes:
-        screws: the arm.
+        robot, screws: the arm.
         held: indices of the joints that are held at `values` [rad or m].
         values: (h,) positions of the held joints.
-        limits: limits of the arm.
     """
 
+    robot: Robot
     screws: Screws
     held: tuple[int, ...]
     values: Array
-    limits: JointLimits
 
 
-def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> tuple[Array, float]:
-    """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found.
+def random_answers(
+    setup: Sampled, target: Array, places: Starts, rng: np.random.Generator, deadline: Deadline = NEVER
+) -> tuple[Array, float]:
+    """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found until the deadline.
 
-    The estimate is the Good-Turing one [good1953]: the share of the hits whose solution was found only once.
+    The steps begin at random configurations of `places`. The estimate is the Good-Turing one [good1953]: the share of the hits
+    whose solution was found only once.
     """
-    limits, screws, held = setup.limits, setup.screws, list(setup.held)
-    lower, upper = (
-        np.where(np.isfinite(limit), limit, side * np.pi) for limit, side in ((limits.lower, -1), (limits.upper, 1))
-    )
+    limits, screws, held = setup.robot.limits, setup.screws, list(setup.held)
     if ((setup.values < limits.lower[held]) | (setup.values > limits.upper[held])).any():
         return np.zeros((0, screws.n)), 0.0
+    tolerance = TOLERANCE * max(1.0, float(np.abs(target[:3, 3]).max()) / FAR)
     moves = np.ones(screws.n, dtype=bool)
     moves[held] = False
     found, hits, starts = np.zeros((0, screws.n)), np.zeros(0), 0
@@ -64,27 +68,29 @@ def random_answers(setup: Sampled, target: Array, rng: np.random.Generator) -> t
     arm = MovingArm(screws, moves)
 
     def advance(q: Array, steps: int) -> tuple[Array, Array]:
-        return arm.search(q, target, limits.lower, limits.upper, steps=steps, tolerance=TOLERANCE)
+        return arm.search(q, target, limits.lower, limits.upper, steps=steps, tolerance=tolerance)
 
     while starts < MOST:
         if len(found) or starts < FRUITLESS:
-            q = rng.uniform(lower, upper, (ROUND, screws.n))
+            q = places.random(rng, ROUND)
             q[:, held] = setup.values
-            q, miss = advance(q, STEPS)
+            q, miss = advance(q, FIRST)
+            further = (miss > tolerance) & (miss < PROMISING)
+            q[further], miss[further] = advance(q[further], STEPS)
             starts += ROUND
-            near = np.vstack([near, q[(miss > TOLERANCE) & (miss < NEAR)]])
+            near = np.vstack([near, q[(miss > tolerance) & (miss < NEAR)]])
         elif len(near):
             q, miss = advance(near[:ROUND], MORE_STEPS)
             near = near[:0]
         else:
             break
-        for each in in_range(q[miss <= TOLERANCE], limits):
+        for each in in_turn(setup.robot, q[miss <= tolerance]):
             same = np.flatnonzero(np.abs(found - each).max(axis=1) < SAME)
             if len(same):
                 hits[same[0]] += 1
             else:
                 found, hits = np.vstack([found, each]), np.append(hits, 1)
-        if hits.sum() >= SEEN * max(len(found), 1) and not (hits == 1).any():
+        if (hits.sum() >= SEEN * max(len(found), 1) and not (hits < OFTEN).any()) or deadline.passed:
             break
     missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
     return found, missing
@@ -107,7 +113,7 @@ def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
     """The joints to hold: those without which the others move the tool best, on average over random postures."""
     if count == 0:
         return ()
-    q = robot.random_configuration(np.random.default_rng(0), size=200)
+    q = np.random.default_rng(0).uniform(*within_reach(robot), (200, robot.n))
     jacobians = robot.kinematics(task).jacobian(q)
     rank = robot.n - count
 
@@ -116,8 +122,3 @@ def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
         return float(np.linalg.svd(left, compute_uv=False)[:, :rank].prod(axis=1).mean())
 
     return max(combinations(range(robot.n), count), key=mean_volume)
-
-
-def in_range(q: Array, limits: JointLimits) -> Array:
-    """q with joints without limits wrapped to [-π, π]."""
-    return np.where(np.isinf(limits.lower), (q + np.pi) % (2 * np.pi) - np.pi, q)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.constraints.ends import check_ends
-from manipplan.cost.objective import PathObjective
+from manipplan.cost.objective import PathObjective, idle_hint
 from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
 from manipplan.optimize.result import NoPath, PathResult
@@ -194,7 +194,9 @@ def optimize_path(
     best = best_and_rivals(pool.solve_local(firsts))
     tell(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
-        raise PlanningError(f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite", best)
+        hint = idle_hint(objective.kinematics(robot, compiled=compiled))
+        told = f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite"
+        raise PlanningError(f"{told}: {hint}" if hint else told, best)
     return best
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, configurations
+from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 def checked_configuration(robot: "Robot", argument: str, q: ArrayLike, tolerance: float) -> Array:
     """One configuration (n,), finite and inside the position limits but for `tolerance`; see `Robot.configuration`."""
+    tolerance = number("tolerance", tolerance, least=0.0)
     q = configurations(argument, q, robot.n)
     if q.ndim != 1:
         raise InvalidInputError(argument, q, f"one configuration of shape ({robot.n},)")

@@ -6,14 +6,16 @@ The rule, in this order:
 2. An end that no joint moves, such as `base` on the base link, does not count. Neither does an end on a body that carries
    further joints, such as a camera on the forearm of an arm that goes on.
 3. Fingers are not ends; the body that carries them is. Fingers are several sibling branches, and no other branch, on one body
-   that at least two joints move. Each has at most two joints that are not followers, all of limited travel, and reaches no
-   further than 0.25 m and half the length of the arm. One branch alone is a jaw if, besides, it is a single joint of less than
-   half a turn or 0.2 m, carries no tool frame, and has the name of a jaw: finger, jaw, claw, knuckle or thumb in the joint or
-   its link, gripper in the joint, or gripper in the links on both sides. A joint called roll, pitch, yaw, wrist or similar is
-   none.
-4. Of several ends on one rigid body, the name decides, in the order of `NAMES`. Where the body carries fingers, only ends
-   fixed beyond the link of the fingers count: that with such a name, or the only frame without collision geometry that is no
-   sensor's; otherwise it is that link.
+   that at least two joints move. Each has at most two joints that are not followers, all of limited travel (or with the name of
+   a gripper, as a motor has), and reaches no further than 0.25 m and half the length of the arm. One branch alone is a jaw if,
+   besides, it is a single joint of less than half a turn or 0.2 m, carries no tool frame, and has the name of a jaw: finger,
+   jaw, claw, knuckle or thumb in the joint or its link, gripper in the joint, or gripper in the links on both sides. A joint
+   called roll, pitch, yaw, wrist or similar is none.
+4. Of several ends on one rigid body, the name decides, in the order of `NAMES`; then it is the only frame without collision
+   geometry that is no sensor's. Where the body carries fingers, only ends fixed beyond the link of the fingers count, and
+   otherwise it is that link.
+5. Linkages do not count beside others, such as the piston of a balancer: ends that are moved, apart from joints of the arm,
+   only by followers of joints inside the arm, and whose names are not those of fingers.
 
 Anything else, such as two arms, or an arm and a head, is an error, which lists the ends.
 """
@@ -103,7 +105,7 @@ def _several(tree: "_Tree", what: str, names: Sequence[str]) -> InvalidInputErro
     shown = ", ".join(names[:LISTED]) + (f" and {len(names) - LISTED} more" if len(names) > LISTED else "")
     call = f"tool={names[0]!r}"
     other = next((name for name in names[1:] if tree.are_alike(names[0], name)), None)
-    two = f", or tool=[{names[0]!r}, {other!r}] for both arms" if other is not None else ""
+    two = f", or tool=[{names[0]!r}, {other!r}] for both" if other is not None else ""
     return InvalidInputError("tool", None, f"a frame name; {what}: {shown}. Choose one, as in {call}{two}")
 
 
@@ -172,19 +174,32 @@ class _Tree:
         """The joints on whose rigid bodies the ends are, fingers and bodies that carry further joints left out."""
         held = {k: hand for hand, fingers in self.hands.items() for kid in fingers for k in self.below(kid)}
         joints = sorted({held.get(self.joint(body), self.joint(body)) for body in self.ends})
+        joints = [j for j in joints if not self._is_linkage(j, joints)] or joints
         inner = {int(k) for j in joints for k in self.model.supports[j] if k != j}
         return [j for j in joints if j not in inner]
 
+    def _is_linkage(self, joint: int, joints: Sequence[int]) -> bool:
+        """Whether all joints that move an end, and not another end beside it as well, follow joints elsewhere."""
+        shared = {int(k) for j in joints if j != joint for k in self.model.supports[j]}
+        own = [str(self.model.names[k]) for k in self.model.supports[joint] if k not in shared]
+        bodies = [self.name(body) for body in self.ends if self.joint(body) == joint]
+        if not own or any(FINGERS.search(name) or GRIP.search(name) for name in (*own, *bodies)):
+            return False
+        leaders = [self.mimics[name].leader if name in self.mimics else name for name in own]
+        inner = [name for name in leaders if name not in own and self.model.existJointName(name)]
+        return len(inner) == len(own) and all(len(self.below(self.model.getJointId(name))) > JOINTS for name in inner)
+
     def chosen(self, joint: int) -> str | None:
         """The tool frame on the rigid body of a joint; None where several ends have names that do not decide."""
-        ends = [body for body in self.ends if self.joint(body) == joint]
+        ends, carrier = [body for body in self.ends if self.joint(body) == joint], None
         if joint in self.hands:
             carrier = self._carrier(self.hands[joint])
-            beyond = [body for body in ends if carrier in self._above(body)]
-            bare = [body for body in beyond if not self._is_solid(body) and not SENSORS.search(self.name(body))]
-            only = self.name(bare[0]) if len(bare) == 1 else None
-            return _first_named(list(map(self.name, beyond))) or only or self.name(carrier)
-        return self.name(ends[0]) if len(ends) == 1 else _first_named([self.name(body) for body in ends])
+            ends = [body for body in ends if carrier in self._above(body)]
+        elif len(ends) == 1:
+            return self.name(ends[0])
+        bare = [body for body in ends if not self._is_solid(body) and not SENSORS.search(self.name(body))]
+        only = bare[0] if len(bare) == 1 else carrier
+        return _first_named(list(map(self.name, ends))) or (None if only is None else self.name(only))
 
     def shown(self, joint: int) -> list[str]:
         """The ends on the rigid body of a joint, for a message."""
@@ -235,12 +250,20 @@ class _Tree:
         for j in self.below(kid):
             path = [k for k in self.model.supports[j] if k not in before]
             free = [k for k in path if self.model.names[k] not in self.mimics]
-            if len(free) > JOINTS or len(path) > LINKAGE or not np.isfinite(self._travel(j)):
+            is_limited = np.isfinite(self._travel(j)) or self._is_named(j)
+            if len(free) > JOINTS or len(path) > LINKAGE or not is_limited:
                 return False
             steps = [float(np.linalg.norm(self.model.jointPlacements[k].translation)) for k in path[1:]]
             slides = [self._travel(k) for k in path if is_prismatic(self.model.joints[k])]
             reach = max(reach, sum(steps) + sum(slides) + self._extent(j))
         return reach <= min(FINGER, FINGER_SHARE * length)
+
+    def _is_named(self, joint: int) -> bool:
+        """Whether a joint without limits turns, and its name is that of a gripper, as that of a motor beside the fingers."""
+        name = str(self.model.names[joint])
+        return (
+            is_revolute(self.model.joints[joint]) and bool(FINGERS.search(name) or GRIP.search(name)) and not WRIST.search(name)
+        )
 
     def _is_jaw(self, kid: int, carrier: int) -> bool:
         """Whether a single branch is a jaw: its names say so, and a last joint of a wrist would not have its travel."""

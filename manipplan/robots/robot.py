@@ -20,7 +20,7 @@ from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
 from manipplan.robots.table import robot_table
-from manipplan.support.checks import Array, existing_file, pose_matrix
+from manipplan.support.checks import Array, existing_file, instance, pose_matrix, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import state_without_memo
@@ -32,6 +32,9 @@ if TYPE_CHECKING:
     from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
+
+#: Maximum number of random configurations per call.
+MOST_AT_ONCE = 10**9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -303,7 +306,12 @@ class Robot(Pictured):
         return checked_configuration(self, argument, q, tolerance)
 
     def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
-        """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π]."""
+        """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π].
+
+        Raises InvalidInputError when `rng` is no numpy.random.Generator, or `size` no whole number.
+        """
+        instance("rng", rng, np.random.Generator)
+        size = None if size is None else whole_number("size", size, least=0, most=MOST_AT_ONCE)
         lower = np.where(np.isfinite(self.limits.lower), self.limits.lower, -np.pi)
         upper = np.where(np.isfinite(self.limits.upper), self.limits.upper, np.pi)
         return rng.uniform(lower, upper, (self.n,) if size is None else (size, self.n))
@@ -385,7 +393,11 @@ class Robot(Pictured):
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 
     def link_of(self, body: pin.GeometryObject) -> str:
-        """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own."""
+        """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own.
+
+        Raises InvalidInputError when `body` is no pin.GeometryObject.
+        """
+        instance("body", body, pin.GeometryObject)
         part = next((name for name, part in self.carried.items() if body.name in part.bodies), None)
         if part is not None:
             return part

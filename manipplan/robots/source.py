@@ -28,7 +28,7 @@ class RobotSource:
 
     Attributes:
         kind: "catalogue", "urdf", "mjcf" or "planar".
-        name: the catalogue name, else "".
+        name: of kind "catalogue" the name that `load_robot` was given, also one of another collection; else "".
         file: absolute path of the URDF, xacro or MJCF file that was read; None for the planar arm.
         options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
             package_dirs, packages, meshes, arguments, trust_file and limits of `Robot.from_urdf`; lengths and radius of

@@ -5,6 +5,7 @@ solution raises `PlanningError`, which holds the result and its status; ``throw=
 """
 
 import difflib
+import re
 import reprlib
 from collections.abc import Iterable
 from functools import partial
@@ -12,7 +13,19 @@ from typing import Any
 
 
 class ManipplanError(Exception):
-    """Root of all errors of this package."""
+    """Root of all errors of this package; its messages hold plain numbers."""
+
+    def __init__(self, *args: object) -> None:
+        super().__init__(*(plain_numbers(each) if isinstance(each, str) else each for each in args))
+
+
+def plain_numbers(text: str) -> str:
+    """The text with numbers as Python writes them, where it holds the representations of NumPy's."""
+    return _NUMBER.sub(r"\1\2", text) if "np." in text else text
+
+
+#: A number, or a truth value, as NumPy represents it.
+_NUMBER = re.compile(r"np\.(?:float|longdouble|u?int)\w*\(([^()]*)\)|np\.(True|False)_")
 
 
 class InvalidInputError(ManipplanError, ValueError):
@@ -43,6 +56,21 @@ class UnknownNameError(InvalidInputError):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return partial(type(self), empty=self.empty), (self.argument, self.value, self.known)
+
+
+class OutOfReachError(InvalidInputError):
+    """A pose that no configuration inside the limits reaches.
+
+    `nearest` is the configuration found that comes nearest: its `q` (n,), its distance `position` [m] and angle `rotation`
+    [rad] from the pose, and the names of the joints that are `stopped` at a limit.
+    """
+
+    def __init__(self, argument: str, value: object, allowed: str, nearest: Any) -> None:
+        self.nearest = nearest
+        super().__init__(argument, value, allowed)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.argument, self.value, self.allowed, self.nearest)
 
 
 class FileFormatError(InvalidInputError):
@@ -133,7 +161,7 @@ class PlanningError(ManipplanError):
 
 
 def _short(value: object) -> str:
-    return _cut(" ".join(_SHORT.repr(value).split()), 160)
+    return _cut(plain_numbers(" ".join(_SHORT.repr(value).split())), 160)
 
 
 def _cut(text: str, longest: int) -> str:
@@ -141,8 +169,18 @@ def _cut(text: str, longest: int) -> str:
     return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
-#: Truncated representations: a value may hold a million numbers.
-_SHORT = reprlib.Repr()
+class _Plain(reprlib.Repr):
+    """Truncated representations: a value may hold a million numbers, or one that Python refuses to write."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        if x.bit_length() > LONGEST_INT:
+            return f"a whole number of {x.bit_length()} bits"
+        return super().repr_int(x, level)
+
+
+#: Number of bits up to which a whole number is written out.
+LONGEST_INT = 1000
+_SHORT = _Plain()
 _SHORT.maxlevel = 4
 _SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = _SHORT.maxset = _SHORT.maxfrozenset = 60
 _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 400

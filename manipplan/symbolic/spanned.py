@@ -2,12 +2,13 @@
 
 from typing import TYPE_CHECKING
 
+import casadi as ca
 import numpy as np
-import pinocchio as pin
 
-from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
+from manipplan.symbolic.backends import chain_of
+from manipplan.symbolic.relative import task_rows
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -39,9 +40,8 @@ def default_task(robot: "Robot") -> Task:
     usual = usual_task(robot)
     if robot.planar or not is_always_singular(robot, usual) or len(robot.tools) > 1:
         return usual
-    samples = _jacobians(robot, robot.tool)
     for frame in ("world", "tool"):
-        rows = _spanned(samples[frame][:, : usual.rows])
+        rows = _spanned(_jacobians(robot, Task.custom(np.eye(6)[: usual.rows], frame=frame)))
         if rows is not None:
             name = f"{usual.name} in {len(rows)} direction{'s' * (len(rows) > 1)}"
             padded = np.hstack([rows, np.zeros((len(rows), 6 - usual.rows))])
@@ -52,30 +52,19 @@ def default_task(robot: "Robot") -> Task:
 @once_per_owner
 def is_always_singular(robot: "Robot", task: Task) -> bool:
     """Whether the Jacobian of a task has dependent rows in every configuration of the arm of some tool."""
-    world, tool = task.matrices
     for each in robot.tools:
-        samples = _jacobians(robot, each)
-        rows = np.concatenate([world @ samples["world"], tool @ samples["tool"]], axis=1)
-        if max(map(_rank, rows)) < task.rows:
+        arm = robot.arm(each)
+        if max(map(_rank, _jacobians(arm, task))) < task.rows:
             return True
     return False
 
 
-def _jacobians(robot: "Robot", tool: str) -> dict[str, Array]:
-    """Jacobians (SAMPLES, 6, k) of a tool by the k joints that move it, along the axes of the world and of the tool."""
-    model, joints = robot.model, list(robot.joints_of(tool))
-    data, frame = model.createData(), frame_index(model, tool)
+def _jacobians(robot: "Robot", task: Task) -> Array:
+    """Jacobians (SAMPLES, m, n) of the rows of a task at random configurations."""
+    chain = chain_of(robot, "auto")
+    rows = ca.Function("rows", [chain.q], [ca.densify(task_rows(chain, task)[0])])
     q = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-    along = {"world": pin.ReferenceFrame.LOCAL_WORLD_ALIGNED, "tool": pin.ReferenceFrame.LOCAL}
-    return {
-        name: np.array([_columns(pin.computeFrameJacobian(model, data, each, frame, axes), joints) for each in q])
-        for name, axes in along.items()
-    }
-
-
-def _columns(jacobian: Array, joints: list[int]) -> Array:
-    """Some columns of a Jacobian (6, n); Pinocchio returns that of one joint as (6,)."""
-    return np.asarray(jacobian.reshape(6, -1)[:, joints])
+    return np.array([np.asarray(rows(each)).reshape(task.rows, robot.n) for each in q])
 
 
 def _spanned(samples: Array) -> Array | None:

@@ -57,3 +57,20 @@ def placements(draw):
 @st.composite
 def joint_values(draw, n):
     return np.array(draw(st.lists(st.floats(-3.0, 3.0), min_size=n, max_size=n)))
+
+
+def chain_file(file, joints, tool):
+    """A URDF of a chain in `file`: joints as (kind, place, turn, axis, lower, upper), and the place of the link "tool"."""
+    text = '<link name="l0"/>'
+    for k, (kind, place, turn, axis, lower, upper) in enumerate(joints):
+        text += (
+            f'<link name="l{k + 1}"/><joint name="j{k + 1}" type="{kind}"><parent link="l{k}"/><child link="l{k + 1}"/>'
+            f'<origin xyz="{place}" rpy="{turn}"/><axis xyz="{axis}"/>'
+            f'<limit lower="{lower}" upper="{upper}" velocity="1" effort="10"/></joint>'
+        )
+    text += (
+        f'<link name="tool"/><joint name="flange" type="fixed"><parent link="l{len(joints)}"/><child link="tool"/>'
+        f'<origin xyz="{tool}"/></joint>'
+    )
+    file.write_text(f'<robot name="{file.stem}">{text}</robot>')
+    return file

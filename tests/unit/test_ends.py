@@ -152,6 +152,46 @@ def test_knuckles_that_mimic_are_fingers(load):
     assert (robot.tool, robot.n) == (last, 6)
 
 
+def test_a_motor_beside_the_fingers_is_no_end(load):
+    parts, last = arm(6)
+    motor = joint("gripper", last, "prop", "continuous", xyz=(0, 0, 0.02))
+    robot = load([*parts, fixed(last, "hand"), *FINGERS, motor])
+    assert (robot.tool, robot.n) == (last, 6)
+    with pytest.raises(mp.InvalidInputError, match="several ends"):
+        load([*parts, fixed(last, "hand"), *FINGERS, motor.replace('"gripper"', '"wheel"')])
+
+
+def test_the_piston_of_a_balancer_is_no_end(load):
+    parts, last = arm(6)
+    piston = [
+        joint("cylinder", "l1", "cylinder", xyz=(0.1, 0, 0), mimic="j2"),
+        joint("piston", "l2", "piston", xyz=(0.1, 0, 0), mimic="j2"),
+    ]
+    with pytest.raises(mp.UnsupportedJointError, match="j2"):  # which moves the tool, and leads
+        load([*parts, *piston])
+    with pytest.raises(mp.InvalidInputError, match="several ends: tool0, free"):
+        load([*parts, fixed(last, "tool0"), joint("free", "l1", "free", xyz=(0.1, 0, 0))])
+
+
+def test_a_long_finger_that_mimics_the_other_is_no_linkage(load):
+    parts, last = arm(6)
+    first = [joint(f"a{k}", last, f"u{k}", xyz=(0, 0, 0.3), mimic="a0" if k else None) for k in range(2)]
+    second = [joint(f"b{k}", f"u{k}", f"finger{k}", xyz=(0, 0, 0.3), mimic="b0" if k else None) for k in range(2)]
+    with pytest.raises(mp.InvalidInputError, match="several ends: finger0, finger1"):
+        load([*parts, *first, *second])
+
+
+def test_the_only_frame_without_geometry_is_the_tool(load, tmp_path):
+    parts, last = arm(3)
+    text = [*parts, fixed(last, "plate"), fixed(last, "cover"), fixed(last, "camera_frame")]
+    with pytest.raises(mp.InvalidInputError, match="camera_frame, cover, plate"):
+        load(text)
+    file = tmp_path / "arm.urdf"
+    shape = '<link name="cover"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>'
+    file.write_text(file.read_text().replace("<link name='cover'/>", shape))
+    assert mp.load_robot(file).tool == "plate"
+
+
 @pytest.mark.parametrize(
     "branch",
     [

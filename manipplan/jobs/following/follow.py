@@ -12,7 +12,7 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
-from manipplan.cost.objective import PathObjective, check_measure
+from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.jobs.following.course import CourseFinder
 from manipplan.jobs.following.motion import Failure, PartsJoiner
 from manipplan.jobs.following.parts import find_parts
@@ -188,8 +188,12 @@ def follow(
     for name, value in (("torque", torque), ("throw", throw)):
         instance(name, value, bool)
     if objective.task is None and has_few_joints(robot) and not robot.planar:
-        such = ", such as Task.position()" * (robot.n >= 3)
-        wanted = f"one with a task of at most {robot.n} rows{such}: {robot.name} has {robot.n} joints"
+        wanted = f"one with a task of at most {robot.n} rows, as {robot.name} has {robot.n} joints: mp.PathObjective(task=...)"
+        if robot.n >= 3:
+            wanted += (
+                " with mp.Task.position() or, from five joints on, mp.Task.pointing(axis), which keeps the direction of a tool "
+                "axis too"
+            )
         raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
     epsilon = check_epsilon(epsilon, robot.endless)
@@ -231,7 +235,9 @@ def follow(
     sampler = finder.layers.sampler
     assert sampler is not None
     if max(float(m.max()) for m in finder.layers.m) < VANISHING:
+        hint = idle_hint(sampler.kinematics)
         wanted = "a task whose rows are independent somewhere on the path: the arm is singular in every configuration there"
+        wanted += f"; {hint}" if hint else ""
         raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
     def finer(tell: Progress) -> CourseFinder | None:

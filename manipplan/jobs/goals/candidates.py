@@ -12,7 +12,7 @@ from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.reach import nearest
+from manipplan.jobs.goals.reach import NearestToGoal, nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
 from manipplan.jobs.goals.straight import straight_lines
@@ -22,7 +22,7 @@ from manipplan.robots.arms import has_few_joints
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, OutOfReachError
 
 #: Two minima of m count as equal when they differ by less than this share; then g decides.
 TIE = 1e-6
@@ -87,7 +87,8 @@ def find_candidates(
     """All candidates of the goals: the free ones first, the best first, then those that cannot be used, with the reason.
 
     With held joints, poses are reached by steps of the other joints from `start` and from random configurations. Raises
-    InvalidInputError where no candidate is free; the message counts the reasons.
+    InvalidInputError where no candidate is free; the message counts the reasons. It is an OutOfReachError where no goal is
+    reached at all.
     """
     robot = model.robot
     targets = [each.of_tool(robot) for each in targets]
@@ -95,6 +96,7 @@ def find_candidates(
     poses = {k: each.pose for k, each in enumerate(targets) if each.pose is not None}
     several = {k: each.tools for k, each in enumerate(targets) if each.tools is not None}
     useless: list[GoalCandidate] = []
+    missed: list[NearestToGoal] = []
     rows, goals = [], []
     for k, q in given.items():
         outside = robot.limits.outside(q)
@@ -112,6 +114,7 @@ def find_candidates(
         rows += list(nearest_turns(robot, near.reaching, start))
         goals += [k] * len(near.reaching)
         if not len(near.reaching):
+            missed.append(near)
             useless.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
     for k, tools in several.items():
         joined = reaching_tools(tools, start, model, integral, clearance, held)
@@ -131,7 +134,10 @@ def find_candidates(
     more, of = _refined(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):
-        raise InvalidInputError(*_nothing_free(targets, useless, ", within the constraints" if constraints.constraints else ""))
+        told = _nothing_free(targets, useless, ", within the constraints" if constraints.constraints else "")
+        if missed and len(missed) == len(useless):
+            raise OutOfReachError(*told, min(missed, key=lambda each: np.hypot(each.position, each.rotation)))
+        raise InvalidInputError(*told)
     return [*ordered(measured(q, index.tolist(), start, integral)), *useless]
 
 

@@ -1,12 +1,13 @@
 """How far a pose is out of reach: the nearest configurations to it inside the limits."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.ik.descend import descend
+from manipplan.ik.nearest import Nearest, descend_to_best, stopped_at
 from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
@@ -15,14 +16,13 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
 
-#: Smallest and largest number of starts per pose, and of all.
+#: Smallest and largest number of starts per pose, and of all; the same for poses that none of these reaches.
 STARTS, ALL_STARTS = (8, 24), 600
+MORE_STARTS, ALL_MORE = (24, 384), 1200
 #: Weight of an angle against a distance [m/rad].
-RADIAN = 0.1
+RADIAN = 1.0
 #: Weights of the six rows of a Jacobian [m or m/rad].
 LENGTHS = np.array([1.0] * 3 + [RADIAN] * 3)
-#: Distance from a limit up to which a joint counts as being at it [rad or m].
-AT_LIMIT = 1e-6
 #: Size of the miss that counts as none [m].
 REACHED = 1e-9
 #: Configurations are the same when no joint differs by more than this [rad or m].
@@ -30,34 +30,26 @@ SAME = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Nearest:
-    """The configuration found that comes nearest to a pose.
+class NearestToGoal(Nearest):
+    """The configuration found that comes nearest to a goal: `position` and `rotation` are beyond its tolerance.
 
     Attributes:
-        q: (n,) inside the limits.
-        position, rotation: distance [m] and angle [rad] beyond the tolerance of the goal.
         reaching: (k, n) different configurations found that reach the goal; (0, n) where none does.
-        stopped: names of the joints that are at a limit there.
     """
 
-    q: Array
-    position: float
-    rotation: float
     reaching: Array
-    stopped: tuple[str, ...]
 
     @property
     def missed(self) -> str:
         """How far it is away, and what stops it."""
         joints = f"with {' and '.join(self.stopped)} at a limit" if self.stopped else "with no joint at a limit"
-        away = f"{1e3 * self.position:.3g} mm and {np.rad2deg(self.rotation):.2g}° away"
-        return f"the nearest configuration found leaves the tool {away}, {joints}"
+        return f"the nearest configuration found leaves the tool {self.away}, {joints}"
 
     def __str__(self) -> str:
         return f"out of reach: {self.missed}"
 
 
-def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[Nearest]:
+def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[NearestToGoal]:
     """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts.
 
     The held joints (n,) keep their values of `near`.
@@ -70,22 +62,33 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
     q, owners = np.where(held, near, np.concatenate(starts)), np.repeat(np.arange(len(goals)), count)
     missing = Missing.of(kinematics, goals)
     q, miss = descend(robot.limits, lambda rows, q: missing.slopes(owners[rows], q), q, held)
+    size = np.linalg.norm(miss, axis=1)
+    reached = [_different(q[(owners == k) & (size <= REACHED)]) for k in range(len(goals))]
+    far = [k for k, each in enumerate(reached) if not len(each)]
     found = []
     for k, goal in enumerate(goals):
-        rows = np.flatnonzero(owners == k)
-        best = q[rows[(miss[rows] ** 2).sum(axis=1).argmin()]]
+        best = q[owners == k][size[owners == k].argmin()]
+        if k in far:
+            more = random_near(robot, goal.matrix, np.random.default_rng(1), int(np.clip(ALL_MORE // len(far), *MORE_STARTS)))
+            begins = np.where(held, near, np.vstack([q[owners == k], more]))
+            best, left = descend_to_best(robot.limits, _to_goal(missing, k), begins, held)
+            reached[k] = best[None][: int(np.linalg.norm(left) <= REACHED)]
         position, rotation = (float(each[0]) for each in goal.distances(kinematics.pose(best[None])))
-        limited = np.minimum(best - robot.limits.lower, robot.limits.upper - best) <= AT_LIMIT
         found.append(
-            Nearest(
+            NearestToGoal(
                 q=best,
                 position=max(position - goal.allowed[0], 0.0),
                 rotation=max(rotation - goal.allowed[1], 0.0),
-                reaching=_different(q[rows[np.linalg.norm(miss[rows], axis=1) <= REACHED]]),
-                stopped=tuple(name for name, is_at in zip(robot.joint_names, limited, strict=True) if is_at),
+                reaching=reached[k],
+                stopped=stopped_at(robot, best),
             )
         )
     return found
+
+
+def _to_goal(missing: "Missing", goal: int) -> Callable[[NDArray[np.intp], Array], tuple[Array, Array]]:
+    """What configurations miss of one goal, for `descend`."""
+    return lambda rows, q: missing.slopes(np.full(len(rows), goal), q)
 
 
 def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:

@@ -13,6 +13,7 @@ from manipplan.constraints.figures import figures
 from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
+from manipplan.cost.objective import idle_hint
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.report import UNCOUNTED, PlanReport, Report, first_path
@@ -171,7 +172,7 @@ def measure_plan(
         seed_length=result.seed_cost.length,
         seed_min_manipulability=result.seed_cost.min_manipulability,
         straight_min_manipulability=straight,
-        minimum_note=_minimum_note(found, result, straight),
+        minimum_note=idle_hint(kinematics) or _minimum_note(found, result, straight),
         straight_free=line is None or _is_free(model, line, max(clearance - TOLERANCE, 0.0)),
     )
 

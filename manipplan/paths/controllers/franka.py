@@ -94,7 +94,7 @@ def to_franka_csv(trajectory: Trajectory, file: str | Path) -> None:
             where = " at this position" if kind == "velocity" and arm.braking is not None else ""
             raise InvalidInputError(
                 f"trajectory (joint {joint + 1} at {at:.3f} s)",
-                f"a {kind} of {abs(values[row, joint]):.5g} {UNITS[kind]}",
+                f"{'an' if kind == 'acceleration' else 'a'} {kind} of {abs(values[row, joint]):.5g} {UNITS[kind]}",
                 f"at most {allowed[row, joint]:.6g} {UNITS[kind]}{where}; retime it with jerk limits, or make it slower",
             )
     header = ",".join(["time", *(f"joint{k}" for k in range(1, 8))])

@@ -7,18 +7,14 @@ from functools import lru_cache
 import numpy as np
 
 from manipplan.ik.enumeration import CHUNK
+from manipplan.ik.nearest import Nearest, nearest_to
 from manipplan.ik.solver import Solver
-from manipplan.ik.window import random_near
-from manipplan.paths.deviation import distances_between
 from manipplan.search.candidates.sampling import SamplingSpec
 from manipplan.support.checks import Array
+from manipplan.symbolic.task import Task
 
-#: Number of random starts for the nearest miss of a pose.
-STARTS = 40
 #: Maximum number of configurations whose distances are measured for a message.
 MEASURED = 2000
-#: Distance within which a joint counts as being at its limit [rad or m].
-AT_LIMIT = 1e-6
 
 
 class CandidateSampler:
@@ -66,30 +62,9 @@ class CandidateSampler:
         apart, _, pair = max(least)
         return apart, self.collision.pair_names[pair]
 
-    def nearest_miss(self, pose: Array) -> tuple[float, float, list[str]]:
-        """Smallest error to a pose over random starts [m, rad], and the joints that are at a limit there."""
-        from scipy.optimize import least_squares
-
-        from manipplan.search.program import PoseRows
-
-        solver, robot = self.solver, self.spec.robot
-        limits, rows, target = robot.limits, PoseRows(self.kinematics), pose[None]
-        slopes = rows.error.jacobian()
-
-        def errors(q: Array) -> Array:
-            return np.asarray(rows.errors(q[None], target)[0])
-
-        def jacobian(q: Array) -> Array:
-            return np.asarray(slopes(q, pose.T.ravel(), 0)[0])
-
-        options = {"bounds": (limits.lower, limits.upper), "xtol": 1e-12, "ftol": 1e-14, "gtol": 1e-14}
-        starts = random_near(robot, pose, np.random.default_rng(0), STARTS)
-        q = np.array([least_squares(errors, start, jacobian, **options).x for start in starts])
-        far, angle = distances_between(solver.kinematics.pose(q), np.tile(pose, (STARTS, 1, 1)), solver.free)
-        best = int(np.argmin(far**2 + angle**2))
-        stopped = np.minimum(q[best] - limits.lower, limits.upper - q[best]) < AT_LIMIT
-        names = [name for name, at in zip(robot.joint_names, stopped, strict=True) if at]
-        return float(far[best]), float(angle[best]), names
+    def nearest(self, pose: Array) -> Nearest:
+        """The configuration inside the limits that comes nearest to a pose (4, 4), collisions aside."""
+        return nearest_to(self.spec.robot.kinematics(Task.pose(length=1.0), threads=1), self.solver.free, pose)
 
 
 def _blocks(values: Array) -> list[Array]:

@@ -22,7 +22,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
 from manipplan.support.checks import Array, finite_array, instance, number
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
 
@@ -120,9 +120,10 @@ def sample_layers(
         progress: called with the share done in [0, 1] and a text.
 
     Raises:
-        InvalidInputError: an argument is not usable; no candidate reaches a position (the message gives the remaining
-            error, or the two bodies that are too near in the best case, and their distance); the candidates would exceed the
-            memory, as estimated before the work starts.
+        InvalidInputError: an argument is not usable; the bodies of all candidates are too near at a position (the message
+            gives the two that are too near in the best case, and their distance); the candidates would exceed the memory, as
+            estimated before the work starts.
+        OutOfReachError: no configuration reaches a position; `nearest` is the one that comes nearest, with its error.
     """
     from manipplan.ik.verify import are_poses
     from manipplan.search.candidates.sampler import CandidateSampler
@@ -182,7 +183,7 @@ def sample_layers(
             q, m, reached = job.result()
             if not len(q):
                 position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
-                raise InvalidInputError(position, poses[k].tolist(), _remedy(sampler, poses[k], values, reached))
+                raise _no_candidate(position, sampler, poses[k], values, reached)
             layers[k] = q, m
             found = sum(len(m) for _, m in layers.values())
             tell(len(layers) / n, f"sampling positions: {found:,} candidates")
@@ -210,22 +211,24 @@ def usual_samples(solver: "Solver") -> Sequence[int]:
     return SAMPLES if solver.form is not None else SEARCHED
 
 
-def _remedy(sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> str:
-    """Why a position has no candidate, and the remedy."""
+def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> InvalidInputError:
+    """The error that tells why a position has no candidate, and the remedy."""
     if reached:
         spec = sampler.spec
         apart, (first, second) = sampler.widest(pose, values)
         needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
         needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
-        return (
+        told = (
             f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
             f"{apart_text(apart)}; needed: {needed}"
         )
-    far, angle, stopped = sampler.nearest_miss(pose)
-    if far < REACHES[0] and angle < REACHES[1]:
-        return "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
-    limits = f", with {' and '.join(stopped)} at the limit" if stopped else ""
-    return f"a pose within reach and joint limits; the arm stays {1e3 * far:.4g} mm and {np.rad2deg(angle):.3g}° away{limits}"
+        return InvalidInputError(position, pose.tolist(), told)
+    nearest = sampler.nearest(pose)
+    if nearest.position < REACHES[0] and nearest.rotation < REACHES[1]:
+        told = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
+        return InvalidInputError(position, pose.tolist(), told)
+    told = f"a pose within reach and joint limits; the arm stays {nearest}"
+    return OutOfReachError(position, pose.tolist(), told, nearest)
 
 
 def _check_grid(
