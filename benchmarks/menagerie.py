@@ -140,7 +140,20 @@ class Judge:
             joint = self.model.joint(name)
             if self.model.jnt_type[joint.id] in (2, 3):
                 self.data.qpos[joint.qposadr[0]] = value
-        active = {int(joint.bodyid[0]) for joint in self.joints}
+        self.couplings = [  # follower, leader, polynomial about their references
+            (int(self.model.eq_obj1id[k]), int(self.model.eq_obj2id[k]), self.model.eq_data[k, :2])
+            for k in range(self.model.neq)
+            if self.model.eq_type[k] == mujoco.mjtEq.mjEQ_JOINT and self.model.eq_active0[k] and self.model.eq_obj2id[k] >= 0
+        ]
+        self.slopes = np.zeros((self.model.nv, robot.n))  # of all joints, by those of the arm
+        for k, joint in enumerate(self.joints):
+            self.slopes[joint.dofadr[0], k] = 1.0
+        for follower, leader, line in self.couplings * len(self.couplings):  # followers of followers too
+            follows, leads = self.model.jnt_dofadr[[follower, leader]]
+            if self.slopes[leads].any():
+                self.slopes[follows] = line[1] * self.slopes[leads]
+        moved = np.flatnonzero(self.slopes.any(axis=1))
+        active = {int(self.model.dof_bodyid[dof]) for dof in moved}
         self.mover = [0] * self.model.nbody  # the body of the last active joint that carries each body
         for body in range(1, self.model.nbody):
             self.mover[body] = body if body in active else self.mover[self.model.body_parentid[body]]
@@ -168,6 +181,11 @@ class Judge:
         """Put the arm at q (n,)."""
         for joint, value in zip(self.joints, q, strict=True):
             self.data.qpos[joint.qposadr[0]] = value
+        for follower, leader, line in self.couplings * len(self.couplings):
+            follows, leads = self.model.jnt_qposadr[[follower, leader]]
+            if self.slopes[self.model.jnt_dofadr[leader]].any():
+                offset = self.data.qpos[leads] - self.model.qpos0[leads]
+                self.data.qpos[follows] = self.model.qpos0[follows] + line[0] + line[1] * offset
         mujoco.mj_kinematics(self.model, self.data)
         mujoco.mj_comPos(self.model, self.data)
 
@@ -270,7 +288,6 @@ def kinematics(row: Row, robot: mp.Robot, judge: Judge, rng: np.random.Generator
     """Poses and Jacobians of the tool, and the limits."""
     kin = robot.kinematics(mp.Task.pose(length=1.0), compiled=False)
     body = mujoco.mj_name2id(judge.model, mujoco.mjtObj.mjOBJ_BODY, robot.tool)
-    columns = [int(joint.dofadr[0]) for joint in judge.joints]
     for q in robot.random_configuration(rng, size=20):
         judge.place(q)
         theirs = np.eye(4)
@@ -278,7 +295,7 @@ def kinematics(row: Row, robot: mp.Robot, judge: Judge, rng: np.random.Generator
         linear, angular = np.zeros((2, 3, judge.model.nv))
         mujoco.mj_jacBody(judge.model, judge.data, linear, angular, body)
         row.pose = max(row.pose, float(np.abs(kin.pose(q) - theirs).max()))
-        difference = kin.jacobian(q) - np.concatenate([linear, angular])[:, columns]
+        difference = kin.jacobian(q) - np.concatenate([linear, angular]) @ judge.slopes
         row.jacobian = max(row.jacobian, float(np.abs(difference).max()))
     ranges = [
         judge.model.jnt_range[joint.id] if judge.model.jnt_limited[joint.id] else (-np.inf, np.inf) for joint in judge.joints
