@@ -1,13 +1,12 @@
 """Build a collision model: the bodies of a robot and of a scene, and the pairs of them that are checked."""
 
-from collections import Counter
-
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.stored_fits import find_or_cut
+from manipplan.collision.described import MESH, DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
@@ -45,7 +44,7 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     if scene.obstacles and not alone.bodies:
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
     check_names(robot, scene)
-    dropped, radii, solids = dict(alone.dropped), dict[int, float](), set[int]()
+    dropped, radii, solids = dict(alone.dropped), dict[int, float](), set(alone.solids)
     named = dict(enumerate(alone.links))
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         parts = obstacle.parts()
@@ -123,12 +122,20 @@ def self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
     left_out = add_self_pairs(robot, geometry, origins)
     samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
     touching = _touching(robot, geometry, samples)
-    if _use_meshes_for_coarse_pairs(robot, geometry, origins, samples, touching):
-        touching = _touching(robot, geometry, samples)
+    solids = _use_meshes_for_coarse_pairs(robot, geometry, origins, excess, samples, touching)
+    if solids is not None:
+        touching = _touching(robot, geometry, samples, solids)
     links = [robot.link_of(robot.geometry.geometryObjects[origin]) for origin in origins]
     contacts = _drop_always_touching(robot, geometry, links, left_out, touching)
     model = CollisionModel(
-        robot, geometry, _by_links(geometry, links, left_out), bodies=bodies, excess=excess, links=links, contacts=contacts
+        robot,
+        geometry,
+        _by_links(geometry, links, left_out),
+        bodies=bodies,
+        excess=excess,
+        solids=solids or (),
+        links=links,
+        contacts=contacts,
     )
     return model, origins
 
@@ -177,49 +184,64 @@ def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]
     return left_out
 
 
-def _touching(robot: Robot, geometry: pin.GeometryModel, samples: Array) -> NDArray[np.bool_]:
+def _touching(
+    robot: Robot, geometry: pin.GeometryModel, samples: Array, solids: frozenset[int] = frozenset()
+) -> NDArray[np.bool_]:
     """Whether each pair touches at each of the samples (m, n); (m, k)."""
-    return np.asarray(CollisionModel(robot, geometry, {}).distance_rows(samples, beyond=TOUCHING) <= 0)
+    return np.asarray(CollisionModel(robot, geometry, {}, solids=solids).distance_rows(samples, beyond=TOUCHING) <= 0)
 
 
 def _use_meshes_for_coarse_pairs(
-    robot: Robot, geometry: pin.GeometryModel, origins: list[int], samples: Array, touching: NDArray[np.bool_]
-) -> bool:
-    """Check pairs with their meshes whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
+    robot: Robot,
+    geometry: pin.GeometryModel,
+    origins: list[int],
+    excess: dict[str, float],
+    samples: Array,
+    touching: NDArray[np.bool_],
+) -> frozenset[int] | None:
+    """Check pairs with finer bodies whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
 
-    Returns whether there are any.
+    These are more pieces of one of the two, where that is enough, otherwise the meshes themselves. The bodies are added to
+    `geometry`, `origins` and `excess`. Returns those that are surfaces and solid inside; None where no pair is replaced.
     """
-    if not touching.any():
-        return False
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
-    described = robot.geometry.copy()
-    described_pairs = {pair: k for k, pair in enumerate(dict.fromkeys(stands_for))}
-    for i, j in described_pairs:
-        described.addCollisionPair(pin.CollisionPair(i, j))
-    data, described_data = robot.model.createData(), pin.GeometryData(described)
-    coarse = Counter[tuple[int, int]]()
-    for number in np.flatnonzero(touching.any(axis=1)):
-        pin.updateGeometryPlacements(robot.model, data, described, described_data, samples[number])
-        for pair in {stands_for[k] for k in np.flatnonzero(touching[number])}:
-            if not pin.computeCollision(described, described_data, described_pairs[pair]):
-                coarse[pair] += SAMPLES if number == 0 else 1  # one wrong contact in the neutral posture is enough
-    replaced = {pair for pair, count in coarse.items() if count > COARSE * SAMPLES}
-    added: dict[int, int] = {}
-    for pair in sorted(replaced):
-        for origin in pair:
-            if origin not in added:
-                item = robot.geometry.geometryObjects[origin]
-                mesh = pin.GeometryObject(
-                    f"{item.name}.mesh", item.parentJoint, item.parentFrame, item.placement, item.geometry
-                )
-                added[origin] = geometry.addGeometryObject(mesh)
-                origins.append(origin)
-        geometry.addCollisionPair(pin.CollisionPair(added[pair[0]], added[pair[1]]))
+    rows = np.flatnonzero(touching.any(axis=1))
+    described = DescribedBodies(robot)
+    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    suspects = dict.fromkeys(pair for pair in suspects if any(described.has_triangles(origin) for origin in pair))
+    chosen: dict[tuple[int, int], tuple[int, int]] = {}
+    for pair in suspects:
+        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
+        by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
+        if _is_coarse(by_pieces, by_mesh, rows):
+            finer = (
+                each
+                for each in described.finer(pair)
+                if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows)
+            )
+            chosen[pair] = next(finer, (MESH, MESH))
+    if not chosen:
+        return None
+    added: dict[tuple[int, int], list[int]] = {}
+    for pair, levels in sorted(chosen.items()):
+        for each in zip(pair, levels, strict=True):
+            if each not in added:
+                added[each] = described.add_to(geometry, *each, excess)
+                origins += [each[0]] * len(added[each])
+        for i in added[pair[0], levels[0]]:
+            for j in added[pair[1], levels[1]]:
+                geometry.addCollisionPair(pin.CollisionPair(i, j))
     for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
-        if origin_pair in replaced:
+        if origin_pair in chosen:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
-    return bool(replaced)
+    return described.solids(added)
+
+
+def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]) -> bool:
+    """Whether pieces touch too often where meshes do not, at samples `rows`; in the neutral posture, row 0, once is."""
+    wrong = by_pieces & ~by_mesh
+    return bool(wrong.sum() > COARSE * SAMPLES or wrong[rows == 0].any())
 
 
 def _drop_always_touching(

@@ -6,8 +6,10 @@
    expanding
    polytope algorithm gives the depth, with the same two bounds.
 
-   Obstacles are in a tree of axis-parallel boxes; each mesh and each point cloud has a tree of its triangles or points below its
-   place there. All arrays belong to the caller. Vectors are in metres. */
+   Obstacles are in a tree of axis-parallel boxes. Each mesh and each point cloud has a tree of its triangles or points in the frame
+   of its joint, so that it may move; two of them are compared by going down both trees. The signed distance of surfaces that
+   overlap is minus the largest depth of two parts that do. A closed surface is solid: of what is wholly inside, the signed distance
+   is minus that from the surface. All arrays belong to the caller. Vectors are in metres. */
 
 #include <math.h>
 #include <string.h>
@@ -29,7 +31,7 @@ typedef struct {
     const long *count;      /* and their number */
     const double *radius;
     const double *pose;     /* (bodies, 12) of the core in the joint's frame: BOX, CYLINDER, HALFSPACE */
-    const double *size;     /* (bodies, 3) half sides; radius and half length; - */
+    const double *size;     /* (bodies, 3) half sides; radius and half length; SURFACE: whether it is closed */
     const double *ball;     /* (bodies, 4) centre in the joint's frame, and radius of a ball around the shape */
     const double *local;    /* (bodies, 6) least and largest corner of a box around the shape in the joint's frame */
     const double *x, *y, *z;/* core points in the joint's frame */
@@ -47,11 +49,15 @@ typedef struct {
     const long *node;       /* (nodes, 2) children; a leaf has -1 and the obstacle or, below a surface, its leaf */
     const long *root;       /* (bodies) root of a surface's tree */
     const double *corners;  /* (leaves, 9) triangles; a point has three equal corners */
+    const double *leaf_x, *leaf_y, *leaf_z; /* (leaves, 3) the same by axis; leaves below a node follow each other */
+    const long *probes;     /* (bodies, 2) SURFACE: first probe and their number */
+    const double *probe;    /* (probes, 3) a point of each connected part of a surface, in the joint's frame */
     double *frames;         /* (n + 1, 12) work: rotation and origin of each joint in the world */
     double *centres;        /* (bodies, 3) work: centre of each ball in the world */
     double *least;          /* (pairs) work: distances found at a configuration, infinite between calls */
     long *found;            /* (pairs) work: the pairs of which one was found */
-    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before; zero: none is known */
+    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before, of surfaces that move 1 +
+                               the number of the nearest leaf of each; zero: none is known */
 } World;
 
 typedef struct {
@@ -69,7 +75,10 @@ static const double MEETING = 1e-10; /* cores nearer than this meet [m] */
 static const double APART = 1e-6;    /* the direction between cores nearer than this is not exact [m] */
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
 static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
+static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
+static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
+static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -99,6 +108,13 @@ static void compose(const double *a, const double *b, double *out) {
             out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
         out[9 + i] = a[3 * i] * b[9] + a[3 * i + 1] * b[10] + a[3 * i + 2] * b[11] + a[9 + i];
     }
+}
+
+/* Frame b in the coordinates of frame a. */
+static void relative(const double *a, const double *b, double *out) {
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) out[3 * i + j] = a[i] * b[j] + a[3 + i] * b[3 + j] + a[6 + i] * b[6 + j];
+    place_back(a, b + 9, out + 9);
 }
 
 static void place(const World *w, const double *q) {
@@ -146,6 +162,13 @@ static long farthest(const Core *core, const double *d) {
     const double *x = core->x, *y = core->y, *z = core->z;
     double best = -INFINITY, along[RUN];
     long first = 0;
+    if (core->count < LANES / 2) {
+        for (long k = 0; k < core->count; k++) {
+            double own = d[0] * x[k] + d[1] * y[k] + d[2] * z[k];
+            if (own > best) best = own, first = k;
+        }
+        return first;
+    }
     for (long k = 0; k < core->count; k += RUN) {
         long run = core->count - k < RUN ? core->count - k : RUN, i = 0;
         double most[LANES];
@@ -459,15 +482,45 @@ static int shape_bounds(const World *w, long i, const Core *one, long j, const C
     return apart;
 }
 
+/* The least height along d of a corner below a node of a surface's tree, unless it is not below `least`, and that corner. */
+static double lowest_of(const World *w, long node, const double *d, double least, double *p) {
+    const double *box = w->node_box + 6 * node;
+    double under = 0;
+    for (int i = 0; i < 3; i++) under += d[i] * box[d[i] > 0 ? i : 3 + i];
+    if (!(under < least)) return least;
+    const long *child = w->node + 2 * node;
+    if (child[0] >= 0) {
+        for (int k = 0; k < 2; k++) least = lowest_of(w, child[k], d, least, p);
+        return least;
+    }
+    for (int k = 0; k < 3; k++) {
+        const double *corner = w->corners + 9 * child[1] + 3 * k;
+        double along = dot(d, corner);
+        if (along < least) least = along, memcpy(p, corner, 3 * sizeof *p);
+    }
+    return least;
+}
+
+/* The point of a shape, in the world, that is deepest in a half-space, and its height over the plane: exact. */
+static double lowest(const World *w, long body, const Core *core, const double *frame, double *p) {
+    double down[3], height = 0;
+    for (int i = 0; i < 3; i++) down[i] = -frame[3 * i + 2];
+    if (w->kind[body] == SURFACE) {
+        const double *own = w->frames + 12 * w->joint[body];
+        double d[3], corner[3] = {0}, up[3] = {-down[0], -down[1], -down[2]};
+        turn_back(own, up, d);
+        lowest_of(w, w->root[body], d, INFINITY, corner);
+        act(own, corner, p);
+    } else support(core, down, p);
+    for (int i = 0; i < 3; i++) height -= down[i] * (p[i] - frame[9 + i]);
+    return height;
+}
+
 /* Distance of a shape from a half-space: exact. */
 static double over_plane(const World *w, long body, const Core *core, long plane) {
-    double frame[12], down[3], p[3];
+    double frame[12], p[3];
     compose(w->frames + 12 * w->joint[plane], w->pose + 12 * plane, frame);
-    for (int i = 0; i < 3; i++) down[i] = -frame[3 * i + 2];
-    support(core, down, p);
-    double height = 0;
-    for (int i = 0; i < 3; i++) height -= down[i] * (p[i] - frame[9 + i]);
-    return height - w->radius[body] - w->radius[plane];
+    return lowest(w, body, core, frame, p) - w->radius[body] - w->radius[plane];
 }
 
 static double square_from_box(const double *p, const double *box) {
@@ -514,7 +567,7 @@ static int leaves(const World *w, long node, const double *p, const double *d) {
     return det < 0 ? 1 : -1;
 }
 
-/* Whether a point is inside a closed surface, by the majority of three rays. */
+/* Whether a point, in the frame of the surface's joint, is inside a closed surface, by the majority of three rays. */
 static int within(const World *w, long surface, const double *p) {
     static const double ray[3][3] = {{0.612372, 0.353553, 0.707107}, {-0.41779, 0.83127, -0.36701}, {0.11731, -0.51449, -0.84943}};
     if (from_box(p, w->node_box + 6 * w->root[surface]) > 0) return 0;
@@ -531,31 +584,42 @@ typedef struct {
     const long *pairs;    /* number of the pair with each body, -1 where it is not checked; 0: there is one pair alone */
     long pair;            /* its number then */
     double reach;         /* distances above it are not looked for */
-    double *out;          /* distances by pair, infinite where none was found; nan where the bounds did not converge, and for the
-                             depth in a surface; 0: only look for touching */
+    double *out;          /* distances by pair, infinite where none was found; nan where the bounds did not converge, and for depths
+                             that are not found; 0: only look for touching */
     long *count;          /* number of pairs in `found` of the world; 0: pairs are not listed */
     int verdict;
     long leaf;            /* nearest triangle or point of the last surface; -1 */
-    Plane plane;          /* separates the body from it */
+    Plane plane;          /* separates the body from it, in its frame */
     double *guess;        /* as in the world, for the same pairs; 0: none is kept */
+    long own;             /* nearest triangle or point of the body itself, where that is a surface; -1 */
+    int inside;           /* whether the last surface is around the body, or the body around it */
+    int failed;           /* whether it overlaps the body by a depth that is not found */
+    const double *frame;  /* of the body's joint, in the frame of the surface */
+    const double *centre; /* of the body's ball, there */
+    int moves;            /* whether the surface moves */
+    double closer;        /* leaves that are nearer than the nearest so far by less than this are not looked at [m] */
 } Search;
 
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
 
 static double reach_of(const Search *s, long obstacle) {
-    return s->out ? fmin(s->out[pair_with(s, obstacle)], s->reach) : s->reach;
+    if (!s->out) return s->reach;
+    double best = s->out[pair_with(s, obstacle)];
+    return best > s->reach ? s->reach : best;               /* nan is kept: nothing is above it */
 }
 
-/* Note bounds on a distance. `apart`: whether the cores do not meet; where they do and the depth is not known, there are no bounds. */
-static void tell(Search *s, long obstacle, int apart, double low, double high) {
+/* Note bounds on a distance. `apart`: whether the cores do not meet; where they do and the depth is not known, there are no bounds.
+   Returns whether this is the smallest distance so far. */
+static int tell(Search *s, long obstacle, int apart, double low, double high) {
     if (s->out) {
         double *best = s->out + pair_with(s, obstacle);
         int exact = apart && high - low <= 1e3 * EXACT;
-        if (apart && (exact ? high : low) >= fmin(*best, s->reach)) return;
+        if (apart && (exact ? high : low) >= fmin(*best, s->reach)) return 0;
         if (s->count && *best == INFINITY) s->w->found[(*s->count)++] = pair_with(s, obstacle);
         *best = exact ? high : NAN;
     } else if (!apart || high <= s->reach) s->verdict = TOUCHING;
     else if (low <= s->reach && s->verdict == FREE) s->verdict = UNDECIDED;
+    return 1;
 }
 
 static int ended(const Search *s, long obstacle) {
@@ -569,11 +633,22 @@ static double behind(const Plane *plane, const double *box) {
     return plane->level - most;
 }
 
-/* Whether a ball is farther than `reach` from the box around a body. */
-static int is_beside(const World *w, const double *centre, double radius, long body, double reach) {
+/* Least distance of a triangle from what is in front of a plane. */
+static double in_front(const Plane *plane, const double *c) {
+    double a = dot(plane->normal, c), b = dot(plane->normal, c + 3), d = dot(plane->normal, c + 6), most = a > b ? a : b;
+    return plane->level - (d > most ? d : most);
+}
+
+/* Whether a ball is farther than `reach` from the box around a body, whose joint has a frame. */
+static int is_outside(const World *w, const double *centre, double radius, long body, const double *frame, double reach) {
     double p[3];
-    place_back(w->frames + 12 * w->joint[body], centre, p);
+    place_back(frame, centre, p);
     return square_from_box(p, w->local + 6 * body) > (reach + radius) * (reach + radius);
+}
+
+/* The same in the world. */
+static int is_beside(const World *w, const double *centre, double radius, long body, double reach) {
+    return is_outside(w, centre, radius, body, w->frames + 12 * w->joint[body], reach);
 }
 
 /* The core of a triangle or point with corners c (9); `axes` (9) holds them by axis. */
@@ -588,51 +663,129 @@ static void leaf_core(const double *c, double *axes, Core *leaf) {
     leaf->x = axes, leaf->y = axes + 3, leaf->z = axes + 6;
 }
 
-/* Look at the triangles or points below a node of a surface. `before`: a plane with the body in front of it. */
-static void surface(Search *s, long obstacle, long node, const Plane *before) {
+/* How deep two triangles overlap in one direction, `size` (its square): the shorter way apart along it, at most `least`. */
+static double overlap_along(double (*a)[3], double (*b)[3], const double *d, double size, double least) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int k = 0; k < 3; k++) {
+        double p = dot(a[k], d), q = dot(b[k], d);
+        low[0] = p < low[0] ? p : low[0], high[0] = p > high[0] ? p : high[0];
+        low[1] = q < low[1] ? q : low[1], high[1] = q > high[1] ? q : high[1];
+    }
+    double way = fmin(high[0] - low[1], high[1] - low[0]);
+    return way > 0 ? fmin(way / sqrt(size), least) : 0;
+}
+
+/* How deep two triangles overlap: the shortest way apart is along a normal of one, or normal to an edge of each. */
+static double depth_of_triangles(const Core *one, const Core *two) {
+    double corner[2][3][3], edge[2][3][3], least = INFINITY;
+    for (int side = 0; side < 2; side++) {
+        const Core *core = side ? two : one;
+        for (int k = 0; k < 3; k++) {
+            long at = k < core->count ? k : 0;
+            double p[3] = {core->x[at], core->y[at], core->z[at]};
+            act(core->frame, p, corner[side][k]);
+        }
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 3; i++) edge[side][k][i] = corner[side][(k + 1) % 3][i] - corner[side][k][i];
+    }
+    for (int k = 0; k < 11; k++) {
+        const double *e = k < 9 ? edge[0][k / 3] : edge[k - 9][0], *f = k < 9 ? edge[1][k % 3] : edge[k - 9][1];
+        double d[3], size;
+        cross(e, f, d), size = dot(d, d);
+        if (size > PARALLEL * dot(e, e) * dot(f, f)) least = overlap_along(corner[0], corner[1], d, size, least);
+    }
+    return least < INFINITY ? least : 0;
+}
+
+/* Note that the body, or a leaf of it, meets a leaf of an obstacle; `simplex` is what `bounds` left. Returns whether this is the
+   deepest overlap so far. */
+static int tell_depth(Search *s, long obstacle, const Core *one, const Core *leaf, const Simplex *simplex) {
+    double depth, radii = s->w->radius[s->body] + s->w->radius[obstacle];
+    if (!s->out) {
+        tell(s, obstacle, 0, 0, 0);
+        return 1;
+    }
+    if (s->w->kind[s->body] == SURFACE) depth = depth_of_triangles(one, leaf);
+    else if (!depth_of(one, leaf, simplex, &depth, 0, 0, 0)) {
+        s->failed = 1;
+        return 0;
+    }
+    if (-depth - radii >= s->out[pair_with(s, obstacle)]) return 0;
+    tell(s, obstacle, 1, -depth - radii, -depth - radii);
+    return 1;
+}
+
+/* The hull of `count` leaves of a surface, in the frame of its joint. */
+static void hull_core(const World *w, long first, long count, Core *core) {
+    static const double still[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    core->kind = POINTS, core->count = 3 * count, core->frame = still;
+    core->x = w->leaf_x + 3 * first, core->y = w->leaf_y + 3 * first, core->z = w->leaf_z + 3 * first;
+}
+
+/* Compare the body with a triangle or point of a surface; `direction`: a first guess from it to the body. */
+static void one_leaf(Search *s, long obstacle, long at, double reach, const double *direction) {
     const World *w = s->w;
-    const double *box = w->node_box + 6 * node, *centre = w->centres + 3 * s->body, extra = w->radius[obstacle];
-    double reach = reach_of(s, obstacle), minus_radii = -extra - w->radius[s->body];
+    const double *c = w->corners + 9 * at;
+    double axes[9], towards[3], low, high, little = s->out ? -INFINITY : reach;
+    Core leaf;
+    leaf_core(c, axes, &leaf);
+    Plane plane = s->plane;
+    Simplex simplex;
+    memcpy(towards, direction, sizeof towards);
+    int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
+    if (!apart) {
+        if (tell_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
+    } else if (low <= reach) {
+        if (tell(s, obstacle, apart, low, high)) s->leaf = at;
+        s->plane = plane;
+    }
+}
+
+/* Look at the triangles or points below a node of a surface, `count` from leaf `begin` on. `before`: a plane with the body in front
+   of it. */
+static void surface(Search *s, long obstacle, long node, long begin, long count, const Plane *before) {
+    const World *w = s->w;
+    const double *box = w->node_box + 6 * node, *centre = s->centre, extra = w->radius[obstacle];
+    double reach = reach_of(s, obstacle) - s->closer, minus_radii = -extra - w->radius[s->body];
     double around = from_box(centre, box) - w->ball[4 * s->body + 3] - extra;
     if (ended(s, obstacle) || around > reach) return;
     if (behind(before, box) + minus_radii > reach || behind(&s->plane, box) + minus_radii > reach) return;
     const long *child = w->node + 2 * node;
-    double low, high;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
-        double axes[9];
-        Core leaf;
-        leaf_core(c, axes, &leaf);
-        double little = s->out ? -INFINITY : reach, most = -INFINITY;
-        for (int i = 0; i < 3; i++) most = fmax(most, dot(s->plane.normal, c + 3 * i));
-        if (s->plane.level - most + minus_radii > reach) return;
-        Plane plane = s->plane;
-        double towards[3];
-        memcpy(towards, s->plane.normal, sizeof towards);
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, 0);
-        if (!apart || low <= reach) tell(s, obstacle, apart, low, high), s->leaf = child[1], s->plane = plane;
+        if (in_front(&s->plane, c) + minus_radii > reach) return;
+        if (!s->moves) one_leaf(s, obstacle, child[1], reach, s->plane.normal);
+        else if (in_front(before, c) + minus_radii <= reach) one_leaf(s, obstacle, child[1], reach, before->normal);
         return;
     }
     Plane plane = *before;
-    double half[3];
+    double half[3], low, high;
     Core all;
     box_core(box, &all, half);
-    if (is_beside(w, all.own + 9, sqrt(dot(half, half)), s->body, reach + extra)) return;
-    if (half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3]) { /* small beside the body: worth a look at the whole box */
+    if (is_outside(w, all.own + 9, sqrt(dot(half, half)), s->body, s->frame, reach + extra)) return;
+    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3];   /* small beside the body */
+    if (s->moves && count <= FEW) {
+        worthwhile &= count > FEW / 2 || (count > 2 && count <= 4);                  /* not at every level */
+        hull_core(w, begin, count, &all);
+    }
+    if (worthwhile) {
         double towards[3];
-        for (int i = 0; i < 3; i++) towards[i] = centre[i] - all.own[9 + i];
-        int apart = bounds(s->core, &all, towards, reach - minus_radii, reach - minus_radii, EXACT, &low, &high, &plane, 0);
+        for (int i = 0; i < 3; i++) towards[i] = s->moves ? before->normal[i] : centre[i] - all.own[9 + i];
+        double enough = reach - minus_radii;
+        int apart = bounds(s->core, &all, towards, enough, enough, EXACT, &low, &high, &plane, 0);
         if (apart && low + minus_radii > reach) return;
     }
     double first = behind(&plane, w->node_box + 6 * child[0]), second = behind(&plane, w->node_box + 6 * child[1]);
     int order = second < first;
-    surface(s, obstacle, child[order], &plane);
-    surface(s, obstacle, child[1 - order], &plane);
+    for (int k = 0; k < 2; k++) {
+        int at = k ^ order;
+        surface(s, obstacle, child[at], begin + (at ? count / 2 : 0), at ? count - count / 2 : count / 2, &plane);
+    }
 }
 
-/* The plane behind the ball around a body that faces the middle of a box. */
-static Plane facing(const World *w, long body, const double *box) {
-    const double *ball = w->ball + 4 * body, *centre = w->centres + 3 * body;
+/* The plane behind the ball around a body, at a centre, that faces the middle of a box. */
+static Plane facing(const World *w, long body, const double *centre, const double *box) {
+    const double *ball = w->ball + 4 * body;
     double size = 0;
     Plane plane;
     for (int i = 0; i < 3; i++) plane.normal[i] = centre[i] - (box[i] + box[3 + i]) / 2, size += plane.normal[i] * plane.normal[i];
@@ -642,33 +795,227 @@ static Plane facing(const World *w, long body, const double *box) {
     return plane;
 }
 
+/* Two surfaces of which the trees are gone down. */
+typedef struct {
+    Search *s;
+    long obstacle;
+    double frame[12];       /* of the body's joint, in the frame of the obstacle's */
+    double share[9];        /* absolute values of its rotation */
+    double radii;
+    double towards[3];      /* direction between the last leaves that were near */
+} Two;
+
+/* A lower bound of the signed distance of the parts of two surfaces in boxes a and b, by the six directions of the boxes' sides. */
+static double between_boxes(const Two *two, const double *a, const double *b) {
+    double centre[3], half[3], other[3], gap[3], turned[3], most = -INFINITY, in_one = 0, in_two = 0;
+    for (int i = 0; i < 3; i++) centre[i] = (a[i] + a[3 + i]) / 2, half[i] = (a[3 + i] - a[i]) / 2;
+    act(two->frame, centre, gap);
+    for (int i = 0; i < 3; i++) gap[i] -= (b[i] + b[3 + i]) / 2, other[i] = (b[3 + i] - b[i]) / 2;
+    turn_back(two->frame, gap, turned);
+    for (int i = 0; i < 3; i++) {
+        double own = fabs(gap[i]) - other[i] - dot(two->share + 3 * i, half), theirs = fabs(turned[i]) - half[i];
+        for (int j = 0; j < 3; j++) theirs -= two->share[3 * j + i] * other[j];
+        most = own > most ? own : most, most = theirs > most ? theirs : most;
+        own = own > 0 ? own : 0, theirs = theirs > 0 ? theirs : 0;
+        in_two += own * own, in_one += theirs * theirs;
+    }
+    return most > 0 ? sqrt(in_one > in_two ? in_one : in_two) : most;
+}
+
+/* Compare leaves of two surfaces. */
+static void two_leaves(Two *two, long a, long b) {
+    Search *s = two->s;
+    Core one, other;
+    double axes[9], others[9], towards[3], low, high, reach = reach_of(s, two->obstacle);
+    leaf_core(s->w->corners + 9 * a, axes, &one), leaf_core(s->w->corners + 9 * b, others, &other);
+    one.frame = two->frame;
+    memcpy(towards, two->towards, sizeof towards);
+    Simplex simplex;
+    double enough = s->out ? reach - CLOSER : reach;
+    int apart = shape_bounds(s->w, s->body, &one, two->obstacle, &other, towards, enough, s->out ? -INFINITY : reach, &low, &high, 0,
+                             &simplex);
+    if (apart && low > enough) return;
+    if (!apart) {
+        if (!tell_depth(s, two->obstacle, &one, &other, &simplex)) return;
+    } else if (!tell(s, two->obstacle, apart, low, high)) return;
+    s->own = a, s->leaf = b;
+    memcpy(two->towards, towards, sizeof towards);
+}
+
+/* A node of a surface's tree, and the leaves below it. */
+typedef struct { long node, first, count; } Part;
+
+static Part whole(const World *w, long body) {
+    Part part = {w->root[body], w->first[body], w->count[body]};
+    return part;
+}
+
+static Part child_of(const World *w, Part part, int which) {
+    long half = part.count / 2;
+    Part child = {w->node[2 * part.node + which], part.first + (which ? half : 0), which ? part.count - half : half};
+    return child;
+}
+
+static double extent(const double *box) { return box[3] - box[0] + box[4] - box[1] + box[5] - box[2]; }
+
+/* Look at two parts of surfaces, whose signed distance is at least `under` plus both radii. */
+static void two_nodes(Two *two, Part a, Part b, double under) {
+    const World *w = two->s->w;
+    double reach = reach_of(two->s, two->obstacle);
+    if ((!two->s->out && ended(two->s, two->obstacle)) || !(under <= (two->s->out ? reach - CLOSER : reach))) return;
+    const long *one = w->node + 2 * a.node, *other = w->node + 2 * b.node;
+    if (one[0] < 0 && other[0] < 0) {
+        two_leaves(two, one[1], other[1]);
+        return;
+    }
+    if (under > -0.1 * extent(w->node_box + 6 * b.node) && a.count <= FEW && b.count <= FEW && a.count * b.count >= LEAST_PAIRS) {
+        Core own, theirs;
+        double towards[3], low, high, limit = (two->s->out ? reach - CLOSER : reach) + two->radii;
+        hull_core(w, a.first, a.count, &own), hull_core(w, b.first, b.count, &theirs);
+        own.frame = two->frame;
+        memcpy(towards, two->towards, sizeof towards);
+        if (bounds(&own, &theirs, towards, limit, limit, EXACT, &low, &high, 0, 0) && low > limit) return;
+    }
+    int first = one[0] >= 0 && (other[0] < 0 || extent(w->node_box + 6 * a.node) >= extent(w->node_box + 6 * b.node));
+    Part half[2] = {child_of(w, first ? a : b, 0), child_of(w, first ? a : b, 1)};
+    double least[2];
+    for (int k = 0; k < 2; k++)
+        least[k] = between_boxes(two, w->node_box + 6 * (first ? half[k] : a).node, w->node_box + 6 * (first ? b : half[k]).node) - two->radii;
+    for (int k = 0; k < 2; k++) {
+        int at = k ^ (least[1] < least[0]);
+        two_nodes(two, first ? half[at] : a, first ? b : half[at], least[at]);
+    }
+}
+
+/* Whether a part of the surface of a body is inside a closed one; `frame`: of the body's joint in the frame of the other's. */
+static int is_around(const World *w, long solid, long body, const double *frame) {
+    const long *probes = w->probes + 2 * body;
+    for (long k = probes[0]; k < probes[0] + probes[1]; k++) {
+        double p[3];
+        act(frame, w->probe + 3 * k, p);
+        if (within(w, solid, p)) return 1;
+    }
+    return 0;
+}
+
+/* Compare a body that is a surface with another one. */
+static void look_at_surfaces(Search *s, long obstacle, Two *two) {
+    const World *w = s->w;
+    long one = s->body;
+    two->s = s, two->obstacle = obstacle, two->radii = w->radius[one] + w->radius[obstacle];
+    relative(w->frames + 12 * w->joint[obstacle], w->frames + 12 * w->joint[one], two->frame);
+    for (int i = 0; i < 9; i++) two->share[i] = fabs(two->frame[i]);
+    double *guess = s->guess ? s->guess + 3 * pair_with(s, obstacle) : 0;
+    place_back(w->frames + 12 * w->joint[obstacle], w->centres + 3 * one, two->towards);
+    for (int i = 0; i < 3; i++) two->towards[i] -= w->ball[4 * obstacle + i];
+    if (guess && guess[0] > 0) two_leaves(two, (long)guess[0] - 1, (long)guess[1] - 1);
+    two_nodes(two, whole(w, one), whole(w, obstacle), -INFINITY);
+    if (guess) guess[0] = s->own + 1, guess[1] = s->leaf + 1;
+}
+
+/* Compare a convex body with a surface. */
+static void look_at_surface(Search *s, long obstacle, Core *core, double *frame, double *centre) {
+    const World *w = s->w;
+    const double *there = w->frames + 12 * w->joint[obstacle];
+    s->frame = w->frames + 12 * w->joint[s->body], s->centre = w->centres + 3 * s->body;
+    if (w->joint[obstacle] > 0) {                           /* in the frame of the surface */
+        relative(there, s->frame, frame), place_back(there, s->centre, centre);
+        s->frame = frame, s->centre = centre, *core = *s->core, core->frame = frame;
+        if (core->kind != POINTS) compose(frame, w->pose + 12 * s->body, core->own), core->frame = core->own;
+        s->core = core, s->closer = s->out ? CLOSER : 0, s->moves = 1;
+    }
+    Plane plane = s->plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
+    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + 3 * pair_with(s, obstacle) : 0;
+    if (guess && guess[0] > 0) one_leaf(s, obstacle, (long)guess[0] - 1, reach_of(s, obstacle), plane.normal);
+    surface(s, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
+    if (guess) guess[0] = s->leaf + 1;
+}
+
+/* Compare the body, convex or a surface, with a surface that may be closed, as the body may. */
+static void look_at_solid(Search *s, long obstacle) {
+    const World *w = s->w;
+    int both = w->kind[s->body] == SURFACE;
+    const Core *kept = s->core;
+    Core core;
+    Two two;
+    double frame[12], centre[3], radii = w->radius[s->body] + w->radius[obstacle], *best = s->out ? s->out + pair_with(s, obstacle) : 0;
+    s->leaf = s->own = -1, s->inside = s->failed = s->moves = 0, s->closer = 0;
+    if (both) look_at_surfaces(s, obstacle, &two);
+    else look_at_surface(s, obstacle, &core, frame, centre);
+    int closed = w->size[3 * obstacle] > 0, apart = !best || *best > -radii || s->leaf < 0;
+    if (!ended(s, obstacle) && apart) {
+        double v[3] = {1, 0, 0}, p[3], back[12];
+        if (s->failed) tell(s, obstacle, 0, 0, 0);
+        else if (both) {
+            s->inside = closed && is_around(w, obstacle, s->body, two.frame);
+            if (!s->inside && w->size[3 * s->body] > 0) {
+                relative(w->frames + 12 * w->joint[s->body], w->frames + 12 * w->joint[obstacle], back);
+                s->inside = is_around(w, s->body, obstacle, back);
+            }
+        } else if (closed) {
+            support(s->core, v, p);
+            s->inside = within(w, obstacle, p);
+        }
+    }
+    if (s->inside && !best) tell(s, obstacle, 0, 0, 0);
+    else if (s->inside) {
+        double far = INFINITY;
+        if (s->leaf >= 0 && *best < s->reach) far = *best;
+        else {                                              /* farther inside than distances are looked for */
+            Search deep = *s;
+            deep.pairs = 0, deep.pair = 0, deep.reach = INFINITY, deep.out = &far, deep.count = 0, deep.guess = 0;
+            if (both) look_at_surfaces(&deep, obstacle, &two);
+            else {
+                deep.plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
+                Plane plane = deep.plane;
+                surface(&deep, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
+            }
+            s->leaf = deep.leaf, s->own = deep.own, s->plane = deep.plane;
+        }
+        tell(s, obstacle, !isnan(far), -fabs(far), -fabs(far));
+    }
+    if (both) memcpy(s->plane.normal, two.towards, sizeof two.towards);
+    s->core = kept;
+}
+
+/* Whether a body and another one, which are bounded, are farther apart than `reach` by balls and boxes around them. */
+static int are_far(const World *w, long one, long two, double reach) {
+    const double *a = w->centres + 3 * one, *b = w->centres + 3 * two;
+    double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + w->ball[4 * one + 3] + w->ball[4 * two + 3];
+    return dot(gap, gap) > reaches * reaches || is_beside(w, b, w->ball[4 * two + 3], one, reach) ||
+           is_beside(w, a, w->ball[4 * one + 3], two, reach);
+}
+
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
 static void look_at(Search *s, long obstacle, const double *box) {
     const World *w = s->w;
     if (pair_with(s, obstacle) < 0 || ended(s, obstacle)) return;
-    long kind = w->kind[obstacle];
+    long kind = w->kind[obstacle], own = w->kind[s->body];
     double low = -INFINITY, high = INFINITY;
-    if (kind == UNKNOWN || w->kind[s->body] == UNKNOWN || w->kind[s->body] == SURFACE || w->kind[s->body] == HALFSPACE) {
+    if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) {
         tell(s, obstacle, 1, low, high);
     } else if (kind == HALFSPACE) {
         low = over_plane(w, s->body, s->core, obstacle);
         if (low <= reach_of(s, obstacle)) tell(s, obstacle, 1, low, low);
-    } else if (kind == SURFACE) {
-        Plane plane = s->plane = facing(w, s->body, w->node_box + 6 * w->root[obstacle]);
-        surface(s, obstacle, w->root[obstacle], &plane);
-        if (w->size[3 * obstacle] > 0 && !ended(s, obstacle)) {  /* a closed surface: a body inside it touches */
-            double p[3], v[3] = {1, 0, 0};
-            support(s->core, v, p);
-            if (within(w, obstacle, p)) tell(s, obstacle, 0, low, high);
+    } else if (own == SURFACE) {
+        if (are_far(w, s->body, obstacle, reach_of(s, obstacle))) return;
+        if (kind == SURFACE) look_at_solid(s, obstacle);
+        else {                                              /* the other way round */
+            Core core;
+            Search turned = *s;
+            core_of(w, obstacle, &core);
+            turned.body = obstacle, turned.core = &core, turned.pairs = 0, turned.pair = pair_with(s, obstacle);
+            look_at_solid(&turned, s->body);
+            s->verdict = turned.verdict, s->own = turned.leaf, s->leaf = -1;
         }
+    } else if (kind == SURFACE) {
+        if (w->joint[obstacle] > 0 && are_far(w, s->body, obstacle, reach_of(s, obstacle))) return;
+        look_at_solid(s, obstacle);
     } else {
         double towards[3], reach = reach_of(s, obstacle);
         const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
         for (int i = 0; i < 3; i++) towards[i] = a[i] - b[i];
-        double reaches = reach + w->ball[4 * s->body + 3] + w->ball[4 * obstacle + 3];
-        if (dot(towards, towards) > reaches * reaches || is_beside(w, b, w->ball[4 * obstacle + 3], s->body, reach) ||
-            is_beside(w, a, w->ball[4 * s->body + 3], obstacle, reach))
-            return;
+        if (are_far(w, s->body, obstacle, reach)) return;
         double *guess = s->guess ? s->guess + 3 * pair_with(s, obstacle) : 0;
         if (guess && dot(guess, guess) > 0)
             memcpy(towards, guess, sizeof towards);
@@ -758,8 +1105,7 @@ static double *fresh_guess(const World *w, long m) {
     return w->guess;
 }
 
-/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: in surfaces, and where the bounds did
-   not converge. */
+/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: where the bounds did not converge. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
     double *guess = fresh_guess(w, m);
     for (long k = 0; k < m; k++, out += w->pairs) {
@@ -813,23 +1159,30 @@ int manipplan_least(const World *w, const double *q, long m, double reach, long 
     return 1;
 }
 
+/* The distance of two bodies at q (n), where the arm is placed, cut off at reach. `leaf`: the triangle or point of the second body
+   that is nearest; -1 if that is no surface, or not within reach. */
+static double pair_distance(const World *w, const double *q, long one, long two, double reach, double *guess, long *leaf) {
+    double out = reach;
+    *leaf = -1;
+    for (long j = 0; j < w->n; j++)
+        if (!isfinite(q[j])) return NAN;
+    Core core;
+    core_of(w, one, &core);
+    Search s = {w, one, &core, 0, 0, reach, &out, 0, FREE, -1, {{0}, 0}, guess};
+    look_at(&s, two, 0);
+    *leaf = s.leaf;
+    return out;
+}
+
 /* The distance of one pair at each of m configurations, cut off at reach (m): bodies (m, 2), the second of which may stand still;
    out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
 void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {
     double guess[3] = {0};
     for (long k = 0; k < m; k++) {
         long one = bodies[2 * k], two = bodies[2 * k + 1];
-        int finite = 1;
         if (k > 0 && (one != bodies[2 * k - 2] || two != bodies[2 * k - 1])) memset(guess, 0, sizeof guess);
-        for (long j = 0; j < w->n; j++) finite &= isfinite(q[k * w->n + j]) != 0;
-        out[k] = finite ? reach[k] : NAN, leaf[k] = -1;
-        if (!finite) continue;
-        Core core;
         if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
-        core_of(w, one, &core);
-        Search s = {w, one, &core, 0, 0, reach[k], out + k, 0, FREE, -1, {{0}, 0}, guess};
-        look_at(&s, two, 0);
-        leaf[k] = s.leaf;
+        out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], guess, leaf + k);
     }
 }
 
@@ -878,7 +1231,9 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         bound[k] = -INFINITY;
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
-            manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+            double fresh[3] = {0};
+            int both = w->kind[one] == SURFACE && w->kind[two] == SURFACE;
+            out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], both ? guess : fresh, &leaf);
             continue;
         }
         Core first, second;
@@ -895,7 +1250,8 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
             if (!(dot(guess, guess) > 0))
                 for (int i = 0; i < 3; i++) guess[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
             if (!shape_bounds(w, one, &first, two, &second, guess, reach[k], -INFINITY, &low, &high, &plane, 0)) {
-                manipplan_pairs(w, q + k * w->n, 1, bodies + 2 * k, reach + k, out + k, &leaf);
+                double fresh[3] = {0};
+                out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], fresh, &leaf);
                 continue;
             }
             support(&second, plane.normal, p);
@@ -939,43 +1295,56 @@ static int nearest_of(const Simplex *s, double *a, double *b) {
     return 1;
 }
 
-/* The nearest points of the cores of two bodies in the world, the second of which may stand still, their signed distance, and the
-   unit vector from the second to the first. Returns 0 where the cores nearly touch, or this code cannot tell. */
+/* The nearest points of the cores of two bodies in the world, their signed distance, and the unit vector from the second to the
+   first; of a body inside a solid it leads out. Returns 0 where the cores nearly touch, or this code cannot tell. */
 static int nearest_points(const World *w, long one, long two, double *a, double *b, double *distance, double *normal) {
-    if (w->kind[one] > CYLINDER || w->kind[two] == UNKNOWN) return 0;
+    int kind = (int)w->kind[two], own = (int)w->kind[one];
+    if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) return 0;
+    if (own == SURFACE && kind <= CYLINDER) {
+        int known = nearest_points(w, two, one, b, a, distance, normal);
+        for (int i = 0; known && i < 3; i++) normal[i] = -normal[i];
+        return known;
+    }
     Core core, other;
     core_of(w, one, &core);
-    double towards[3], axes[9], low, high;
-    if (w->kind[two] == HALFSPACE) {
-        double frame[12], down[3];
+    double towards[3], axes[9], own_axes[9], low, high;
+    int inside = 0;
+    if (kind == HALFSPACE) {
+        double frame[12];
         compose(w->frames + 12 * w->joint[two], w->pose + 12 * two, frame);
-        for (int i = 0; i < 3; i++) normal[i] = frame[3 * i + 2], down[i] = -normal[i];
-        support(&core, down, a);
-        *distance = 0;
-        for (int i = 0; i < 3; i++) *distance += normal[i] * (a[i] - frame[9 + i]);
+        for (int i = 0; i < 3; i++) normal[i] = frame[3 * i + 2];
+        *distance = lowest(w, one, &core, frame, a);
         for (int i = 0; i < 3; i++) b[i] = a[i] - *distance * normal[i];
         return 1;
     }
-    if (w->kind[two] == SURFACE) {
+    if (kind == SURFACE) {
         double least = INFINITY;
+        const double *there = w->frames + 12 * w->joint[two];
         Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, 0};
-        look_at(&s, two, 0);
+        look_at_solid(&s, two);
         if (isnan(least) || s.leaf < 0) return 0;
-        leaf_core(w->corners + 9 * s.leaf, axes, &other);
-        memcpy(towards, s.plane.normal, sizeof towards);
+        inside = s.inside;
+        leaf_core(w->corners + 9 * s.leaf, axes, &other), other.frame = there;
+        if (own == SURFACE) leaf_core(w->corners + 9 * s.own, own_axes, &core), core.frame = w->frames + 12 * w->joint[one];
+        for (int i = 0; i < 3; i++) towards[i] = dot(there + 3 * i, s.plane.normal);
     } else {
         core_of(w, two, &other);
         for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
     }
     Simplex s;
     if (!bounds(&core, &other, towards, INFINITY, -INFINITY, EXACTEST, &low, &high, 0, &s)) {
-        if (w->kind[two] == SURFACE || !depth_of(&core, &other, &s, distance, normal, a, b)) return 0;
+        if (inside || !depth_of(&core, &other, &s, distance, normal, a, b)) return 0;
         *distance = -*distance;
         return 1;
     }
     if (high - low > 1e3 * EXACT || high < APART || !nearest_of(&s, a, b)) return 0;
     *distance = sqrt(dot(s.nearest, s.nearest));
     for (int i = 0; i < 3; i++) normal[i] = s.nearest[i] / *distance;
+    double radii = w->radius[one] + w->radius[two];
+    if (inside && *distance > radii) {                      /* out[0] will be minus the distance from the surface */
+        *distance = 2 * radii - *distance;
+        for (int i = 0; i < 3; i++) normal[i] = -normal[i];
+    }
     return 1;
 }
 

@@ -1,20 +1,23 @@
-; distances.c 3928454bb04df1539e093432d7438726523cc7486f0b6f7b2634011ca2639926: written by make kernel
+; distances.c eee683583631fa249cf9a30a00de967789692a748b30c41647cc4ebcb795179a: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
-%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr }
+%struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr, i64, i32, i32, ptr, ptr, i32, double }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
+%struct.Two = type { ptr, i64, [12 x double], [9 x double], double, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
+%struct.Part = type { i64, i64, i64 }
 
-@place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
-@box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
+@hull_core.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @reduce.face = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 2], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 2, i32 3], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @__const.reduce.chosen = private unnamed_addr constant [3 x i32] [i32 0, i32 1, i32 2], align 4
 @within.ray = internal constant [3 x [3 x double]] [[3 x double] [double 6.123720e-01, double 3.535530e-01, double 7.071070e-01], [3 x double] [double -4.177900e-01, double 0x3FEA99C38B04AB60, double -3.670100e-01], [3 x double] [double 1.173100e-01, double -5.144900e-01, double -8.494300e-01]], align 16
+@box_core.straight = internal unnamed_addr constant [9 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00], align 16
 @begin.solid = internal unnamed_addr constant [4 x [3 x i32]] [[3 x i32] [i32 0, i32 2, i32 1], [3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 0, i32 3, i32 2], [3 x i32] [i32 1, i32 2, i32 3]], align 16
 @begin.beside = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 0, i32 1, i32 3], [3 x i32] [i32 1, i32 2, i32 3], [3 x i32] [i32 2, i32 0, i32 3], [3 x i32] [i32 1, i32 0, i32 4], [3 x i32] [i32 2, i32 1, i32 4], [3 x i32] [i32 0, i32 2, i32 4]], align 16
 @begin.around = internal unnamed_addr constant [6 x [3 x i32]] [[3 x i32] [i32 2, i32 3, i32 1], [3 x i32] [i32 3, i32 4, i32 1], [3 x i32] [i32 4, i32 2, i32 1], [3 x i32] [i32 3, i32 2, i32 0], [3 x i32] [i32 4, i32 3, i32 0], [3 x i32] [i32 2, i32 4, i32 0]], align 16
+@place.still = internal constant [12 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00, double 1.000000e+00, double 0.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 @__const.nearest_of.share = private unnamed_addr constant [3 x double] [double 1.000000e+00, double 0.000000e+00, double 0.000000e+00], align 16
 
 define dso_local i32 @manipplan_check_one(ptr noundef %0, ptr nocapture noundef readonly %1, double noundef %2) local_unnamed_addr #0 {
@@ -39,14 +42,14 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 15:                                               ; preds = %13
   %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %17 = icmp eq ptr %3, null
-  br i1 %17, label %245, label %18
+  br i1 %17, label %249, label %18
 
 18:                                               ; preds = %15
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   %21 = load i64, ptr %16, align 8
   %22 = icmp sgt i64 %21, 0
-  br i1 %22, label %23, label %245
+  br i1 %22, label %23, label %249
 
 23:                                               ; preds = %18
   %24 = load ptr, ptr %19, align 8
@@ -58,7 +61,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %28 = phi i64 [ %35, %26 ], [ 0, %5 ]
   %29 = getelementptr inbounds double, ptr %1, i64 %28
   %30 = load double, ptr %29, align 8
-  %31 = tail call double @llvm.fabs.f64(double %30) #14
+  %31 = tail call double @llvm.fabs.f64(double %30) #17
   %32 = fcmp one double %31, 0x7FF0000000000000
   %33 = zext i1 %32 to i32
   %34 = and i32 %27, %33
@@ -78,14 +81,14 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %43 = add nuw nsw i64 %38, 1
   %44 = load i64, ptr %16, align 8
   %45 = icmp slt i64 %43, %44
-  br i1 %45, label %37, label %245
+  br i1 %45, label %37, label %249
 
 46:                                               ; preds = %5, %13
   %47 = icmp eq ptr %3, null
   br i1 %47, label %51, label %48
 
 48:                                               ; preds = %46
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
   %50 = load ptr, ptr %49, align 8
   br label %51
 
@@ -95,13 +98,13 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
   %54 = load i64, ptr %53, align 8
   %55 = icmp sgt i64 %54, 0
-  br i1 %55, label %56, label %163
+  br i1 %55, label %56, label %165
 
 56:                                               ; preds = %51
   %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
   %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
   %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
-  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
   %61 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
   %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
   %63 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
@@ -116,255 +119,263 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
   %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
   %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
-  %75 = icmp ne ptr %52, null
-  br label %76
+  %75 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 12
+  %76 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 18
+  %77 = icmp ne ptr %52, null
+  br label %78
 
-76:                                               ; preds = %56, %158
-  %77 = phi i64 [ %54, %56 ], [ %159, %158 ]
-  %78 = phi i32 [ 0, %56 ], [ %160, %158 ]
-  %79 = phi i64 [ 0, %56 ], [ %161, %158 ]
-  %80 = load i64, ptr %57, align 8
-  %81 = icmp sgt i64 %80, -1
-  br i1 %81, label %82, label %163
+78:                                               ; preds = %56, %160
+  %79 = phi i64 [ %54, %56 ], [ %161, %160 ]
+  %80 = phi i32 [ 0, %56 ], [ %162, %160 ]
+  %81 = phi i64 [ 0, %56 ], [ %163, %160 ]
+  %82 = load i64, ptr %57, align 8
+  %83 = icmp sgt i64 %82, -1
+  br i1 %83, label %84, label %165
 
-82:                                               ; preds = %76
-  %83 = load ptr, ptr %58, align 8
-  %84 = mul nsw i64 %79, 3
-  %85 = getelementptr inbounds i64, ptr %83, i64 %84
-  %86 = load ptr, ptr %59, align 8
-  %87 = shl nsw i64 %79, 2
-  %88 = getelementptr inbounds double, ptr %86, i64 %87
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %89 = getelementptr inbounds double, ptr %88, i64 3
-  %90 = load double, ptr %89, align 8
-  %91 = load ptr, ptr %60, align 8
-  %92 = load i64, ptr %85, align 8
-  %93 = mul nsw i64 %92, 12
-  %94 = getelementptr inbounds double, ptr %91, i64 %93
-  %95 = getelementptr inbounds double, ptr %88, i64 1
-  %96 = getelementptr inbounds double, ptr %88, i64 2
-  br label %97
+84:                                               ; preds = %78
+  %85 = load ptr, ptr %58, align 8
+  %86 = mul nsw i64 %81, 3
+  %87 = getelementptr inbounds i64, ptr %85, i64 %86
+  %88 = load ptr, ptr %59, align 8
+  %89 = shl nsw i64 %81, 2
+  %90 = getelementptr inbounds double, ptr %88, i64 %89
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %91 = getelementptr inbounds double, ptr %90, i64 3
+  %92 = load double, ptr %91, align 8
+  %93 = load ptr, ptr %60, align 8
+  %94 = load i64, ptr %87, align 8
+  %95 = mul nsw i64 %94, 12
+  %96 = getelementptr inbounds double, ptr %93, i64 %95
+  %97 = getelementptr inbounds double, ptr %90, i64 1
+  %98 = getelementptr inbounds double, ptr %90, i64 2
+  br label %99
 
-97:                                               ; preds = %97, %82
-  %98 = phi i64 [ 0, %82 ], [ %121, %97 ]
-  %99 = mul nuw nsw i64 %98, 3
-  %100 = getelementptr inbounds double, ptr %94, i64 %99
-  %101 = load double, ptr %100, align 8
-  %102 = load double, ptr %88, align 8
-  %103 = fmul double %101, %102
-  %104 = add nuw nsw i64 %99, 1
-  %105 = getelementptr inbounds double, ptr %94, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = load double, ptr %95, align 8
-  %108 = fmul double %106, %107
-  %109 = fadd double %103, %108
-  %110 = add nuw nsw i64 %99, 2
-  %111 = getelementptr inbounds double, ptr %94, i64 %110
-  %112 = load double, ptr %111, align 8
-  %113 = load double, ptr %96, align 8
-  %114 = fmul double %112, %113
-  %115 = fadd double %109, %114
-  %116 = add nuw nsw i64 %98, 9
-  %117 = getelementptr inbounds double, ptr %94, i64 %116
-  %118 = load double, ptr %117, align 8
-  %119 = fadd double %118, %115
-  %120 = getelementptr inbounds double, ptr %6, i64 %98
-  store double %119, ptr %120, align 8
-  %121 = add nuw nsw i64 %98, 1
-  %122 = icmp eq i64 %121, 3
-  br i1 %122, label %123, label %97
+99:                                               ; preds = %99, %84
+  %100 = phi i64 [ 0, %84 ], [ %123, %99 ]
+  %101 = mul nuw nsw i64 %100, 3
+  %102 = getelementptr inbounds double, ptr %96, i64 %101
+  %103 = load double, ptr %102, align 8
+  %104 = load double, ptr %90, align 8
+  %105 = fmul double %103, %104
+  %106 = add nuw nsw i64 %101, 1
+  %107 = getelementptr inbounds double, ptr %96, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = load double, ptr %97, align 8
+  %110 = fmul double %108, %109
+  %111 = fadd double %105, %110
+  %112 = add nuw nsw i64 %101, 2
+  %113 = getelementptr inbounds double, ptr %96, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = load double, ptr %98, align 8
+  %116 = fmul double %114, %115
+  %117 = fadd double %111, %116
+  %118 = add nuw nsw i64 %100, 9
+  %119 = getelementptr inbounds double, ptr %96, i64 %118
+  %120 = load double, ptr %119, align 8
+  %121 = fadd double %120, %117
+  %122 = getelementptr inbounds double, ptr %6, i64 %100
+  store double %121, ptr %122, align 8
+  %123 = add nuw nsw i64 %100, 1
+  %124 = icmp eq i64 %123, 3
+  br i1 %124, label %125, label %99
 
-123:                                              ; preds = %97
-  %124 = fadd double %90, %2
-  %125 = fmul double %124, %124
-  %126 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %6, double noundef %125, i64 noundef %80)
-  %127 = icmp eq i32 %126, 0
-  br i1 %127, label %158, label %128
+125:                                              ; preds = %99
+  %126 = fadd double %92, %2
+  %127 = fmul double %126, %126
+  %128 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %6, double noundef %127, i64 noundef %82)
+  %129 = icmp eq i32 %128, 0
+  br i1 %129, label %160, label %130
 
-128:                                              ; preds = %123
-  %129 = getelementptr inbounds i64, ptr %85, i64 1
-  %130 = getelementptr inbounds i64, ptr %85, i64 2
-  %131 = load i64, ptr %130, align 8
-  %132 = icmp sgt i64 %131, 0
-  br i1 %132, label %133, label %158
+130:                                              ; preds = %125
+  %131 = getelementptr inbounds i64, ptr %87, i64 1
+  %132 = getelementptr inbounds i64, ptr %87, i64 2
+  %133 = load i64, ptr %132, align 8
+  %134 = icmp sgt i64 %133, 0
+  br i1 %134, label %135, label %160
 
-133:                                              ; preds = %128
-  %134 = load i64, ptr %129, align 8
-  br label %141
+135:                                              ; preds = %130
+  %136 = load i64, ptr %131, align 8
+  br label %143
 
-135:                                              ; preds = %141
-  %136 = add nsw i64 %143, 1
-  %137 = load i64, ptr %129, align 8
-  %138 = load i64, ptr %130, align 8
-  %139 = add nsw i64 %138, %137
-  %140 = icmp slt i64 %136, %139
-  br i1 %140, label %141, label %156
+137:                                              ; preds = %143
+  %138 = add nsw i64 %145, 1
+  %139 = load i64, ptr %131, align 8
+  %140 = load i64, ptr %132, align 8
+  %141 = add nsw i64 %140, %139
+  %142 = icmp slt i64 %138, %141
+  br i1 %142, label %143, label %158
 
-141:                                              ; preds = %133, %135
-  %142 = phi i32 [ %152, %135 ], [ %78, %133 ]
-  %143 = phi i64 [ %136, %135 ], [ %134, %133 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %8) #15
+143:                                              ; preds = %135, %137
+  %144 = phi i32 [ %154, %137 ], [ %80, %135 ]
+  %145 = phi i64 [ %138, %137 ], [ %136, %135 ]
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %8) #18
   store ptr %0, ptr %8, align 8
-  %144 = load ptr, ptr %62, align 8
-  %145 = getelementptr inbounds i64, ptr %144, i64 %143
-  %146 = load i64, ptr %145, align 8
-  store i64 %146, ptr %61, align 8
+  %146 = load ptr, ptr %62, align 8
+  %147 = getelementptr inbounds i64, ptr %146, i64 %145
+  %148 = load i64, ptr %147, align 8
+  store i64 %148, ptr %61, align 8
   store ptr %7, ptr %63, align 8
-  %147 = load ptr, ptr %65, align 8
-  %148 = load i64, ptr %66, align 8
-  %149 = mul nsw i64 %148, %143
-  %150 = getelementptr inbounds i64, ptr %147, i64 %149
-  store ptr %150, ptr %64, align 8
+  %149 = load ptr, ptr %65, align 8
+  %150 = load i64, ptr %66, align 8
+  %151 = mul nsw i64 %150, %145
+  %152 = getelementptr inbounds i64, ptr %149, i64 %151
+  store ptr %152, ptr %64, align 8
   store i64 -1, ptr %67, align 8
   store double %2, ptr %68, align 8
   store ptr %52, ptr %69, align 8
   store ptr %3, ptr %70, align 8
-  store i32 %142, ptr %71, align 8
+  store i32 %144, ptr %71, align 8
   store i64 -1, ptr %72, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %73, i8 0, i64 32, i1 false)
   store ptr %4, ptr %74, align 8
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %146, ptr noundef nonnull %7)
-  %151 = load i64, ptr %57, align 8
-  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %151)
-  %152 = load i32, ptr %71, align 8
-  %153 = icmp ne i32 %152, 1
-  %154 = select i1 %75, i1 true, i1 %153
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #15
-  br i1 %154, label %135, label %155
+  store double 0.000000e+00, ptr %76, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %75, i8 0, i64 36, i1 false)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %148, ptr noundef nonnull %7)
+  %153 = load i64, ptr %57, align 8
+  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %153)
+  %154 = load i32, ptr %71, align 8
+  %155 = icmp ne i32 %154, 1
+  %156 = select i1 %77, i1 true, i1 %155
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #18
+  br i1 %156, label %137, label %157
 
-155:                                              ; preds = %141
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %245
+157:                                              ; preds = %143
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  br label %249
 
-156:                                              ; preds = %135
-  %157 = load i64, ptr %53, align 8
-  br label %158
+158:                                              ; preds = %137
+  %159 = load i64, ptr %53, align 8
+  br label %160
 
-158:                                              ; preds = %156, %128, %123
-  %159 = phi i64 [ %77, %123 ], [ %77, %128 ], [ %157, %156 ]
-  %160 = phi i32 [ %78, %123 ], [ %78, %128 ], [ %152, %156 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %161 = add nuw nsw i64 %79, 1
-  %162 = icmp slt i64 %161, %159
-  br i1 %162, label %76, label %163
+160:                                              ; preds = %158, %130, %125
+  %161 = phi i64 [ %79, %125 ], [ %79, %130 ], [ %159, %158 ]
+  %162 = phi i32 [ %80, %125 ], [ %80, %130 ], [ %154, %158 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  %163 = add nuw nsw i64 %81, 1
+  %164 = icmp slt i64 %163, %161
+  br i1 %164, label %78, label %165
 
-163:                                              ; preds = %158, %76, %51
-  %164 = phi i32 [ 0, %51 ], [ %78, %76 ], [ %160, %158 ]
-  %165 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
-  %166 = load i64, ptr %165, align 8
-  %167 = icmp sgt i64 %166, 0
-  br i1 %167, label %168, label %245
+165:                                              ; preds = %160, %78, %51
+  %166 = phi i32 [ 0, %51 ], [ %80, %78 ], [ %162, %160 ]
+  %167 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
+  %168 = load i64, ptr %167, align 8
+  %169 = icmp sgt i64 %168, 0
+  br i1 %169, label %170, label %249
 
-168:                                              ; preds = %163
-  %169 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
-  %170 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %172 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %173 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
-  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  %183 = icmp eq ptr %52, null
-  br label %184
+170:                                              ; preds = %165
+  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
+  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %173 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
+  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
+  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %184 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %185 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %186 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  %187 = icmp eq ptr %52, null
+  br label %188
 
-184:                                              ; preds = %168, %240
-  %185 = phi i64 [ %166, %168 ], [ %241, %240 ]
-  %186 = phi i32 [ %164, %168 ], [ %242, %240 ]
-  %187 = phi i64 [ 0, %168 ], [ %243, %240 ]
-  %188 = load ptr, ptr %169, align 8
-  %189 = mul nuw nsw i64 %187, 3
-  %190 = getelementptr inbounds i64, ptr %188, i64 %189
-  %191 = load i64, ptr %190, align 8
-  %192 = add nuw nsw i64 %189, 1
-  %193 = getelementptr inbounds i64, ptr %188, i64 %192
-  %194 = load i64, ptr %193, align 8
-  %195 = load ptr, ptr %170, align 8
-  %196 = mul nsw i64 %191, 3
-  %197 = getelementptr inbounds double, ptr %195, i64 %196
-  %198 = mul nsw i64 %194, 3
-  %199 = getelementptr inbounds double, ptr %195, i64 %198
-  %200 = load double, ptr %197, align 8
-  %201 = load double, ptr %199, align 8
-  %202 = fsub double %200, %201
-  %203 = getelementptr inbounds double, ptr %197, i64 1
-  %204 = load double, ptr %203, align 8
-  %205 = getelementptr inbounds double, ptr %199, i64 1
-  %206 = load double, ptr %205, align 8
-  %207 = fsub double %204, %206
-  %208 = getelementptr inbounds double, ptr %197, i64 2
-  %209 = load double, ptr %208, align 8
-  %210 = getelementptr inbounds double, ptr %199, i64 2
-  %211 = load double, ptr %210, align 8
-  %212 = fsub double %209, %211
-  %213 = load ptr, ptr %171, align 8
-  %214 = shl nsw i64 %191, 2
-  %215 = or i64 %214, 3
-  %216 = getelementptr inbounds double, ptr %213, i64 %215
-  %217 = load double, ptr %216, align 8
-  %218 = fadd double %217, %2
-  %219 = shl nsw i64 %194, 2
-  %220 = or i64 %219, 3
-  %221 = getelementptr inbounds double, ptr %213, i64 %220
-  %222 = load double, ptr %221, align 8
-  %223 = fadd double %218, %222
-  %224 = fmul double %202, %202
-  %225 = fmul double %207, %207
-  %226 = fadd double %224, %225
-  %227 = fmul double %212, %212
-  %228 = fadd double %226, %227
-  %229 = fmul double %223, %223
-  %230 = fcmp ogt double %228, %229
-  br i1 %230, label %240, label %231
+188:                                              ; preds = %170, %244
+  %189 = phi i64 [ %168, %170 ], [ %245, %244 ]
+  %190 = phi i32 [ %166, %170 ], [ %246, %244 ]
+  %191 = phi i64 [ 0, %170 ], [ %247, %244 ]
+  %192 = load ptr, ptr %171, align 8
+  %193 = mul nuw nsw i64 %191, 3
+  %194 = getelementptr inbounds i64, ptr %192, i64 %193
+  %195 = load i64, ptr %194, align 8
+  %196 = add nuw nsw i64 %193, 1
+  %197 = getelementptr inbounds i64, ptr %192, i64 %196
+  %198 = load i64, ptr %197, align 8
+  %199 = load ptr, ptr %172, align 8
+  %200 = mul nsw i64 %195, 3
+  %201 = getelementptr inbounds double, ptr %199, i64 %200
+  %202 = mul nsw i64 %198, 3
+  %203 = getelementptr inbounds double, ptr %199, i64 %202
+  %204 = load double, ptr %201, align 8
+  %205 = load double, ptr %203, align 8
+  %206 = fsub double %204, %205
+  %207 = getelementptr inbounds double, ptr %201, i64 1
+  %208 = load double, ptr %207, align 8
+  %209 = getelementptr inbounds double, ptr %203, i64 1
+  %210 = load double, ptr %209, align 8
+  %211 = fsub double %208, %210
+  %212 = getelementptr inbounds double, ptr %201, i64 2
+  %213 = load double, ptr %212, align 8
+  %214 = getelementptr inbounds double, ptr %203, i64 2
+  %215 = load double, ptr %214, align 8
+  %216 = fsub double %213, %215
+  %217 = load ptr, ptr %173, align 8
+  %218 = shl nsw i64 %195, 2
+  %219 = or i64 %218, 3
+  %220 = getelementptr inbounds double, ptr %217, i64 %219
+  %221 = load double, ptr %220, align 8
+  %222 = fadd double %221, %2
+  %223 = shl nsw i64 %198, 2
+  %224 = or i64 %223, 3
+  %225 = getelementptr inbounds double, ptr %217, i64 %224
+  %226 = load double, ptr %225, align 8
+  %227 = fadd double %222, %226
+  %228 = fmul double %206, %206
+  %229 = fmul double %211, %211
+  %230 = fadd double %228, %229
+  %231 = fmul double %216, %216
+  %232 = fadd double %230, %231
+  %233 = fmul double %227, %227
+  %234 = fcmp ogt double %232, %233
+  br i1 %234, label %244, label %235
 
-231:                                              ; preds = %184
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %191, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+235:                                              ; preds = %188
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %195, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
   store ptr %0, ptr %10, align 8
-  store i64 %191, ptr %172, align 8
-  store ptr %9, ptr %173, align 8
-  store ptr null, ptr %174, align 8
-  %232 = add nuw nsw i64 %189, 2
-  %233 = getelementptr inbounds i64, ptr %188, i64 %232
-  %234 = load i64, ptr %233, align 8
-  store i64 %234, ptr %175, align 8
-  store double %2, ptr %176, align 8
-  store ptr %52, ptr %177, align 8
-  store ptr %3, ptr %178, align 8
-  store i32 %186, ptr %179, align 8
-  store i64 -1, ptr %180, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %181, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %182, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %194, ptr noundef null)
-  %235 = load i32, ptr %179, align 8
-  %236 = icmp eq i32 %235, 1
-  %237 = select i1 %183, i1 %236, i1 false
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br i1 %237, label %245, label %238
+  store i64 %195, ptr %174, align 8
+  store ptr %9, ptr %175, align 8
+  store ptr null, ptr %176, align 8
+  %236 = add nuw nsw i64 %193, 2
+  %237 = getelementptr inbounds i64, ptr %192, i64 %236
+  %238 = load i64, ptr %237, align 8
+  store i64 %238, ptr %177, align 8
+  store double %2, ptr %178, align 8
+  store ptr %52, ptr %179, align 8
+  store ptr %3, ptr %180, align 8
+  store i32 %190, ptr %181, align 8
+  store i64 -1, ptr %182, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %183, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %184, align 8
+  store double 0.000000e+00, ptr %186, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %185, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %198, ptr noundef null)
+  %239 = load i32, ptr %181, align 8
+  %240 = icmp eq i32 %239, 1
+  %241 = select i1 %187, i1 %240, i1 false
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  br i1 %241, label %249, label %242
 
-238:                                              ; preds = %231
-  %239 = load i64, ptr %165, align 8
-  br label %240
+242:                                              ; preds = %235
+  %243 = load i64, ptr %167, align 8
+  br label %244
 
-240:                                              ; preds = %238, %184
-  %241 = phi i64 [ %185, %184 ], [ %239, %238 ]
-  %242 = phi i32 [ %186, %184 ], [ %235, %238 ]
-  %243 = add nuw nsw i64 %187, 1
-  %244 = icmp slt i64 %243, %241
-  br i1 %244, label %184, label %245
+244:                                              ; preds = %242, %188
+  %245 = phi i64 [ %189, %188 ], [ %243, %242 ]
+  %246 = phi i32 [ %190, %188 ], [ %239, %242 ]
+  %247 = add nuw nsw i64 %191, 1
+  %248 = icmp slt i64 %247, %245
+  br i1 %248, label %188, label %249
 
-245:                                              ; preds = %231, %240, %37, %18, %163, %15, %155
-  %246 = phi i32 [ 1, %155 ], [ 2, %15 ], [ %164, %163 ], [ 2, %18 ], [ 2, %37 ], [ 1, %231 ], [ %242, %240 ]
-  ret i32 %246
+249:                                              ; preds = %235, %244, %37, %18, %165, %15, %157
+  %250 = phi i32 [ 1, %157 ], [ 2, %15 ], [ %166, %165 ], [ 2, %18 ], [ 2, %37 ], [ 1, %235 ], [ %246, %244 ]
+  ret i32 %250
 }
 
 define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
@@ -398,7 +409,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %7, label %15, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %12 = load i64, ptr %11, align 8
@@ -414,8 +425,8 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 17:                                               ; preds = %8, %15
   %18 = phi ptr [ %14, %8 ], [ null, %15 ]
   %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   br label %23
 
 22:                                               ; preds = %46, %15
@@ -424,7 +435,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 23:                                               ; preds = %17, %46
   %24 = phi i64 [ 0, %17 ], [ %47, %46 ]
   %25 = phi ptr [ %4, %17 ], [ %48, %46 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #18
   store i64 0, ptr %6, align 8
   %26 = load i64, ptr %0, align 8
   %27 = mul nsw i64 %26, %24
@@ -456,7 +467,7 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %45, label %34, label %40
 
 46:                                               ; preds = %50, %34
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #18
   %47 = add nuw nsw i64 %24, 1
   %48 = getelementptr inbounds double, ptr %25, i64 %32
   %49 = icmp eq i64 %47, %2
@@ -482,7 +493,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   br i1 %9, label %17, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %12 = load ptr, ptr %11, align 8
   %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
   %14 = load i64, ptr %13, align 8
@@ -497,9 +508,9 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 19:                                               ; preds = %10, %17
   %20 = phi ptr [ %16, %10 ], [ null, %17 ]
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
   br label %26
 
 24:                                               ; preds = %40, %17
@@ -509,7 +520,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 26:                                               ; preds = %19, %40
   %27 = phi i64 [ 0, %19 ], [ %41, %40 ]
   %28 = phi i64 [ 0, %19 ], [ %42, %40 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
   store i64 0, ptr %8, align 8
   %29 = load i64, ptr %0, align 8
   %30 = mul nsw i64 %29, %28
@@ -528,7 +539,7 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 
 40:                                               ; preds = %58, %26
   %41 = phi i64 [ %27, %26 ], [ %61, %58 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
   %42 = add nuw nsw i64 %28, 1
   %43 = icmp eq i64 %42, %2
   br i1 %43, label %24, label %26
@@ -568,8 +579,8 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   store i64 0, ptr %6, align 8
   store i64 -1, ptr %7, align 8
   %10 = icmp sgt i64 %2, 0
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
   br label %13
 
 13:                                               ; preds = %77, %8
@@ -587,7 +598,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %22, label %23, label %69
 
 23:                                               ; preds = %16
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
   store i64 0, ptr %9, align 8
   %24 = load double, ptr %5, align 8
   %25 = load i64, ptr %0, align 8
@@ -600,7 +611,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %31, label %33, label %32
 
 32:                                               ; preds = %23
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
   br label %69
 
 33:                                               ; preds = %23
@@ -611,7 +622,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
 
 37:                                               ; preds = %65
   %38 = icmp eq i32 %48, 0
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #15
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
   br i1 %38, label %73, label %69
 
 39:                                               ; preds = %33, %65
@@ -687,159 +698,151 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   ret i32 %82
 }
 
-define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr noundef %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
-  %8 = alloca [3 x double], align 16
+define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
+  %8 = alloca double, align 8
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Search, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  %11 = icmp sgt i64 %2, 0
-  br i1 %11, label %12, label %23
+  %11 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  %12 = icmp sgt i64 %2, 0
+  br i1 %12, label %13, label %26
 
-12:                                               ; preds = %7
-  %13 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  br label %24
+13:                                               ; preds = %7
+  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %24 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %25 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  br label %27
 
-23:                                               ; preds = %87, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+26:                                               ; preds = %82, %7
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
   ret void
 
-24:                                               ; preds = %12, %87
-  %25 = phi i64 [ 0, %12 ], [ %88, %87 ]
-  %26 = shl nuw nsw i64 %25, 1
-  %27 = getelementptr inbounds i64, ptr %3, i64 %26
-  %28 = load i64, ptr %27, align 8
-  %29 = or i64 %26, 1
+27:                                               ; preds = %13, %82
+  %28 = phi i64 [ 0, %13 ], [ %85, %82 ]
+  %29 = shl nuw nsw i64 %28, 1
   %30 = getelementptr inbounds i64, ptr %3, i64 %29
   %31 = load i64, ptr %30, align 8
-  %32 = icmp eq i64 %25, 0
-  br i1 %32, label %44, label %33
+  %32 = or i64 %29, 1
+  %33 = getelementptr inbounds i64, ptr %3, i64 %32
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp eq i64 %28, 0
+  br i1 %35, label %57, label %36
 
-33:                                               ; preds = %24
-  %34 = add nsw i64 %26, -2
-  %35 = getelementptr inbounds i64, ptr %3, i64 %34
-  %36 = load i64, ptr %35, align 8
-  %37 = icmp eq i64 %28, %36
-  br i1 %37, label %38, label %43
+36:                                               ; preds = %27
+  %37 = add nsw i64 %29, -2
+  %38 = getelementptr inbounds i64, ptr %3, i64 %37
+  %39 = load i64, ptr %38, align 8
+  %40 = icmp eq i64 %31, %39
+  br i1 %40, label %41, label %46
 
-38:                                               ; preds = %33
-  %39 = add nsw i64 %26, -1
-  %40 = getelementptr inbounds i64, ptr %3, i64 %39
-  %41 = load i64, ptr %40, align 8
-  %42 = icmp eq i64 %31, %41
-  br i1 %42, label %44, label %43
+41:                                               ; preds = %36
+  %42 = add nsw i64 %29, -1
+  %43 = getelementptr inbounds i64, ptr %3, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = icmp eq i64 %34, %44
+  br i1 %45, label %47, label %46
 
-43:                                               ; preds = %38, %33
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  br label %44
+46:                                               ; preds = %41, %36
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  br label %47
 
-44:                                               ; preds = %43, %38, %24
-  %45 = load i64, ptr %0, align 8
-  %46 = icmp sgt i64 %45, 0
-  br i1 %46, label %47, label %66
+47:                                               ; preds = %41, %46
+  %48 = load i64, ptr %0, align 8
+  %49 = mul nsw i64 %48, %28
+  %50 = getelementptr inbounds double, ptr %1, i64 %49
+  %51 = add nsw i64 %28, -1
+  %52 = mul nsw i64 %48, %51
+  %53 = getelementptr inbounds double, ptr %1, i64 %52
+  %54 = shl i64 %48, 3
+  %55 = call i32 @bcmp(ptr %50, ptr %53, i64 %54)
+  %56 = icmp eq i32 %55, 0
+  br i1 %56, label %62, label %57
 
-47:                                               ; preds = %44
-  %48 = mul nsw i64 %45, %25
-  br label %54
+57:                                               ; preds = %27, %47
+  %58 = phi i64 [ %49, %47 ], [ 0, %27 ]
+  %59 = getelementptr inbounds double, ptr %1, i64 %58
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %59)
+  %60 = load i64, ptr %0, align 8
+  %61 = mul nsw i64 %60, %28
+  br label %62
 
-49:                                               ; preds = %54
-  %50 = icmp eq i32 %63, 0
-  br i1 %50, label %51, label %66
+62:                                               ; preds = %57, %47
+  %63 = phi i64 [ %61, %57 ], [ %49, %47 ]
+  %64 = getelementptr inbounds double, ptr %1, i64 %63
+  %65 = getelementptr inbounds double, ptr %4, i64 %28
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds i64, ptr %6, i64 %28
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  store double %66, ptr %8, align 8
+  store i64 -1, ptr %67, align 8
+  %68 = load i64, ptr %0, align 8
+  %69 = icmp sgt i64 %68, 0
+  br i1 %69, label %73, label %79
 
-51:                                               ; preds = %49
-  %52 = getelementptr inbounds double, ptr %5, i64 %25
-  store double 0x7FF8000000000000, ptr %52, align 8
-  %53 = getelementptr inbounds i64, ptr %6, i64 %25
-  store i64 -1, ptr %53, align 8
-  br label %87
+70:                                               ; preds = %73
+  %71 = add nuw nsw i64 %74, 1
+  %72 = icmp eq i64 %71, %68
+  br i1 %72, label %79, label %73
 
-54:                                               ; preds = %47, %54
-  %55 = phi i64 [ 0, %47 ], [ %64, %54 ]
-  %56 = phi i32 [ 1, %47 ], [ %63, %54 ]
-  %57 = add nsw i64 %48, %55
-  %58 = getelementptr inbounds double, ptr %1, i64 %57
-  %59 = load double, ptr %58, align 8
-  %60 = call double @llvm.fabs.f64(double %59) #14
-  %61 = fcmp one double %60, 0x7FF0000000000000
-  %62 = zext i1 %61 to i32
-  %63 = and i32 %56, %62
-  %64 = add nuw nsw i64 %55, 1
-  %65 = icmp eq i64 %64, %45
-  br i1 %65, label %49, label %54
+73:                                               ; preds = %62, %70
+  %74 = phi i64 [ %71, %70 ], [ 0, %62 ]
+  %75 = getelementptr inbounds double, ptr %64, i64 %74
+  %76 = load double, ptr %75, align 8
+  %77 = call double @llvm.fabs.f64(double %76) #17
+  %78 = fcmp ueq double %77, 0x7FF0000000000000
+  br i1 %78, label %82, label %70
 
-66:                                               ; preds = %44, %49
-  %67 = getelementptr inbounds double, ptr %4, i64 %25
-  %68 = load double, ptr %67, align 8
-  %69 = getelementptr inbounds double, ptr %5, i64 %25
-  store double %68, ptr %69, align 8
-  %70 = getelementptr inbounds i64, ptr %6, i64 %25
-  store i64 -1, ptr %70, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  br i1 %32, label %81, label %71
-
-71:                                               ; preds = %66
-  %72 = load i64, ptr %0, align 8
-  %73 = mul nsw i64 %72, %25
-  %74 = getelementptr inbounds double, ptr %1, i64 %73
-  %75 = add nsw i64 %25, -1
-  %76 = mul nsw i64 %72, %75
-  %77 = getelementptr inbounds double, ptr %1, i64 %76
-  %78 = shl i64 %72, 3
-  %79 = call i32 @bcmp(ptr %74, ptr %77, i64 %78)
-  %80 = icmp eq i32 %79, 0
-  br i1 %80, label %84, label %81
-
-81:                                               ; preds = %66, %71
-  %82 = phi i64 [ %73, %71 ], [ 0, %66 ]
-  %83 = getelementptr inbounds double, ptr %1, i64 %82
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
-  br label %84
-
-84:                                               ; preds = %81, %71
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %28, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %10) #15
+79:                                               ; preds = %70, %62
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %31, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
   store ptr %0, ptr %10, align 8
-  store i64 %28, ptr %13, align 8
-  store ptr %9, ptr %14, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %15, i8 0, i64 16, i1 false)
-  %85 = load double, ptr %67, align 8
-  store double %85, ptr %16, align 8
-  store ptr %69, ptr %17, align 8
-  store ptr null, ptr %18, align 8
-  store i32 0, ptr %19, align 8
-  store i64 -1, ptr %20, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %21, i8 0, i64 32, i1 false)
-  store ptr %8, ptr %22, align 8
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %31, ptr noundef null)
-  %86 = load i64, ptr %20, align 8
-  store i64 %86, ptr %70, align 8
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  br label %87
+  store i64 %31, ptr %14, align 8
+  store ptr %9, ptr %15, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %16, i8 0, i64 16, i1 false)
+  store double %66, ptr %17, align 8
+  store ptr %8, ptr %18, align 8
+  store ptr null, ptr %19, align 8
+  store i32 0, ptr %20, align 8
+  store i64 -1, ptr %21, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %22, i8 0, i64 32, i1 false)
+  store ptr %11, ptr %23, align 8
+  store double 0.000000e+00, ptr %25, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %24, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %34, ptr noundef null)
+  %80 = load i64, ptr %21, align 8
+  store i64 %80, ptr %67, align 8
+  %81 = load double, ptr %8, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  br label %82
 
-87:                                               ; preds = %51, %84
-  %88 = add nuw nsw i64 %25, 1
-  %89 = icmp eq i64 %88, %2
-  br i1 %89, label %23, label %24
+82:                                               ; preds = %73, %79
+  %83 = phi double [ %81, %79 ], [ 0x7FF8000000000000, %73 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  %84 = getelementptr inbounds double, ptr %5, i64 %28
+  store double %83, ptr %84, align 8
+  %85 = add nuw nsw i64 %28, 1
+  %86 = icmp eq i64 %85, %2
+  br i1 %86, label %26, label %27
 }
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
 
-declare double @llvm.fabs.f64(double) #3
-
-define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #4 {
+define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #3 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
   %6 = load ptr, ptr %5, align 8
   tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %6, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
   %7 = load i64, ptr %0, align 8
@@ -878,14 +881,14 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
   %35 = load ptr, ptr %34, align 8
   %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
+  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
   br label %201
 
 38:                                               ; preds = %9, %198
   %39 = phi i64 [ 0, %9 ], [ %149, %198 ]
   %40 = mul nsw i64 %39, 3
   %41 = getelementptr inbounds double, ptr %11, i64 %40
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #18
   %42 = getelementptr inbounds i64, ptr %13, i64 %39
   %43 = load i64, ptr %42, align 8
   %44 = icmp eq i64 %43, 0
@@ -957,7 +960,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br label %92
 
 92:                                               ; preds = %48, %57
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #18
   %93 = getelementptr inbounds i64, ptr %26, i64 %39
   %94 = load i64, ptr %93, align 8
   %95 = mul nsw i64 %94, 12
@@ -1084,8 +1087,8 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %197, label %166, label %179
 
 198:                                              ; preds = %166
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #15
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #18
   %199 = icmp eq i64 %149, %7
   br i1 %199, label %29, label %38
 
@@ -1147,8 +1150,571 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %245, label %200, label %201
 }
 
+define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
+  %10 = alloca double, align 8
+  %11 = alloca %struct.Core, align 8
+  %12 = alloca %struct.Search, align 8
+  %13 = alloca double, align 8
+  %14 = alloca %struct.Core, align 8
+  %15 = alloca %struct.Search, align 8
+  %16 = alloca [3 x double], align 16
+  %17 = alloca [3 x double], align 16
+  %18 = alloca %struct.Core, align 8
+  %19 = alloca %struct.Core, align 8
+  %20 = alloca %struct.Plane, align 8
+  %21 = alloca double, align 8
+  %22 = alloca double, align 8
+  %23 = alloca [3 x double], align 16
+  %24 = alloca [3 x double], align 16
+  %25 = alloca [12 x double], align 16
+  %26 = alloca [3 x double], align 16
+  %27 = alloca [3 x double], align 16
+  %28 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  %29 = icmp sgt i64 %3, 0
+  br i1 %29, label %30, label %70
+
+30:                                               ; preds = %9
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %34 = getelementptr inbounds double, ptr %16, i64 1
+  %35 = getelementptr inbounds double, ptr %16, i64 2
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %37 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
+  %38 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 2
+  %39 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %40 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %41 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  %42 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  %43 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  %44 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  %45 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  %46 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
+  %47 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  %48 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 18
+  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %51 = getelementptr inbounds double, ptr %20, i64 1
+  %52 = getelementptr inbounds double, ptr %24, i64 1
+  %53 = getelementptr inbounds double, ptr %20, i64 2
+  %54 = getelementptr inbounds double, ptr %24, i64 2
+  %55 = getelementptr inbounds double, ptr %23, i64 1
+  %56 = getelementptr inbounds double, ptr %23, i64 2
+  %57 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 1
+  %58 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 2
+  %59 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 3
+  %60 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 5
+  %61 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 6
+  %62 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 7
+  %63 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 8
+  %64 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 9
+  %65 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 10
+  %66 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 11
+  %67 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 12
+  %68 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 18
+  %69 = getelementptr inbounds i8, ptr %25, i64 72
+  br label %71
+
+70:                                               ; preds = %368, %9
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
+  ret void
+
+71:                                               ; preds = %30, %368
+  %72 = phi ptr [ %2, %30 ], [ %371, %368 ]
+  %73 = phi i64 [ 0, %30 ], [ %369, %368 ]
+  %74 = shl nuw nsw i64 %73, 1
+  %75 = getelementptr inbounds i64, ptr %4, i64 %74
+  %76 = load i64, ptr %75, align 8
+  %77 = or i64 %74, 1
+  %78 = getelementptr inbounds i64, ptr %4, i64 %77
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp eq i64 %73, 0
+  br i1 %80, label %92, label %81
+
+81:                                               ; preds = %71
+  %82 = add nsw i64 %74, -2
+  %83 = getelementptr inbounds i64, ptr %4, i64 %82
+  %84 = load i64, ptr %83, align 8
+  %85 = icmp eq i64 %76, %84
+  br i1 %85, label %86, label %91
+
+86:                                               ; preds = %81
+  %87 = add nsw i64 %74, -1
+  %88 = getelementptr inbounds i64, ptr %4, i64 %87
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %79, %89
+  br i1 %90, label %93, label %91
+
+91:                                               ; preds = %86, %81
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  br label %93
+
+92:                                               ; preds = %71
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  br label %103
+
+93:                                               ; preds = %86, %91
+  %94 = load i64, ptr %0, align 8
+  %95 = mul nsw i64 %94, %73
+  %96 = getelementptr inbounds double, ptr %1, i64 %95
+  %97 = add nsw i64 %73, -1
+  %98 = mul nsw i64 %94, %97
+  %99 = getelementptr inbounds double, ptr %1, i64 %98
+  %100 = shl i64 %94, 3
+  %101 = call i32 @bcmp(ptr %96, ptr %99, i64 %100)
+  %102 = icmp eq i32 %101, 0
+  br i1 %102, label %106, label %103
+
+103:                                              ; preds = %92, %93
+  %104 = phi i64 [ 0, %92 ], [ %95, %93 ]
+  %105 = getelementptr inbounds double, ptr %1, i64 %104
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %105)
+  br label %106
+
+106:                                              ; preds = %103, %93
+  %107 = getelementptr inbounds double, ptr %8, i64 %73
+  store double 0xFFF0000000000000, ptr %107, align 8
+  %108 = load ptr, ptr %31, align 8
+  %109 = getelementptr inbounds i64, ptr %108, i64 %79
+  %110 = load i64, ptr %109, align 8
+  %111 = icmp eq i64 %110, 3
+  br i1 %111, label %112, label %119
+
+112:                                              ; preds = %106
+  %113 = load ptr, ptr %32, align 8
+  %114 = getelementptr inbounds i64, ptr %113, i64 %76
+  %115 = load i64, ptr %114, align 8
+  %116 = getelementptr inbounds i64, ptr %113, i64 %79
+  %117 = load i64, ptr %116, align 8
+  %118 = icmp slt i64 %115, %117
+  br label %119
+
+119:                                              ; preds = %112, %106
+  %120 = phi i1 [ false, %106 ], [ %118, %112 ]
+  %121 = getelementptr inbounds i64, ptr %108, i64 %76
+  %122 = load i64, ptr %121, align 8
+  %123 = icmp sgt i64 %122, 2
+  %124 = icmp sgt i64 %110, 3
+  %125 = select i1 %123, i1 true, i1 %124
+  %126 = select i1 %125, i1 true, i1 %120
+  br i1 %126, label %132, label %127
+
+127:                                              ; preds = %119
+  %128 = getelementptr inbounds double, ptr %6, i64 %73
+  %129 = load double, ptr %128, align 8
+  %130 = call double @llvm.fabs.f64(double %129) #17
+  %131 = fcmp ueq double %130, 0x7FF0000000000000
+  br i1 %131, label %132, label %162
+
+132:                                              ; preds = %127, %119
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %17, i8 0, i64 24, i1 false)
+  %133 = load i64, ptr %121, align 8
+  %134 = icmp eq i64 %133, 4
+  br i1 %134, label %135, label %140
+
+135:                                              ; preds = %132
+  %136 = load i64, ptr %109, align 8
+  %137 = freeze i64 %136
+  %138 = icmp eq i64 %137, 4
+  %139 = select i1 %138, ptr %16, ptr %17
+  br label %140
+
+140:                                              ; preds = %132, %135
+  %141 = phi ptr [ %139, %135 ], [ %17, %132 ]
+  %142 = load i64, ptr %0, align 8
+  %143 = mul nsw i64 %142, %73
+  %144 = getelementptr inbounds double, ptr %1, i64 %143
+  %145 = getelementptr inbounds double, ptr %5, i64 %73
+  %146 = load double, ptr %145, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
+  store double %146, ptr %13, align 8
+  %147 = icmp sgt i64 %142, 0
+  br i1 %147, label %151, label %157
+
+148:                                              ; preds = %151
+  %149 = add nuw nsw i64 %152, 1
+  %150 = icmp eq i64 %149, %142
+  br i1 %150, label %157, label %151
+
+151:                                              ; preds = %140, %148
+  %152 = phi i64 [ %149, %148 ], [ 0, %140 ]
+  %153 = getelementptr inbounds double, ptr %144, i64 %152
+  %154 = load double, ptr %153, align 8
+  %155 = call double @llvm.fabs.f64(double %154) #17
+  %156 = fcmp ueq double %155, 0x7FF0000000000000
+  br i1 %156, label %159, label %148
+
+157:                                              ; preds = %148, %140
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %14)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %15) #18
+  store ptr %0, ptr %15, align 8
+  store i64 %76, ptr %57, align 8
+  store ptr %14, ptr %58, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %59, i8 0, i64 16, i1 false)
+  store double %146, ptr %60, align 8
+  store ptr %13, ptr %61, align 8
+  store ptr null, ptr %62, align 8
+  store i32 0, ptr %63, align 8
+  store i64 -1, ptr %64, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %65, i8 0, i64 32, i1 false)
+  store ptr %141, ptr %66, align 8
+  store double 0.000000e+00, ptr %68, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %67, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %15, i64 noundef %79, ptr noundef null)
+  %158 = load double, ptr %13, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #18
+  br label %159
+
+159:                                              ; preds = %151, %157
+  %160 = phi double [ %158, %157 ], [ 0x7FF8000000000000, %151 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
+  %161 = getelementptr inbounds double, ptr %7, i64 %73
+  store double %160, ptr %161, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  br label %368
+
+162:                                              ; preds = %127
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %18) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %21) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %22) #18
+  %163 = load ptr, ptr %33, align 8
+  %164 = getelementptr inbounds double, ptr %163, i64 %76
+  %165 = load double, ptr %164, align 8
+  %166 = getelementptr inbounds double, ptr %163, i64 %79
+  %167 = load double, ptr %166, align 8
+  %168 = fadd double %165, %167
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %18)
+  %169 = load i64, ptr %109, align 8
+  %170 = icmp eq i64 %169, 3
+  br i1 %170, label %171, label %242
+
+171:                                              ; preds = %162
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %25) #18
+  %172 = load ptr, ptr %49, align 8
+  %173 = load ptr, ptr %32, align 8
+  %174 = getelementptr inbounds i64, ptr %173, i64 %79
+  %175 = load i64, ptr %174, align 8
+  %176 = mul nsw i64 %175, 12
+  %177 = getelementptr inbounds double, ptr %172, i64 %176
+  %178 = load ptr, ptr %50, align 8
+  %179 = mul nsw i64 %79, 12
+  %180 = getelementptr inbounds double, ptr %178, i64 %179
+  %181 = getelementptr inbounds double, ptr %180, i64 9
+  %182 = getelementptr inbounds double, ptr %180, i64 10
+  %183 = getelementptr inbounds double, ptr %180, i64 11
+  %184 = load double, ptr %181, align 8
+  %185 = load double, ptr %182, align 8
+  %186 = load double, ptr %183, align 8
+  br label %187
+
+187:                                              ; preds = %198, %171
+  %188 = phi i64 [ 0, %171 ], [ %209, %198 ]
+  %189 = mul nuw nsw i64 %188, 3
+  %190 = getelementptr inbounds double, ptr %177, i64 %189
+  %191 = add nuw nsw i64 %189, 1
+  %192 = getelementptr inbounds double, ptr %177, i64 %191
+  %193 = add nuw nsw i64 %189, 2
+  %194 = getelementptr inbounds double, ptr %177, i64 %193
+  %195 = load double, ptr %190, align 8
+  %196 = load double, ptr %192, align 8
+  %197 = load double, ptr %194, align 8
+  br label %212
+
+198:                                              ; preds = %212
+  %199 = fmul double %195, %184
+  %200 = fmul double %196, %185
+  %201 = fadd double %199, %200
+  %202 = fmul double %197, %186
+  %203 = fadd double %201, %202
+  %204 = add nuw nsw i64 %188, 9
+  %205 = getelementptr inbounds double, ptr %177, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = fadd double %206, %203
+  %208 = getelementptr inbounds double, ptr %25, i64 %204
+  store double %207, ptr %208, align 8
+  %209 = add nuw nsw i64 %188, 1
+  %210 = icmp eq i64 %209, 3
+  br i1 %210, label %211, label %187
+
+211:                                              ; preds = %198
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %24, ptr noundef nonnull align 8 dereferenceable(24) %69, i64 24, i1 false)
+  br label %233
+
+212:                                              ; preds = %212, %187
+  %213 = phi i64 [ 0, %187 ], [ %229, %212 ]
+  %214 = getelementptr inbounds double, ptr %180, i64 %213
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %195, %215
+  %217 = add nuw nsw i64 %213, 3
+  %218 = getelementptr inbounds double, ptr %180, i64 %217
+  %219 = load double, ptr %218, align 8
+  %220 = fmul double %196, %219
+  %221 = fadd double %216, %220
+  %222 = add nuw nsw i64 %213, 6
+  %223 = getelementptr inbounds double, ptr %180, i64 %222
+  %224 = load double, ptr %223, align 8
+  %225 = fmul double %197, %224
+  %226 = fadd double %221, %225
+  %227 = add nuw nsw i64 %213, %189
+  %228 = getelementptr inbounds double, ptr %25, i64 %227
+  store double %226, ptr %228, align 8
+  %229 = add nuw nsw i64 %213, 1
+  %230 = icmp eq i64 %229, 3
+  br i1 %230, label %198, label %212
+
+231:                                              ; preds = %233
+  %232 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %76, ptr noundef nonnull %18, i64 noundef %79)
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %25) #18
+  br label %303
+
+233:                                              ; preds = %211, %233
+  %234 = phi i64 [ 0, %211 ], [ %240, %233 ]
+  %235 = mul nuw nsw i64 %234, 3
+  %236 = add nuw nsw i64 %235, 2
+  %237 = getelementptr inbounds [12 x double], ptr %25, i64 0, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %234
+  store double %238, ptr %239, align 8
+  %240 = add nuw nsw i64 %234, 1
+  %241 = icmp eq i64 %240, 3
+  br i1 %241, label %231, label %233
+
+242:                                              ; preds = %162
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %79, ptr noundef nonnull %19)
+  %243 = load double, ptr %16, align 16
+  %244 = fmul double %243, %243
+  %245 = load double, ptr %34, align 8
+  %246 = fmul double %245, %245
+  %247 = fadd double %244, %246
+  %248 = load double, ptr %35, align 16
+  %249 = fmul double %248, %248
+  %250 = fadd double %247, %249
+  %251 = fcmp ogt double %250, 0.000000e+00
+  br i1 %251, label %268, label %252
+
+252:                                              ; preds = %242
+  %253 = load ptr, ptr %36, align 8
+  %254 = mul nsw i64 %76, 3
+  %255 = mul nsw i64 %79, 3
+  br label %256
+
+256:                                              ; preds = %252, %256
+  %257 = phi i64 [ 0, %252 ], [ %266, %256 ]
+  %258 = add nsw i64 %254, %257
+  %259 = getelementptr inbounds double, ptr %253, i64 %258
+  %260 = load double, ptr %259, align 8
+  %261 = add nsw i64 %255, %257
+  %262 = getelementptr inbounds double, ptr %253, i64 %261
+  %263 = load double, ptr %262, align 8
+  %264 = fsub double %260, %263
+  %265 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %257
+  store double %264, ptr %265, align 8
+  %266 = add nuw nsw i64 %257, 1
+  %267 = icmp eq i64 %266, 3
+  br i1 %267, label %268, label %256
+
+268:                                              ; preds = %256, %242
+  %269 = getelementptr inbounds double, ptr %5, i64 %73
+  %270 = load double, ptr %269, align 8
+  %271 = load double, ptr %164, align 8
+  %272 = load double, ptr %166, align 8
+  %273 = fadd double %271, %272
+  %274 = fadd double %270, %273
+  %275 = fadd double %273, 0xFFF0000000000000
+  %276 = call fastcc i32 @bounds(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %274, double noundef %275, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null)
+  %277 = icmp eq i32 %276, 0
+  br i1 %277, label %278, label %298
+
+278:                                              ; preds = %268
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %26, i8 0, i64 24, i1 false)
+  %279 = load i64, ptr %0, align 8
+  %280 = mul nsw i64 %279, %73
+  %281 = getelementptr inbounds double, ptr %1, i64 %280
+  %282 = load double, ptr %269, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  store double %282, ptr %10, align 8
+  %283 = icmp sgt i64 %279, 0
+  br i1 %283, label %287, label %293
+
+284:                                              ; preds = %287
+  %285 = add nuw nsw i64 %288, 1
+  %286 = icmp eq i64 %285, %279
+  br i1 %286, label %293, label %287
+
+287:                                              ; preds = %278, %284
+  %288 = phi i64 [ %285, %284 ], [ 0, %278 ]
+  %289 = getelementptr inbounds double, ptr %281, i64 %288
+  %290 = load double, ptr %289, align 8
+  %291 = call double @llvm.fabs.f64(double %290) #17
+  %292 = fcmp ueq double %291, 0x7FF0000000000000
+  br i1 %292, label %295, label %284
+
+293:                                              ; preds = %284, %278
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %11)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  store ptr %0, ptr %12, align 8
+  store i64 %76, ptr %37, align 8
+  store ptr %11, ptr %38, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %39, i8 0, i64 16, i1 false)
+  store double %282, ptr %40, align 8
+  store ptr %10, ptr %41, align 8
+  store ptr null, ptr %42, align 8
+  store i32 0, ptr %43, align 8
+  store i64 -1, ptr %44, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %45, i8 0, i64 32, i1 false)
+  store ptr %26, ptr %46, align 8
+  store double 0.000000e+00, ptr %48, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %47, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %12, i64 noundef %79, ptr noundef null)
+  %294 = load double, ptr %10, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
+  br label %295
+
+295:                                              ; preds = %287, %293
+  %296 = phi double [ %294, %293 ], [ 0x7FF8000000000000, %287 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  %297 = getelementptr inbounds double, ptr %7, i64 %73
+  store double %296, ptr %297, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
+  br label %367
+
+298:                                              ; preds = %268
+  %299 = load double, ptr %22, align 8
+  %300 = fsub double %299, %273
+  %301 = load double, ptr %21, align 8
+  %302 = fsub double %301, %273
+  call fastcc void @support(ptr noundef nonnull %19, ptr noundef nonnull %20, ptr noundef nonnull %24)
+  br label %303
+
+303:                                              ; preds = %298, %231
+  %304 = phi double [ %300, %298 ], [ %232, %231 ]
+  %305 = phi double [ %302, %298 ], [ %232, %231 ]
+  %306 = getelementptr inbounds double, ptr %5, i64 %73
+  %307 = load double, ptr %306, align 8
+  %308 = fcmp ogt double %305, %307
+  br i1 %308, label %314, label %309
+
+309:                                              ; preds = %303
+  %310 = fsub double %304, %305
+  %311 = fcmp ugt double %310, 1.000000e-08
+  br i1 %311, label %312, label %314
+
+312:                                              ; preds = %309
+  %313 = getelementptr inbounds double, ptr %7, i64 %73
+  store double 0x7FF8000000000000, ptr %313, align 8
+  br label %367
+
+314:                                              ; preds = %309, %303
+  %315 = phi double [ %307, %303 ], [ %304, %309 ]
+  %316 = getelementptr inbounds double, ptr %7, i64 %73
+  store double %315, ptr %316, align 8
+  %317 = fcmp uno double %315, 0.000000e+00
+  br i1 %317, label %367, label %318
+
+318:                                              ; preds = %314
+  %319 = load double, ptr %306, align 8
+  %320 = fcmp ult double %315, %319
+  br i1 %320, label %321, label %367
+
+321:                                              ; preds = %318
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #18
+  %322 = load ptr, ptr %32, align 8
+  %323 = getelementptr inbounds i64, ptr %322, i64 %76
+  %324 = load i64, ptr %323, align 8
+  %325 = getelementptr inbounds i64, ptr %322, i64 %79
+  %326 = load i64, ptr %325, align 8
+  %327 = icmp slt i64 %324, %326
+  br i1 %327, label %354, label %328
+
+328:                                              ; preds = %321
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %326, i64 noundef %324, ptr noundef %72, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %329 = load double, ptr %20, align 8
+  %330 = load double, ptr %24, align 16
+  %331 = fmul double %329, %330
+  %332 = load double, ptr %51, align 8
+  %333 = load double, ptr %52, align 8
+  %334 = fmul double %332, %333
+  %335 = fadd double %331, %334
+  %336 = load double, ptr %53, align 8
+  %337 = load double, ptr %54, align 16
+  %338 = fmul double %336, %337
+  %339 = fadd double %335, %338
+  %340 = call fastcc double @stays_apart(ptr noundef nonnull %18, double noundef %339, ptr noundef nonnull %20, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %362
+
+341:                                              ; preds = %354
+  call fastcc void @support(ptr noundef nonnull %18, ptr noundef nonnull %23, ptr noundef nonnull %24)
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %324, i64 noundef %326, ptr noundef %72, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %342 = load double, ptr %23, align 16
+  %343 = load double, ptr %24, align 16
+  %344 = fmul double %342, %343
+  %345 = load double, ptr %55, align 8
+  %346 = load double, ptr %52, align 8
+  %347 = fmul double %345, %346
+  %348 = fadd double %344, %347
+  %349 = load double, ptr %56, align 16
+  %350 = load double, ptr %54, align 16
+  %351 = fmul double %349, %350
+  %352 = fadd double %348, %351
+  %353 = call fastcc double @stays_apart(ptr noundef nonnull %19, double noundef %352, ptr noundef nonnull %23, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %362
+
+354:                                              ; preds = %321, %354
+  %355 = phi i64 [ %360, %354 ], [ 0, %321 ]
+  %356 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %355
+  %357 = load double, ptr %356, align 8
+  %358 = fneg double %357
+  %359 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %355
+  store double %358, ptr %359, align 8
+  %360 = add nuw nsw i64 %355, 1
+  %361 = icmp eq i64 %360, 3
+  br i1 %361, label %341, label %354
+
+362:                                              ; preds = %341, %328
+  %363 = phi double [ %353, %341 ], [ %340, %328 ]
+  %364 = fsub double %363, %168
+  %365 = load double, ptr %128, align 8
+  %366 = fsub double %364, %365
+  store double %366, ptr %107, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
+  br label %367
+
+367:                                              ; preds = %312, %314, %318, %362, %295
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %20) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %19) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %18) #18
+  br label %368
+
+368:                                              ; preds = %367, %159
+  %369 = add nuw nsw i64 %73, 1
+  %370 = load i64, ptr %0, align 8
+  %371 = getelementptr inbounds double, ptr %72, i64 %370
+  %372 = icmp eq i64 %369, %3
+  br i1 %372, label %70, label %71
+}
+
+declare double @llvm.fabs.f64(double) #4
+
 define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
   %7 = load ptr, ptr %6, align 8
@@ -1273,1033 +1839,98 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   ret void
 }
 
-define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #0 {
-  %4 = alloca double, align 8
-  %5 = alloca double, align 8
-  %6 = alloca %struct.Plane, align 8
-  %7 = alloca %struct.Plane, align 8
-  %8 = alloca [3 x double], align 16
-  %9 = alloca [3 x double], align 16
-  %10 = alloca %struct.Core, align 8
-  %11 = alloca %struct.Simplex, align 8
-  %12 = alloca double, align 8
-  %13 = load ptr, ptr %0, align 8
-  %14 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %15 = load ptr, ptr %14, align 8
-  %16 = icmp eq ptr %15, null
-  %17 = getelementptr inbounds i64, ptr %15, i64 %1
-  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %19 = select i1 %16, ptr %18, ptr %17
-  %20 = load i64, ptr %19, align 8
-  %21 = icmp slt i64 %20, 0
-  br i1 %21, label %308, label %22
-
-22:                                               ; preds = %3
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %24 = load ptr, ptr %23, align 8
-  %25 = icmp eq ptr %24, null
-  br i1 %25, label %30, label %26
-
-26:                                               ; preds = %22
-  %27 = getelementptr inbounds double, ptr %24, i64 %20
-  %28 = load double, ptr %27, align 8
-  %29 = fcmp uno double %28, 0.000000e+00
-  br i1 %29, label %308, label %34
-
-30:                                               ; preds = %22
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %32 = load i32, ptr %31, align 8
-  %33 = icmp eq i32 %32, 1
-  br i1 %33, label %308, label %34
-
-34:                                               ; preds = %26, %30
-  %35 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 8
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds i64, ptr %36, i64 %1
-  %38 = load i64, ptr %37, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #15
-  store double 0xFFF0000000000000, ptr %4, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #15
-  store double 0x7FF0000000000000, ptr %5, align 8
-  %39 = icmp eq i64 %38, 5
-  br i1 %39, label %47, label %40
-
-40:                                               ; preds = %34
-  %41 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %42 = load i64, ptr %41, align 8
-  %43 = getelementptr inbounds i64, ptr %36, i64 %42
-  %44 = load i64, ptr %43, align 8
-  %45 = add i64 %44, -3
-  %46 = icmp ult i64 %45, 3
-  br i1 %46, label %47, label %81
-
-47:                                               ; preds = %40, %34
-  br i1 %25, label %68, label %48
-
-48:                                               ; preds = %47
-  %49 = getelementptr inbounds double, ptr %24, i64 %20
-  %50 = load double, ptr %49, align 8
-  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %52 = load double, ptr %51, align 8
-  %53 = tail call double @llvm.minnum.f64(double %50, double %52)
-  %54 = fcmp ugt double %53, 0xFFF0000000000000
-  br i1 %54, label %55, label %307
-
-55:                                               ; preds = %48
-  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
-  %57 = load ptr, ptr %56, align 8
-  %58 = icmp ne ptr %57, null
-  %59 = fcmp oeq double %50, 0x7FF0000000000000
-  %60 = select i1 %58, i1 %59, i1 false
-  br i1 %60, label %61, label %67
-
-61:                                               ; preds = %55
-  %62 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 36
-  %63 = load ptr, ptr %62, align 8
-  %64 = load i64, ptr %57, align 8
-  %65 = add nsw i64 %64, 1
-  store i64 %65, ptr %57, align 8
-  %66 = getelementptr inbounds i64, ptr %63, i64 %64
-  store i64 %20, ptr %66, align 8
-  br label %67
-
-67:                                               ; preds = %61, %55
-  store double 0x7FF8000000000000, ptr %49, align 8
-  br label %307
-
-68:                                               ; preds = %47
-  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %70 = load double, ptr %69, align 8
-  %71 = fcmp ult double %70, 0x7FF0000000000000
-  br i1 %71, label %74, label %72
-
-72:                                               ; preds = %68
-  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  store i32 1, ptr %73, align 8
-  br label %307
-
-74:                                               ; preds = %68
-  %75 = fcmp ult double %70, 0xFFF0000000000000
-  br i1 %75, label %307, label %76
-
-76:                                               ; preds = %74
-  %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %78 = load i32, ptr %77, align 8
-  %79 = icmp eq i32 %78, 0
-  br i1 %79, label %80, label %307
-
-80:                                               ; preds = %76
-  store i32 2, ptr %77, align 8
-  br label %307
-
-81:                                               ; preds = %40
-  switch i64 %38, label %142 [
-    i64 3, label %82
-    i64 4, label %99
-  ]
-
-82:                                               ; preds = %81
-  %83 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %84 = load ptr, ptr %83, align 8
-  %85 = tail call fastcc double @over_plane(ptr noundef nonnull %13, i64 noundef %42, ptr noundef %84, i64 noundef %1)
-  br i1 %25, label %92, label %86
-
-86:                                               ; preds = %82
-  %87 = getelementptr inbounds double, ptr %24, i64 %20
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %90 = load double, ptr %89, align 8
-  %91 = tail call double @llvm.minnum.f64(double %88, double %90)
-  br label %95
-
-92:                                               ; preds = %82
-  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %94 = load double, ptr %93, align 8
-  br label %95
-
-95:                                               ; preds = %86, %92
-  %96 = phi double [ %91, %86 ], [ %94, %92 ]
-  %97 = fcmp ugt double %85, %96
-  br i1 %97, label %307, label %98
-
-98:                                               ; preds = %95
-  tail call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 1, double noundef %85, double noundef %85)
-  br label %307
-
-99:                                               ; preds = %81
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %6) #15
-  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %7) #15
-  %101 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 29
-  %102 = load ptr, ptr %101, align 8
-  %103 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 31
-  %104 = load ptr, ptr %103, align 8
-  %105 = getelementptr inbounds i64, ptr %104, i64 %1
-  %106 = load i64, ptr %105, align 8
-  %107 = mul nsw i64 %106, 6
-  %108 = getelementptr inbounds double, ptr %102, i64 %107
-  call fastcc void @facing(ptr nonnull sret(%struct.Plane) align 8 %7, ptr noundef nonnull %13, i64 noundef %42, ptr noundef %108)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %100, ptr noundef nonnull align 8 dereferenceable(32) %7, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %7) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %6, ptr noundef nonnull align 8 dereferenceable(32) %100, i64 32, i1 false)
-  %109 = load ptr, ptr %103, align 8
-  %110 = getelementptr inbounds i64, ptr %109, i64 %1
-  %111 = load i64, ptr %110, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %111, ptr noundef nonnull %6)
-  %112 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 13
-  %113 = load ptr, ptr %112, align 8
-  %114 = mul nsw i64 %1, 3
-  %115 = getelementptr inbounds double, ptr %113, i64 %114
-  %116 = load double, ptr %115, align 8
-  %117 = fcmp ogt double %116, 0.000000e+00
-  br i1 %117, label %118, label %141
-
-118:                                              ; preds = %99
-  %119 = load ptr, ptr %23, align 8
-  %120 = icmp eq ptr %119, null
-  br i1 %120, label %130, label %121
-
-121:                                              ; preds = %118
-  %122 = load ptr, ptr %14, align 8
-  %123 = icmp eq ptr %122, null
-  %124 = getelementptr inbounds i64, ptr %122, i64 %1
-  %125 = select i1 %123, ptr %18, ptr %124
-  %126 = load i64, ptr %125, align 8
-  %127 = getelementptr inbounds double, ptr %119, i64 %126
-  %128 = load double, ptr %127, align 8
-  %129 = fcmp uno double %128, 0.000000e+00
-  br i1 %129, label %141, label %134
-
-130:                                              ; preds = %118
-  %131 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %132 = load i32, ptr %131, align 8
-  %133 = icmp eq i32 %132, 1
-  br i1 %133, label %141, label %134
-
-134:                                              ; preds = %121, %130
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  %135 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %136 = load ptr, ptr %135, align 8
-  call fastcc void @support(ptr noundef %136, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %8)
-  %137 = call fastcc i32 @within(ptr noundef nonnull %13, i64 noundef %1, ptr noundef nonnull %8)
-  %138 = icmp eq i32 %137, 0
-  br i1 %138, label %140, label %139
-
-139:                                              ; preds = %134
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef 0, double noundef 0xFFF0000000000000, double noundef 0x7FF0000000000000)
-  br label %140
-
-140:                                              ; preds = %139, %134
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  br label %141
-
-141:                                              ; preds = %121, %140, %130, %99
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %6) #15
-  br label %307
-
-142:                                              ; preds = %81
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  br i1 %25, label %149, label %143
-
-143:                                              ; preds = %142
-  %144 = getelementptr inbounds double, ptr %24, i64 %20
-  %145 = load double, ptr %144, align 8
-  %146 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %147 = load double, ptr %146, align 8
-  %148 = tail call double @llvm.minnum.f64(double %145, double %147)
-  br label %152
-
-149:                                              ; preds = %142
-  %150 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %151 = load double, ptr %150, align 8
-  br label %152
-
-152:                                              ; preds = %143, %149
-  %153 = phi double [ 0xFFF0000000000000, %143 ], [ %151, %149 ]
-  %154 = phi double [ %148, %143 ], [ %151, %149 ]
-  %155 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 34
-  %156 = load ptr, ptr %155, align 8
-  %157 = mul nsw i64 %42, 3
-  %158 = getelementptr inbounds double, ptr %156, i64 %157
-  %159 = mul nsw i64 %1, 3
-  %160 = getelementptr inbounds double, ptr %156, i64 %159
-  br label %186
-
-161:                                              ; preds = %186
-  %162 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 14
-  %163 = load ptr, ptr %162, align 8
-  %164 = shl nsw i64 %42, 2
-  %165 = or i64 %164, 3
-  %166 = getelementptr inbounds double, ptr %163, i64 %165
-  %167 = load double, ptr %166, align 8
-  %168 = fadd double %154, %167
-  %169 = shl nsw i64 %1, 2
-  %170 = or i64 %169, 3
-  %171 = getelementptr inbounds double, ptr %163, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = fadd double %168, %172
-  %174 = load double, ptr %9, align 16
-  %175 = fmul double %174, %174
-  %176 = getelementptr inbounds double, ptr %9, i64 1
-  %177 = load double, ptr %176, align 8
-  %178 = fmul double %177, %177
-  %179 = fadd double %175, %178
-  %180 = getelementptr inbounds double, ptr %9, i64 2
-  %181 = load double, ptr %180, align 16
-  %182 = fmul double %181, %181
-  %183 = fadd double %179, %182
-  %184 = fmul double %173, %173
-  %185 = fcmp ogt double %183, %184
-  br i1 %185, label %306, label %196
-
-186:                                              ; preds = %152, %186
-  %187 = phi i64 [ 0, %152 ], [ %194, %186 ]
-  %188 = getelementptr inbounds double, ptr %158, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = getelementptr inbounds double, ptr %160, i64 %187
-  %191 = load double, ptr %190, align 8
-  %192 = fsub double %189, %191
-  %193 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %187
-  store double %192, ptr %193, align 8
-  %194 = add nuw nsw i64 %187, 1
-  %195 = icmp eq i64 %194, 3
-  br i1 %195, label %161, label %186
-
-196:                                              ; preds = %161
-  %197 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %160, double noundef %172, i64 noundef %42, double noundef %154)
-  %198 = icmp eq i32 %197, 0
-  br i1 %198, label %199, label %306
-
-199:                                              ; preds = %196
-  %200 = tail call fastcc i32 @is_beside(ptr noundef nonnull %13, ptr noundef nonnull %158, double noundef %167, i64 noundef %1, double noundef %154)
-  %201 = icmp eq i32 %200, 0
-  br i1 %201, label %202, label %306
-
-202:                                              ; preds = %199
-  %203 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
-  %204 = load ptr, ptr %203, align 8
-  %205 = icmp eq ptr %204, null
-  br i1 %205, label %221, label %206
-
-206:                                              ; preds = %202
-  %207 = mul nsw i64 %20, 3
-  %208 = getelementptr inbounds double, ptr %204, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = fmul double %209, %209
-  %211 = getelementptr inbounds double, ptr %208, i64 1
-  %212 = load double, ptr %211, align 8
-  %213 = fmul double %212, %212
-  %214 = fadd double %210, %213
-  %215 = getelementptr inbounds double, ptr %208, i64 2
-  %216 = load double, ptr %215, align 8
-  %217 = fmul double %216, %216
-  %218 = fadd double %214, %217
-  %219 = fcmp ogt double %218, 0.000000e+00
-  br i1 %219, label %220, label %221
-
-220:                                              ; preds = %206
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %9, ptr noundef nonnull align 8 dereferenceable(24) %208, i64 24, i1 false)
-  br label %267
-
-221:                                              ; preds = %202, %206
-  %222 = phi ptr [ %208, %206 ], [ null, %202 ]
-  %223 = icmp eq ptr %2, null
-  br i1 %223, label %267, label %224
-
-224:                                              ; preds = %221, %224
-  %225 = phi i64 [ %242, %224 ], [ 0, %221 ]
-  %226 = phi double [ %241, %224 ], [ 0.000000e+00, %221 ]
-  %227 = getelementptr inbounds double, ptr %2, i64 %225
-  %228 = load double, ptr %227, align 8
-  %229 = getelementptr inbounds double, ptr %158, i64 %225
-  %230 = load double, ptr %229, align 8
-  %231 = fsub double %228, %230
-  %232 = add nuw nsw i64 %225, 3
-  %233 = getelementptr inbounds double, ptr %2, i64 %232
-  %234 = load double, ptr %233, align 8
-  %235 = fsub double %230, %234
-  %236 = fcmp ogt double %231, %235
-  %237 = select i1 %236, double %231, double %235
-  %238 = fcmp ogt double %237, 0.000000e+00
-  %239 = select i1 %238, double %237, double 0.000000e+00
-  %240 = fmul double %239, %239
-  %241 = fadd double %226, %240
-  %242 = add nuw nsw i64 %225, 1
-  %243 = icmp eq i64 %242, 3
-  br i1 %243, label %244, label %224
-
-244:                                              ; preds = %224
-  %245 = fcmp ogt double %241, 0.000000e+00
-  br i1 %245, label %246, label %267
-
-246:                                              ; preds = %244, %262
-  %247 = phi i64 [ %265, %262 ], [ 0, %244 ]
-  %248 = getelementptr inbounds double, ptr %158, i64 %247
-  %249 = load double, ptr %248, align 8
-  %250 = getelementptr inbounds double, ptr %2, i64 %247
-  %251 = load double, ptr %250, align 8
-  %252 = fcmp olt double %249, %251
-  br i1 %252, label %253, label %255
-
-253:                                              ; preds = %246
-  %254 = fsub double %249, %251
-  br label %262
-
-255:                                              ; preds = %246
-  %256 = add nuw nsw i64 %247, 3
-  %257 = getelementptr inbounds double, ptr %2, i64 %256
-  %258 = load double, ptr %257, align 8
-  %259 = fcmp ogt double %249, %258
-  br i1 %259, label %260, label %262
-
-260:                                              ; preds = %255
-  %261 = fsub double %249, %258
-  br label %262
-
-262:                                              ; preds = %260, %255, %253
-  %263 = phi double [ %254, %253 ], [ %261, %260 ], [ 0.000000e+00, %255 ]
-  %264 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %247
-  store double %263, ptr %264, align 8
-  %265 = add nuw nsw i64 %247, 1
-  %266 = icmp eq i64 %265, 3
-  br i1 %266, label %267, label %246
-
-267:                                              ; preds = %262, %221, %244, %220
-  %268 = phi ptr [ %222, %221 ], [ %222, %244 ], [ %208, %220 ], [ %222, %262 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
-  call fastcc void @core_of(ptr noundef %13, i64 noundef %1, ptr noundef nonnull %10)
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %12) #15
-  %269 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %270 = load ptr, ptr %269, align 8
-  %271 = call fastcc i32 @shape_bounds(ptr noundef %13, i64 noundef %42, ptr noundef %270, i64 noundef %1, ptr noundef nonnull %10, ptr noundef nonnull %9, double noundef %154, double noundef %153, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %11)
-  br i1 %205, label %273, label %272
-
-272:                                              ; preds = %267
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %268, ptr noundef nonnull align 16 dereferenceable(24) %9, i64 24, i1 false)
-  br label %273
-
-273:                                              ; preds = %272, %267
-  %274 = icmp eq i32 %271, 0
-  br i1 %274, label %277, label %275
-
-275:                                              ; preds = %273
-  %276 = load double, ptr %4, align 8
-  br label %298
-
-277:                                              ; preds = %273
-  %278 = load ptr, ptr %23, align 8
-  %279 = icmp eq ptr %278, null
-  br i1 %279, label %296, label %280
-
-280:                                              ; preds = %277
-  %281 = load ptr, ptr %269, align 8
-  %282 = call fastcc i32 @depth_of(ptr noundef %281, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, ptr noundef null, ptr noundef null, ptr noundef null)
-  %283 = icmp eq i32 %282, 0
-  br i1 %283, label %296, label %284
-
-284:                                              ; preds = %280
-  %285 = load double, ptr %12, align 8
-  %286 = fneg double %285
-  %287 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
-  %288 = load ptr, ptr %287, align 8
-  %289 = load i64, ptr %41, align 8
-  %290 = getelementptr inbounds double, ptr %288, i64 %289
-  %291 = load double, ptr %290, align 8
-  %292 = fsub double %286, %291
-  %293 = getelementptr inbounds double, ptr %288, i64 %1
-  %294 = load double, ptr %293, align 8
-  %295 = fsub double %292, %294
-  store double %295, ptr %5, align 8
-  br label %298
-
-296:                                              ; preds = %280, %277
-  %297 = load double, ptr %4, align 8
-  br label %301
-
-298:                                              ; preds = %275, %284
-  %299 = phi double [ %276, %275 ], [ %295, %284 ]
-  %300 = fcmp ugt double %299, %154
-  br i1 %300, label %305, label %301
-
-301:                                              ; preds = %296, %298
-  %302 = phi double [ %297, %296 ], [ %299, %298 ]
-  %303 = phi i32 [ 0, %296 ], [ 1, %298 ]
-  %304 = load double, ptr %5, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %303, double noundef %302, double noundef %304)
-  br label %305
-
-305:                                              ; preds = %298, %301
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %307
-
-306:                                              ; preds = %161, %196, %199
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  br label %307
-
-307:                                              ; preds = %80, %76, %74, %72, %67, %48, %141, %95, %98, %305, %306
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #15
-  br label %308
-
-308:                                              ; preds = %26, %3, %30, %307
-  ret void
-}
-
-define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr noundef %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
-  %10 = alloca [3 x double], align 16
-  %11 = alloca i64, align 8
-  %12 = alloca %struct.Core, align 8
-  %13 = alloca %struct.Core, align 8
-  %14 = alloca %struct.Plane, align 8
-  %15 = alloca double, align 8
-  %16 = alloca double, align 8
-  %17 = alloca [3 x double], align 16
-  %18 = alloca [3 x double], align 16
-  %19 = alloca [12 x double], align 16
-  %20 = alloca [3 x double], align 16
-  %21 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  %22 = icmp sgt i64 %3, 0
-  br i1 %22, label %23, label %39
-
-23:                                               ; preds = %9
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %27 = getelementptr inbounds double, ptr %10, i64 1
-  %28 = getelementptr inbounds double, ptr %10, i64 2
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %32 = getelementptr inbounds double, ptr %14, i64 1
-  %33 = getelementptr inbounds double, ptr %18, i64 1
-  %34 = getelementptr inbounds double, ptr %14, i64 2
-  %35 = getelementptr inbounds double, ptr %18, i64 2
-  %36 = getelementptr inbounds double, ptr %17, i64 1
-  %37 = getelementptr inbounds double, ptr %17, i64 2
-  %38 = getelementptr inbounds i8, ptr %19, i64 72
-  br label %40
-
-39:                                               ; preds = %298, %9
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  ret void
-
-40:                                               ; preds = %23, %298
-  %41 = phi ptr [ %2, %23 ], [ %301, %298 ]
-  %42 = phi i64 [ 0, %23 ], [ %299, %298 ]
-  %43 = shl nuw nsw i64 %42, 1
-  %44 = getelementptr inbounds i64, ptr %4, i64 %43
-  %45 = load i64, ptr %44, align 8
-  %46 = or i64 %43, 1
-  %47 = getelementptr inbounds i64, ptr %4, i64 %46
-  %48 = load i64, ptr %47, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #15
-  %49 = icmp eq i64 %42, 0
-  br i1 %49, label %61, label %50
-
-50:                                               ; preds = %40
-  %51 = add nsw i64 %43, -2
-  %52 = getelementptr inbounds i64, ptr %4, i64 %51
-  %53 = load i64, ptr %52, align 8
-  %54 = icmp eq i64 %45, %53
-  br i1 %54, label %55, label %60
-
-55:                                               ; preds = %50
-  %56 = add nsw i64 %43, -1
-  %57 = getelementptr inbounds i64, ptr %4, i64 %56
-  %58 = load i64, ptr %57, align 8
-  %59 = icmp eq i64 %48, %58
-  br i1 %59, label %62, label %60
-
-60:                                               ; preds = %55, %50
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %62
-
-61:                                               ; preds = %40
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  br label %72
-
-62:                                               ; preds = %55, %60
-  %63 = load i64, ptr %0, align 8
-  %64 = mul nsw i64 %63, %42
-  %65 = getelementptr inbounds double, ptr %1, i64 %64
-  %66 = add nsw i64 %42, -1
-  %67 = mul nsw i64 %63, %66
-  %68 = getelementptr inbounds double, ptr %1, i64 %67
-  %69 = shl i64 %63, 3
-  %70 = call i32 @bcmp(ptr %65, ptr %68, i64 %69)
-  %71 = icmp eq i32 %70, 0
-  br i1 %71, label %75, label %72
-
-72:                                               ; preds = %61, %62
-  %73 = phi i64 [ 0, %61 ], [ %64, %62 ]
-  %74 = getelementptr inbounds double, ptr %1, i64 %73
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %74)
-  br label %75
-
-75:                                               ; preds = %72, %62
-  %76 = getelementptr inbounds double, ptr %8, i64 %42
-  store double 0xFFF0000000000000, ptr %76, align 8
-  %77 = load ptr, ptr %24, align 8
-  %78 = getelementptr inbounds i64, ptr %77, i64 %48
-  %79 = load i64, ptr %78, align 8
-  %80 = icmp eq i64 %79, 3
-  br i1 %80, label %81, label %88
-
-81:                                               ; preds = %75
-  %82 = load ptr, ptr %25, align 8
-  %83 = getelementptr inbounds i64, ptr %82, i64 %45
-  %84 = load i64, ptr %83, align 8
-  %85 = getelementptr inbounds i64, ptr %82, i64 %48
-  %86 = load i64, ptr %85, align 8
-  %87 = icmp slt i64 %84, %86
-  br label %88
-
-88:                                               ; preds = %81, %75
-  %89 = phi i1 [ false, %75 ], [ %87, %81 ]
-  %90 = getelementptr inbounds i64, ptr %77, i64 %45
-  %91 = load i64, ptr %90, align 8
-  %92 = icmp sgt i64 %91, 2
-  %93 = icmp sgt i64 %79, 3
-  %94 = select i1 %92, i1 true, i1 %93
-  %95 = select i1 %94, i1 true, i1 %89
-  br i1 %95, label %101, label %96
-
-96:                                               ; preds = %88
-  %97 = getelementptr inbounds double, ptr %6, i64 %42
-  %98 = load double, ptr %97, align 8
-  %99 = call double @llvm.fabs.f64(double %98) #14
-  %100 = fcmp ueq double %99, 0x7FF0000000000000
-  br i1 %100, label %101, label %107
-
-101:                                              ; preds = %96, %88
-  %102 = load i64, ptr %0, align 8
-  %103 = mul nsw i64 %102, %42
-  %104 = getelementptr inbounds double, ptr %1, i64 %103
-  %105 = getelementptr inbounds double, ptr %5, i64 %42
-  %106 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %104, i64 noundef 1, ptr noundef nonnull %44, ptr noundef %105, ptr noundef %106, ptr noundef nonnull %11)
-  br label %298
-
-107:                                              ; preds = %96
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %16) #15
-  %108 = load ptr, ptr %26, align 8
-  %109 = getelementptr inbounds double, ptr %108, i64 %45
-  %110 = load double, ptr %109, align 8
-  %111 = getelementptr inbounds double, ptr %108, i64 %48
-  %112 = load double, ptr %111, align 8
-  %113 = fadd double %110, %112
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %45, ptr noundef nonnull %12)
-  %114 = load i64, ptr %78, align 8
-  %115 = icmp eq i64 %114, 3
-  br i1 %115, label %116, label %187
-
-116:                                              ; preds = %107
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #15
-  %117 = load ptr, ptr %30, align 8
-  %118 = load ptr, ptr %25, align 8
-  %119 = getelementptr inbounds i64, ptr %118, i64 %48
-  %120 = load i64, ptr %119, align 8
-  %121 = mul nsw i64 %120, 12
-  %122 = getelementptr inbounds double, ptr %117, i64 %121
-  %123 = load ptr, ptr %31, align 8
-  %124 = mul nsw i64 %48, 12
-  %125 = getelementptr inbounds double, ptr %123, i64 %124
-  %126 = getelementptr inbounds double, ptr %125, i64 9
-  %127 = getelementptr inbounds double, ptr %125, i64 10
-  %128 = getelementptr inbounds double, ptr %125, i64 11
-  %129 = load double, ptr %126, align 8
-  %130 = load double, ptr %127, align 8
-  %131 = load double, ptr %128, align 8
-  br label %132
-
-132:                                              ; preds = %143, %116
-  %133 = phi i64 [ 0, %116 ], [ %154, %143 ]
-  %134 = mul nuw nsw i64 %133, 3
-  %135 = getelementptr inbounds double, ptr %122, i64 %134
-  %136 = add nuw nsw i64 %134, 1
-  %137 = getelementptr inbounds double, ptr %122, i64 %136
-  %138 = add nuw nsw i64 %134, 2
-  %139 = getelementptr inbounds double, ptr %122, i64 %138
-  %140 = load double, ptr %135, align 8
-  %141 = load double, ptr %137, align 8
-  %142 = load double, ptr %139, align 8
-  br label %157
-
-143:                                              ; preds = %157
-  %144 = fmul double %140, %129
-  %145 = fmul double %141, %130
-  %146 = fadd double %144, %145
-  %147 = fmul double %142, %131
-  %148 = fadd double %146, %147
-  %149 = add nuw nsw i64 %133, 9
-  %150 = getelementptr inbounds double, ptr %122, i64 %149
-  %151 = load double, ptr %150, align 8
-  %152 = fadd double %151, %148
-  %153 = getelementptr inbounds double, ptr %19, i64 %149
-  store double %152, ptr %153, align 8
-  %154 = add nuw nsw i64 %133, 1
-  %155 = icmp eq i64 %154, 3
-  br i1 %155, label %156, label %132
-
-156:                                              ; preds = %143
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %38, i64 24, i1 false)
-  br label %178
-
-157:                                              ; preds = %157, %132
-  %158 = phi i64 [ 0, %132 ], [ %174, %157 ]
-  %159 = getelementptr inbounds double, ptr %125, i64 %158
-  %160 = load double, ptr %159, align 8
-  %161 = fmul double %140, %160
-  %162 = add nuw nsw i64 %158, 3
-  %163 = getelementptr inbounds double, ptr %125, i64 %162
-  %164 = load double, ptr %163, align 8
-  %165 = fmul double %141, %164
-  %166 = fadd double %161, %165
-  %167 = add nuw nsw i64 %158, 6
-  %168 = getelementptr inbounds double, ptr %125, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %142, %169
-  %171 = fadd double %166, %170
-  %172 = add nuw nsw i64 %158, %134
-  %173 = getelementptr inbounds double, ptr %19, i64 %172
-  store double %171, ptr %173, align 8
-  %174 = add nuw nsw i64 %158, 1
-  %175 = icmp eq i64 %174, 3
-  br i1 %175, label %143, label %157
-
-176:                                              ; preds = %178
-  %177 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %45, ptr noundef nonnull %12, i64 noundef %48)
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #15
-  br label %233
-
-178:                                              ; preds = %156, %178
-  %179 = phi i64 [ 0, %156 ], [ %185, %178 ]
-  %180 = mul nuw nsw i64 %179, 3
-  %181 = add nuw nsw i64 %180, 2
-  %182 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %181
-  %183 = load double, ptr %182, align 8
-  %184 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %179
-  store double %183, ptr %184, align 8
-  %185 = add nuw nsw i64 %179, 1
-  %186 = icmp eq i64 %185, 3
-  br i1 %186, label %176, label %178
-
-187:                                              ; preds = %107
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %48, ptr noundef nonnull %13)
-  %188 = load double, ptr %10, align 16
-  %189 = fmul double %188, %188
-  %190 = load double, ptr %27, align 8
-  %191 = fmul double %190, %190
-  %192 = fadd double %189, %191
-  %193 = load double, ptr %28, align 16
-  %194 = fmul double %193, %193
-  %195 = fadd double %192, %194
-  %196 = fcmp ogt double %195, 0.000000e+00
-  br i1 %196, label %213, label %197
-
-197:                                              ; preds = %187
-  %198 = load ptr, ptr %29, align 8
-  %199 = mul nsw i64 %45, 3
-  %200 = mul nsw i64 %48, 3
-  br label %201
-
-201:                                              ; preds = %197, %201
-  %202 = phi i64 [ 0, %197 ], [ %211, %201 ]
-  %203 = add nsw i64 %199, %202
-  %204 = getelementptr inbounds double, ptr %198, i64 %203
-  %205 = load double, ptr %204, align 8
-  %206 = add nsw i64 %200, %202
-  %207 = getelementptr inbounds double, ptr %198, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = fsub double %205, %208
-  %210 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %202
-  store double %209, ptr %210, align 8
-  %211 = add nuw nsw i64 %202, 1
-  %212 = icmp eq i64 %211, 3
-  br i1 %212, label %213, label %201
-
-213:                                              ; preds = %201, %187
-  %214 = getelementptr inbounds double, ptr %5, i64 %42
-  %215 = load double, ptr %214, align 8
-  %216 = load double, ptr %109, align 8
-  %217 = load double, ptr %111, align 8
-  %218 = fadd double %216, %217
-  %219 = fadd double %215, %218
-  %220 = fadd double %218, 0xFFF0000000000000
-  %221 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %10, double noundef %219, double noundef %220, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %15, ptr noundef nonnull %16, ptr noundef nonnull %14, ptr noundef null)
-  %222 = icmp eq i32 %221, 0
-  br i1 %222, label %223, label %228
-
-223:                                              ; preds = %213
-  %224 = load i64, ptr %0, align 8
-  %225 = mul nsw i64 %224, %42
-  %226 = getelementptr inbounds double, ptr %1, i64 %225
-  %227 = getelementptr inbounds double, ptr %7, i64 %42
-  call void @manipplan_pairs(ptr noundef nonnull %0, ptr noundef %226, i64 noundef 1, ptr noundef nonnull %44, ptr noundef nonnull %214, ptr noundef %227, ptr noundef nonnull %11)
-  br label %297
-
-228:                                              ; preds = %213
-  %229 = load double, ptr %16, align 8
-  %230 = fsub double %229, %218
-  %231 = load double, ptr %15, align 8
-  %232 = fsub double %231, %218
-  call fastcc void @support(ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef nonnull %18)
-  br label %233
-
-233:                                              ; preds = %228, %176
-  %234 = phi double [ %230, %228 ], [ %177, %176 ]
-  %235 = phi double [ %232, %228 ], [ %177, %176 ]
-  %236 = getelementptr inbounds double, ptr %5, i64 %42
-  %237 = load double, ptr %236, align 8
-  %238 = fcmp ogt double %235, %237
-  br i1 %238, label %244, label %239
-
-239:                                              ; preds = %233
-  %240 = fsub double %234, %235
-  %241 = fcmp ugt double %240, 1.000000e-08
-  br i1 %241, label %242, label %244
-
-242:                                              ; preds = %239
-  %243 = getelementptr inbounds double, ptr %7, i64 %42
-  store double 0x7FF8000000000000, ptr %243, align 8
-  br label %297
-
-244:                                              ; preds = %239, %233
-  %245 = phi double [ %237, %233 ], [ %234, %239 ]
-  %246 = getelementptr inbounds double, ptr %7, i64 %42
-  store double %245, ptr %246, align 8
-  %247 = fcmp uno double %245, 0.000000e+00
-  br i1 %247, label %297, label %248
-
-248:                                              ; preds = %244
-  %249 = load double, ptr %236, align 8
-  %250 = fcmp ult double %245, %249
-  br i1 %250, label %251, label %297
-
-251:                                              ; preds = %248
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  %252 = load ptr, ptr %25, align 8
-  %253 = getelementptr inbounds i64, ptr %252, i64 %45
-  %254 = load i64, ptr %253, align 8
-  %255 = getelementptr inbounds i64, ptr %252, i64 %48
-  %256 = load i64, ptr %255, align 8
-  %257 = icmp slt i64 %254, %256
-  br i1 %257, label %284, label %258
-
-258:                                              ; preds = %251
-  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %256, i64 noundef %254, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %259 = load double, ptr %14, align 8
-  %260 = load double, ptr %18, align 16
-  %261 = fmul double %259, %260
-  %262 = load double, ptr %32, align 8
-  %263 = load double, ptr %33, align 8
-  %264 = fmul double %262, %263
-  %265 = fadd double %261, %264
-  %266 = load double, ptr %34, align 8
-  %267 = load double, ptr %35, align 16
-  %268 = fmul double %266, %267
-  %269 = fadd double %265, %268
-  %270 = call fastcc double @stays_apart(ptr noundef nonnull %12, double noundef %269, ptr noundef nonnull %14, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %292
-
-271:                                              ; preds = %284
-  call fastcc void @support(ptr noundef nonnull %12, ptr noundef nonnull %17, ptr noundef nonnull %18)
-  call fastcc void @twist_of(ptr noundef %0, i64 noundef %254, i64 noundef %256, ptr noundef %41, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  %272 = load double, ptr %17, align 16
-  %273 = load double, ptr %18, align 16
-  %274 = fmul double %272, %273
-  %275 = load double, ptr %36, align 8
-  %276 = load double, ptr %33, align 8
-  %277 = fmul double %275, %276
-  %278 = fadd double %274, %277
-  %279 = load double, ptr %37, align 16
-  %280 = load double, ptr %35, align 16
-  %281 = fmul double %279, %280
-  %282 = fadd double %278, %281
-  %283 = call fastcc double @stays_apart(ptr noundef nonnull %13, double noundef %282, ptr noundef nonnull %17, ptr noundef nonnull %20, ptr noundef nonnull %21)
-  br label %292
-
-284:                                              ; preds = %251, %284
-  %285 = phi i64 [ %290, %284 ], [ 0, %251 ]
-  %286 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %285
-  %287 = load double, ptr %286, align 8
-  %288 = fneg double %287
-  %289 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %285
-  store double %288, ptr %289, align 8
-  %290 = add nuw nsw i64 %285, 1
-  %291 = icmp eq i64 %290, 3
-  br i1 %291, label %271, label %284
-
-292:                                              ; preds = %271, %258
-  %293 = phi double [ %283, %271 ], [ %270, %258 ]
-  %294 = fsub double %293, %113
-  %295 = load double, ptr %97, align 8
-  %296 = fsub double %294, %295
-  store double %296, ptr %76, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
-  br label %297
-
-297:                                              ; preds = %242, %244, %248, %292, %223
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #15
-  br label %298
-
-298:                                              ; preds = %297, %101
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #15
-  %299 = add nuw nsw i64 %42, 1
-  %300 = load i64, ptr %0, align 8
-  %301 = getelementptr inbounds double, ptr %41, i64 %300
-  %302 = icmp eq i64 %299, %3
-  br i1 %302, label %39, label %40
-}
-
-define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #6 {
+define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #3 {
   %5 = alloca [12 x double], align 16
   %6 = alloca [3 x double], align 16
-  %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i64, ptr %11, i64 %3
-  %13 = load i64, ptr %12, align 8
-  %14 = mul nsw i64 %13, 12
-  %15 = getelementptr inbounds double, ptr %9, i64 %14
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %17 = load ptr, ptr %16, align 8
-  %18 = mul nsw i64 %3, 12
-  %19 = getelementptr inbounds double, ptr %17, i64 %18
-  %20 = getelementptr inbounds double, ptr %19, i64 9
-  %21 = getelementptr inbounds double, ptr %19, i64 10
-  %22 = getelementptr inbounds double, ptr %19, i64 11
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i64, ptr %10, i64 %3
+  %12 = load i64, ptr %11, align 8
+  %13 = mul nsw i64 %12, 12
+  %14 = getelementptr inbounds double, ptr %8, i64 %13
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %16 = load ptr, ptr %15, align 8
+  %17 = mul nsw i64 %3, 12
+  %18 = getelementptr inbounds double, ptr %16, i64 %17
+  %19 = getelementptr inbounds double, ptr %18, i64 9
+  %20 = getelementptr inbounds double, ptr %18, i64 10
+  %21 = getelementptr inbounds double, ptr %18, i64 11
+  %22 = load double, ptr %19, align 8
   %23 = load double, ptr %20, align 8
   %24 = load double, ptr %21, align 8
-  %25 = load double, ptr %22, align 8
-  br label %26
+  br label %25
 
-26:                                               ; preds = %37, %4
-  %27 = phi i64 [ 0, %4 ], [ %48, %37 ]
-  %28 = mul nuw nsw i64 %27, 3
-  %29 = getelementptr inbounds double, ptr %15, i64 %28
-  %30 = add nuw nsw i64 %28, 1
-  %31 = getelementptr inbounds double, ptr %15, i64 %30
-  %32 = add nuw nsw i64 %28, 2
-  %33 = getelementptr inbounds double, ptr %15, i64 %32
-  %34 = load double, ptr %29, align 8
-  %35 = load double, ptr %31, align 8
-  %36 = load double, ptr %33, align 8
-  br label %50
+25:                                               ; preds = %36, %4
+  %26 = phi i64 [ 0, %4 ], [ %47, %36 ]
+  %27 = mul nuw nsw i64 %26, 3
+  %28 = getelementptr inbounds double, ptr %14, i64 %27
+  %29 = add nuw nsw i64 %27, 1
+  %30 = getelementptr inbounds double, ptr %14, i64 %29
+  %31 = add nuw nsw i64 %27, 2
+  %32 = getelementptr inbounds double, ptr %14, i64 %31
+  %33 = load double, ptr %28, align 8
+  %34 = load double, ptr %30, align 8
+  %35 = load double, ptr %32, align 8
+  br label %49
 
-37:                                               ; preds = %50
+36:                                               ; preds = %49
+  %37 = fmul double %33, %22
   %38 = fmul double %34, %23
-  %39 = fmul double %35, %24
-  %40 = fadd double %38, %39
-  %41 = fmul double %36, %25
-  %42 = fadd double %40, %41
-  %43 = add nuw nsw i64 %27, 9
-  %44 = getelementptr inbounds double, ptr %15, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = fadd double %45, %42
-  %47 = getelementptr inbounds double, ptr %5, i64 %43
-  store double %46, ptr %47, align 8
-  %48 = add nuw nsw i64 %27, 1
-  %49 = icmp eq i64 %48, 3
-  br i1 %49, label %70, label %26
+  %39 = fadd double %37, %38
+  %40 = fmul double %35, %24
+  %41 = fadd double %39, %40
+  %42 = add nuw nsw i64 %26, 9
+  %43 = getelementptr inbounds double, ptr %14, i64 %42
+  %44 = load double, ptr %43, align 8
+  %45 = fadd double %44, %41
+  %46 = getelementptr inbounds double, ptr %5, i64 %42
+  store double %45, ptr %46, align 8
+  %47 = add nuw nsw i64 %26, 1
+  %48 = icmp eq i64 %47, 3
+  br i1 %48, label %68, label %25
 
-50:                                               ; preds = %50, %26
-  %51 = phi i64 [ 0, %26 ], [ %67, %50 ]
-  %52 = getelementptr inbounds double, ptr %19, i64 %51
-  %53 = load double, ptr %52, align 8
-  %54 = fmul double %34, %53
-  %55 = add nuw nsw i64 %51, 3
-  %56 = getelementptr inbounds double, ptr %19, i64 %55
-  %57 = load double, ptr %56, align 8
-  %58 = fmul double %35, %57
-  %59 = fadd double %54, %58
-  %60 = add nuw nsw i64 %51, 6
-  %61 = getelementptr inbounds double, ptr %19, i64 %60
-  %62 = load double, ptr %61, align 8
-  %63 = fmul double %36, %62
-  %64 = fadd double %59, %63
-  %65 = add nuw nsw i64 %51, %28
-  %66 = getelementptr inbounds double, ptr %5, i64 %65
-  store double %64, ptr %66, align 8
-  %67 = add nuw nsw i64 %51, 1
-  %68 = icmp eq i64 %67, 3
-  br i1 %68, label %37, label %50
+49:                                               ; preds = %49, %25
+  %50 = phi i64 [ 0, %25 ], [ %66, %49 ]
+  %51 = getelementptr inbounds double, ptr %18, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fmul double %33, %52
+  %54 = add nuw nsw i64 %50, 3
+  %55 = getelementptr inbounds double, ptr %18, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = fmul double %34, %56
+  %58 = fadd double %53, %57
+  %59 = add nuw nsw i64 %50, 6
+  %60 = getelementptr inbounds double, ptr %18, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = fmul double %35, %61
+  %63 = fadd double %58, %62
+  %64 = add nuw nsw i64 %50, %27
+  %65 = getelementptr inbounds double, ptr %5, i64 %64
+  store double %63, ptr %65, align 8
+  %66 = add nuw nsw i64 %50, 1
+  %67 = icmp eq i64 %66, 3
+  br i1 %67, label %36, label %49
 
-69:                                               ; preds = %70
-  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef nonnull %7)
-  br label %89
-
-70:                                               ; preds = %37, %70
-  %71 = phi i64 [ %78, %70 ], [ 0, %37 ]
-  %72 = mul nuw nsw i64 %71, 3
-  %73 = add nuw nsw i64 %72, 2
-  %74 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %73
-  %75 = load double, ptr %74, align 8
-  %76 = fneg double %75
-  %77 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %71
-  store double %76, ptr %77, align 8
-  %78 = add nuw nsw i64 %71, 1
-  %79 = icmp eq i64 %78, 3
-  br i1 %79, label %69, label %70
-
-80:                                               ; preds = %89
-  %81 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %82 = load ptr, ptr %81, align 8
-  %83 = getelementptr inbounds double, ptr %82, i64 %1
-  %84 = load double, ptr %83, align 8
-  %85 = fsub double %101, %84
-  %86 = getelementptr inbounds double, ptr %82, i64 %3
-  %87 = load double, ptr %86, align 8
-  %88 = fsub double %85, %87
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #15
-  ret double %88
-
-89:                                               ; preds = %69, %89
-  %90 = phi i64 [ 0, %69 ], [ %102, %89 ]
-  %91 = phi double [ 0.000000e+00, %69 ], [ %101, %89 ]
-  %92 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %90
-  %93 = load double, ptr %92, align 8
-  %94 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %90
-  %95 = load double, ptr %94, align 8
-  %96 = add nuw nsw i64 %90, 9
-  %97 = getelementptr inbounds [12 x double], ptr %5, i64 0, i64 %96
-  %98 = load double, ptr %97, align 8
-  %99 = fsub double %95, %98
-  %100 = fmul double %93, %99
-  %101 = fsub double %91, %100
-  %102 = add nuw nsw i64 %90, 1
-  %103 = icmp eq i64 %102, 3
-  br i1 %103, label %80, label %89
+68:                                               ; preds = %36
+  %69 = call fastcc double @lowest(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef nonnull %5, ptr noundef nonnull %6)
+  %70 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %1
+  %73 = load double, ptr %72, align 8
+  %74 = fsub double %69, %73
+  %75 = getelementptr inbounds double, ptr %71, i64 %3
+  %76 = load double, ptr %75, align 8
+  %77 = fsub double %74, %76
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #18
+  ret double %77
 }
 
-define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #0 {
+define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #6 {
   %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %1
@@ -2319,13 +1950,13 @@ define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 
   ret i32 %22
 }
 
-define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #6 {
+define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef writeonly %2) unnamed_addr #7 {
   %4 = alloca [64 x double], align 16
   %5 = alloca [8 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
   %8 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds double, ptr %1, i64 1
@@ -2358,7 +1989,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 
 33:                                               ; preds = %15
   %34 = load i64, ptr %0, align 8
-  switch i64 %34, label %158 [
+  switch i64 %34, label %186 [
     i64 0, label %38
     i64 1, label %35
   ]
@@ -2366,7 +1997,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 35:                                               ; preds = %33
   %36 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
   %37 = load ptr, ptr %36, align 8
-  br label %146
+  br label %174
 
 38:                                               ; preds = %33
   %39 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 2
@@ -2375,11 +2006,11 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %42 = load ptr, ptr %41, align 8
   %43 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 4
   %44 = load ptr, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #15
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #18
   %45 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
   %46 = load i64, ptr %45, align 8
-  %47 = icmp sgt i64 %46, 0
-  br i1 %47, label %48, label %138
+  %47 = icmp slt i64 %46, 4
+  br i1 %47, label %54, label %48
 
 48:                                               ; preds = %38
   %49 = getelementptr inbounds double, ptr %6, i64 1
@@ -2387,236 +2018,270 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %51 = load double, ptr %6, align 16
   %52 = load double, ptr %49, align 8
   %53 = load double, ptr %50, align 16
-  br label %54
+  br label %82
 
-54:                                               ; preds = %132, %48
-  %55 = phi i64 [ %46, %48 ], [ %137, %132 ]
-  %56 = phi double [ 0xFFF0000000000000, %48 ], [ %134, %132 ]
-  %57 = phi i64 [ 0, %48 ], [ %135, %132 ]
-  %58 = phi i64 [ 0, %48 ], [ %133, %132 ]
-  %59 = tail call i64 @llvm.smin.i64(i64 %55, i64 64)
-  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #15
+54:                                               ; preds = %38
+  %55 = icmp sgt i64 %46, 0
+  br i1 %55, label %56, label %166
+
+56:                                               ; preds = %54
+  %57 = load double, ptr %6, align 16
+  %58 = getelementptr inbounds double, ptr %6, i64 1
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds double, ptr %6, i64 2
+  %61 = load double, ptr %60, align 16
   br label %62
 
-60:                                               ; preds = %62
-  %61 = tail call i64 @llvm.smax.i64(i64 %59, i64 1)
-  br label %70
-
-62:                                               ; preds = %62, %54
-  %63 = phi i64 [ 0, %54 ], [ %65, %62 ]
-  %64 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %63
-  store double 0xFFF0000000000000, ptr %64, align 8
-  %65 = add nuw nsw i64 %63, 1
-  %66 = icmp eq i64 %65, 8
-  br i1 %66, label %60, label %62
-
-67:                                               ; preds = %70
-  %68 = and i64 %61, 7
-  %69 = icmp eq i64 %68, 0
-  br i1 %69, label %87, label %89
-
-70:                                               ; preds = %60, %70
-  %71 = phi i64 [ %85, %70 ], [ 0, %60 ]
-  %72 = add nuw nsw i64 %71, %57
-  %73 = getelementptr inbounds double, ptr %40, i64 %72
+62:                                               ; preds = %62, %56
+  %63 = phi double [ 0xFFF0000000000000, %56 ], [ %79, %62 ]
+  %64 = phi i64 [ 0, %56 ], [ %80, %62 ]
+  %65 = phi i64 [ 0, %56 ], [ %78, %62 ]
+  %66 = getelementptr inbounds double, ptr %40, i64 %64
+  %67 = load double, ptr %66, align 8
+  %68 = fmul double %57, %67
+  %69 = getelementptr inbounds double, ptr %42, i64 %64
+  %70 = load double, ptr %69, align 8
+  %71 = fmul double %59, %70
+  %72 = fadd double %68, %71
+  %73 = getelementptr inbounds double, ptr %44, i64 %64
   %74 = load double, ptr %73, align 8
-  %75 = fmul double %51, %74
-  %76 = getelementptr inbounds double, ptr %42, i64 %72
-  %77 = load double, ptr %76, align 8
-  %78 = fmul double %52, %77
-  %79 = fadd double %75, %78
-  %80 = getelementptr inbounds double, ptr %44, i64 %72
-  %81 = load double, ptr %80, align 8
-  %82 = fmul double %53, %81
-  %83 = fadd double %79, %82
-  %84 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %71
-  store double %83, ptr %84, align 8
-  %85 = add nuw nsw i64 %71, 1
-  %86 = icmp eq i64 %85, %61
-  br i1 %86, label %67, label %70
+  %75 = fmul double %61, %74
+  %76 = fadd double %72, %75
+  %77 = fcmp ogt double %76, %63
+  %78 = select i1 %77, i64 %64, i64 %65
+  %79 = select i1 %77, double %76, double %63
+  %80 = add nuw nsw i64 %64, 1
+  %81 = icmp eq i64 %80, %46
+  br i1 %81, label %166, label %62
 
-87:                                               ; preds = %89, %67
-  %88 = phi i64 [ %61, %67 ], [ %92, %89 ]
-  br label %95
+82:                                               ; preds = %160, %48
+  %83 = phi i64 [ %46, %48 ], [ %165, %160 ]
+  %84 = phi i64 [ 0, %48 ], [ %163, %160 ]
+  %85 = phi double [ 0xFFF0000000000000, %48 ], [ %162, %160 ]
+  %86 = phi i64 [ 0, %48 ], [ %161, %160 ]
+  %87 = tail call i64 @llvm.smin.i64(i64 %83, i64 64)
+  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #18
+  br label %90
 
-89:                                               ; preds = %67, %89
-  %90 = phi i64 [ %92, %89 ], [ %61, %67 ]
-  %91 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %90
-  store double 0xFFF0000000000000, ptr %91, align 8
-  %92 = add nuw nsw i64 %90, 1
-  %93 = and i64 %92, 7
-  %94 = icmp eq i64 %93, 0
-  br i1 %94, label %87, label %89
+88:                                               ; preds = %90
+  %89 = tail call i64 @llvm.smax.i64(i64 %87, i64 1)
+  br label %98
 
-95:                                               ; preds = %99, %87
-  %96 = phi i64 [ %100, %99 ], [ 0, %87 ]
-  br label %102
+90:                                               ; preds = %90, %82
+  %91 = phi i64 [ 0, %82 ], [ %93, %90 ]
+  %92 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %91
+  store double 0xFFF0000000000000, ptr %92, align 8
+  %93 = add nuw nsw i64 %91, 1
+  %94 = icmp eq i64 %93, 8
+  br i1 %94, label %88, label %90
 
-97:                                               ; preds = %99
-  %98 = load double, ptr %5, align 16
-  br label %115
+95:                                               ; preds = %98
+  %96 = and i64 %89, 7
+  %97 = icmp eq i64 %96, 0
+  br i1 %97, label %115, label %117
 
-99:                                               ; preds = %102
-  %100 = add nuw nsw i64 %96, 8
-  %101 = icmp ult i64 %100, %88
-  br i1 %101, label %95, label %97
+98:                                               ; preds = %88, %98
+  %99 = phi i64 [ %113, %98 ], [ 0, %88 ]
+  %100 = add nuw nsw i64 %99, %84
+  %101 = getelementptr inbounds double, ptr %40, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %51, %102
+  %104 = getelementptr inbounds double, ptr %42, i64 %100
+  %105 = load double, ptr %104, align 8
+  %106 = fmul double %52, %105
+  %107 = fadd double %103, %106
+  %108 = getelementptr inbounds double, ptr %44, i64 %100
+  %109 = load double, ptr %108, align 8
+  %110 = fmul double %53, %109
+  %111 = fadd double %107, %110
+  %112 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %99
+  store double %111, ptr %112, align 8
+  %113 = add nuw nsw i64 %99, 1
+  %114 = icmp eq i64 %113, %89
+  br i1 %114, label %95, label %98
 
-102:                                              ; preds = %102, %95
-  %103 = phi i64 [ 0, %95 ], [ %111, %102 ]
-  %104 = add nuw nsw i64 %103, %96
-  %105 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %104
-  %106 = load double, ptr %105, align 8
-  %107 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %103
-  %108 = load double, ptr %107, align 8
-  %109 = fcmp ogt double %106, %108
-  %110 = select i1 %109, double %106, double %108
-  store double %110, ptr %107, align 8
-  %111 = add nuw nsw i64 %103, 1
-  %112 = icmp eq i64 %111, 8
-  br i1 %112, label %99, label %102
+115:                                              ; preds = %117, %95
+  %116 = phi i64 [ %89, %95 ], [ %120, %117 ]
+  br label %123
 
-113:                                              ; preds = %115
-  %114 = fcmp ogt double %121, %56
-  br i1 %114, label %124, label %132
+117:                                              ; preds = %95, %117
+  %118 = phi i64 [ %120, %117 ], [ %89, %95 ]
+  %119 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %118
+  store double 0xFFF0000000000000, ptr %119, align 8
+  %120 = add nuw nsw i64 %118, 1
+  %121 = and i64 %120, 7
+  %122 = icmp eq i64 %121, 0
+  br i1 %122, label %115, label %117
 
-115:                                              ; preds = %115, %97
-  %116 = phi i64 [ 1, %97 ], [ %122, %115 ]
-  %117 = phi double [ %98, %97 ], [ %121, %115 ]
-  %118 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %116
-  %119 = load double, ptr %118, align 8
-  %120 = fcmp ogt double %119, %117
-  %121 = select i1 %120, double %119, double %117
-  %122 = add nuw nsw i64 %116, 1
-  %123 = icmp eq i64 %122, 8
-  br i1 %123, label %113, label %115
+123:                                              ; preds = %127, %115
+  %124 = phi i64 [ %128, %127 ], [ 0, %115 ]
+  br label %130
 
-124:                                              ; preds = %113, %124
-  %125 = phi i64 [ %129, %124 ], [ 0, %113 ]
-  %126 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %125
-  %127 = load double, ptr %126, align 8
-  %128 = fcmp une double %127, %121
-  %129 = add nuw nsw i64 %125, 1
-  br i1 %128, label %124, label %130
+125:                                              ; preds = %127
+  %126 = load double, ptr %5, align 16
+  br label %143
 
-130:                                              ; preds = %124
-  %131 = add nuw nsw i64 %125, %57
-  br label %132
+127:                                              ; preds = %130
+  %128 = add nuw nsw i64 %124, 8
+  %129 = icmp ult i64 %128, %116
+  br i1 %129, label %123, label %125
 
-132:                                              ; preds = %130, %113
-  %133 = phi i64 [ %131, %130 ], [ %58, %113 ]
-  %134 = phi double [ %121, %130 ], [ %56, %113 ]
-  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #15
-  %135 = add nuw nsw i64 %57, 64
-  %136 = icmp sgt i64 %46, %135
-  %137 = add i64 %55, -64
-  br i1 %136, label %54, label %138
+130:                                              ; preds = %130, %123
+  %131 = phi i64 [ 0, %123 ], [ %139, %130 ]
+  %132 = add nuw nsw i64 %131, %124
+  %133 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %131
+  %136 = load double, ptr %135, align 8
+  %137 = fcmp ogt double %134, %136
+  %138 = select i1 %137, double %134, double %136
+  store double %138, ptr %135, align 8
+  %139 = add nuw nsw i64 %131, 1
+  %140 = icmp eq i64 %139, 8
+  br i1 %140, label %127, label %130
 
-138:                                              ; preds = %132, %38
-  %139 = phi i64 [ 0, %38 ], [ %133, %132 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #15
-  %140 = getelementptr inbounds double, ptr %40, i64 %139
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr inbounds double, ptr %42, i64 %139
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds double, ptr %44, i64 %139
-  %145 = load double, ptr %144, align 8
-  br label %191
+141:                                              ; preds = %143
+  %142 = fcmp ogt double %149, %85
+  br i1 %142, label %152, label %160
 
-146:                                              ; preds = %35, %146
-  %147 = phi i64 [ 0, %35 ], [ %156, %146 ]
-  %148 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = fcmp ult double %149, 0.000000e+00
-  %151 = getelementptr inbounds double, ptr %37, i64 %147
-  %152 = load double, ptr %151, align 8
-  %153 = fneg double %152
-  %154 = select i1 %150, double %153, double %152
-  %155 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %147
-  store double %154, ptr %155, align 8
-  %156 = add nuw nsw i64 %147, 1
-  %157 = icmp eq i64 %156, 3
-  br i1 %157, label %185, label %146
+143:                                              ; preds = %143, %125
+  %144 = phi i64 [ 1, %125 ], [ %150, %143 ]
+  %145 = phi double [ %126, %125 ], [ %149, %143 ]
+  %146 = getelementptr inbounds [8 x double], ptr %5, i64 0, i64 %144
+  %147 = load double, ptr %146, align 8
+  %148 = fcmp ogt double %147, %145
+  %149 = select i1 %148, double %147, double %145
+  %150 = add nuw nsw i64 %144, 1
+  %151 = icmp eq i64 %150, 8
+  br i1 %151, label %141, label %143
 
-158:                                              ; preds = %33
-  %159 = load double, ptr %6, align 16
-  %160 = fmul double %159, %159
-  %161 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %162 = load double, ptr %161, align 8
-  %163 = fmul double %162, %162
-  %164 = fadd double %160, %163
-  %165 = tail call double @llvm.sqrt.f64(double %164)
-  %166 = fcmp ogt double %165, 0.000000e+00
-  br i1 %166, label %167, label %172
+152:                                              ; preds = %141, %152
+  %153 = phi i64 [ %157, %152 ], [ 0, %141 ]
+  %154 = getelementptr inbounds [64 x double], ptr %4, i64 0, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = fcmp une double %155, %149
+  %157 = add nuw nsw i64 %153, 1
+  br i1 %156, label %152, label %158
 
-167:                                              ; preds = %158
-  %168 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %169 = load ptr, ptr %168, align 8
-  %170 = load double, ptr %169, align 8
-  %171 = fdiv double %170, %165
-  br label %172
+158:                                              ; preds = %152
+  %159 = add nuw nsw i64 %153, %84
+  br label %160
 
-172:                                              ; preds = %158, %167
-  %173 = phi double [ %171, %167 ], [ 0.000000e+00, %158 ]
-  %174 = fmul double %159, %173
-  %175 = fmul double %162, %173
-  %176 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %177 = load double, ptr %176, align 16
+160:                                              ; preds = %158, %141
+  %161 = phi i64 [ %159, %158 ], [ %86, %141 ]
+  %162 = phi double [ %149, %158 ], [ %85, %141 ]
+  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #18
+  %163 = add nuw nsw i64 %84, 64
+  %164 = icmp sgt i64 %46, %163
+  %165 = add i64 %83, -64
+  br i1 %164, label %82, label %166
+
+166:                                              ; preds = %160, %62, %54
+  %167 = phi i64 [ 0, %54 ], [ %78, %62 ], [ %161, %160 ]
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #18
+  %168 = getelementptr inbounds double, ptr %40, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = getelementptr inbounds double, ptr %42, i64 %167
+  %171 = load double, ptr %170, align 8
+  %172 = getelementptr inbounds double, ptr %44, i64 %167
+  %173 = load double, ptr %172, align 8
+  br label %219
+
+174:                                              ; preds = %35, %174
+  %175 = phi i64 [ 0, %35 ], [ %184, %174 ]
+  %176 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %175
+  %177 = load double, ptr %176, align 8
   %178 = fcmp ult double %177, 0.000000e+00
-  %179 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
-  %180 = load ptr, ptr %179, align 8
-  %181 = getelementptr inbounds double, ptr %180, i64 1
-  %182 = load double, ptr %181, align 8
-  %183 = fneg double %182
-  %184 = select i1 %178, double %183, double %182
-  br label %191
+  %179 = getelementptr inbounds double, ptr %37, i64 %175
+  %180 = load double, ptr %179, align 8
+  %181 = fneg double %180
+  %182 = select i1 %178, double %181, double %180
+  %183 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %175
+  store double %182, ptr %183, align 8
+  %184 = add nuw nsw i64 %175, 1
+  %185 = icmp eq i64 %184, 3
+  br i1 %185, label %213, label %174
 
-185:                                              ; preds = %146
-  %186 = load double, ptr %7, align 16
-  %187 = getelementptr inbounds double, ptr %7, i64 1
-  %188 = load double, ptr %187, align 8
-  %189 = getelementptr inbounds double, ptr %7, i64 2
-  %190 = load double, ptr %189, align 16
-  br label %191
+186:                                              ; preds = %33
+  %187 = load double, ptr %6, align 16
+  %188 = fmul double %187, %187
+  %189 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %190 = load double, ptr %189, align 8
+  %191 = fmul double %190, %190
+  %192 = fadd double %188, %191
+  %193 = tail call double @llvm.sqrt.f64(double %192)
+  %194 = fcmp ogt double %193, 0.000000e+00
+  br i1 %194, label %195, label %200
 
-191:                                              ; preds = %185, %172, %138
-  %192 = phi double [ %190, %185 ], [ %184, %172 ], [ %145, %138 ]
-  %193 = phi double [ %188, %185 ], [ %175, %172 ], [ %143, %138 ]
-  %194 = phi double [ %186, %185 ], [ %174, %172 ], [ %141, %138 ]
-  br label %195
+195:                                              ; preds = %186
+  %196 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %197 = load ptr, ptr %196, align 8
+  %198 = load double, ptr %197, align 8
+  %199 = fdiv double %198, %193
+  br label %200
 
-195:                                              ; preds = %195, %191
-  %196 = phi i64 [ 0, %191 ], [ %216, %195 ]
-  %197 = mul nuw nsw i64 %196, 3
-  %198 = getelementptr inbounds double, ptr %9, i64 %197
-  %199 = load double, ptr %198, align 8
-  %200 = fmul double %199, %194
-  %201 = add nuw nsw i64 %197, 1
-  %202 = getelementptr inbounds double, ptr %9, i64 %201
-  %203 = load double, ptr %202, align 8
-  %204 = fmul double %203, %193
-  %205 = fadd double %200, %204
-  %206 = add nuw nsw i64 %197, 2
-  %207 = getelementptr inbounds double, ptr %9, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = fmul double %208, %192
-  %210 = fadd double %205, %209
-  %211 = add nuw nsw i64 %196, 9
-  %212 = getelementptr inbounds double, ptr %9, i64 %211
-  %213 = load double, ptr %212, align 8
-  %214 = fadd double %213, %210
-  %215 = getelementptr inbounds double, ptr %2, i64 %196
-  store double %214, ptr %215, align 8
-  %216 = add nuw nsw i64 %196, 1
-  %217 = icmp eq i64 %216, 3
-  br i1 %217, label %218, label %195
+200:                                              ; preds = %186, %195
+  %201 = phi double [ %199, %195 ], [ 0.000000e+00, %186 ]
+  %202 = fmul double %187, %201
+  %203 = fmul double %190, %201
+  %204 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %205 = load double, ptr %204, align 16
+  %206 = fcmp ult double %205, 0.000000e+00
+  %207 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 6
+  %208 = load ptr, ptr %207, align 8
+  %209 = getelementptr inbounds double, ptr %208, i64 1
+  %210 = load double, ptr %209, align 8
+  %211 = fneg double %210
+  %212 = select i1 %206, double %211, double %210
+  br label %219
 
-218:                                              ; preds = %195
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+213:                                              ; preds = %174
+  %214 = load double, ptr %7, align 16
+  %215 = getelementptr inbounds double, ptr %7, i64 1
+  %216 = load double, ptr %215, align 8
+  %217 = getelementptr inbounds double, ptr %7, i64 2
+  %218 = load double, ptr %217, align 16
+  br label %219
+
+219:                                              ; preds = %213, %200, %166
+  %220 = phi double [ %218, %213 ], [ %212, %200 ], [ %173, %166 ]
+  %221 = phi double [ %216, %213 ], [ %203, %200 ], [ %171, %166 ]
+  %222 = phi double [ %214, %213 ], [ %202, %200 ], [ %169, %166 ]
+  br label %223
+
+223:                                              ; preds = %223, %219
+  %224 = phi i64 [ 0, %219 ], [ %244, %223 ]
+  %225 = mul nuw nsw i64 %224, 3
+  %226 = getelementptr inbounds double, ptr %9, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %227, %222
+  %229 = add nuw nsw i64 %225, 1
+  %230 = getelementptr inbounds double, ptr %9, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = fmul double %231, %221
+  %233 = fadd double %228, %232
+  %234 = add nuw nsw i64 %225, 2
+  %235 = getelementptr inbounds double, ptr %9, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = fmul double %236, %220
+  %238 = fadd double %233, %237
+  %239 = add nuw nsw i64 %224, 9
+  %240 = getelementptr inbounds double, ptr %9, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = fadd double %241, %238
+  %243 = getelementptr inbounds double, ptr %2, i64 %224
+  store double %242, ptr %243, align 8
+  %244 = add nuw nsw i64 %224, 1
+  %245 = icmp eq i64 %244, 3
+  br i1 %245, label %246, label %223
+
+246:                                              ; preds = %223
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret void
 }
 
-define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #6 {
+define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #7 {
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
   br label %23
@@ -2634,7 +2299,7 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %18, label %29, label %19
 
 19:                                               ; preds = %9
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
   %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
   %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
   br label %30
@@ -2671,8 +2336,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   %44 = load double, ptr %43, align 8
   %45 = fneg double %44
   %46 = select i1 %41, double %45, double %44
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %47 = load ptr, ptr %21, align 8
   %48 = mul i64 %31, 3
   %49 = add i64 %48, -3
@@ -2745,8 +2410,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %105, label %56, label %88
 
 106:                                              ; preds = %117
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
   br label %124
 
 107:                                              ; preds = %82, %117
@@ -2780,11 +2445,11 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %126, label %29, label %30
 }
 
-define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #7 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
   br label %9
 
 9:                                                ; preds = %9, %5
@@ -2827,14 +2492,14 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
 
 42:                                               ; preds = %48
   %43 = fsub double %73, %1
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret double %43
 
 44:                                               ; preds = %33, %48
   %45 = phi i32 [ -1, %33 ], [ %74, %48 ]
   %46 = phi double [ 0x7FF0000000000000, %33 ], [ %73, %48 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %47 = sitofp i32 %45 to double
   br label %76
 
@@ -2865,8 +2530,8 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   %71 = fadd double %67, %70
   %72 = fsub double %60, %71
   %73 = tail call double @llvm.minnum.f64(double %46, double %72)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
   %74 = add nsw i32 %45, 2
   %75 = icmp slt i32 %45, 0
   br i1 %75, label %44, label %42
@@ -2890,995 +2555,1146 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
 define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  %8 = alloca [3 x double], align 16
+  %8 = alloca double, align 8
   %9 = alloca [3 x double], align 16
-  %10 = alloca %struct.Core, align 8
-  %11 = alloca %struct.Core, align 8
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [3 x double], align 16
   %12 = alloca [3 x double], align 16
-  %13 = alloca [9 x double], align 16
-  %14 = alloca double, align 8
-  %15 = alloca double, align 8
-  %16 = alloca [12 x double], align 16
-  %17 = alloca [3 x double], align 16
-  %18 = alloca double, align 8
-  %19 = alloca %struct.Search, align 8
-  %20 = alloca %struct.Simplex, align 8
-  %21 = alloca [3 x double], align 16
-  %22 = alloca [3 x double], align 16
-  %23 = alloca double, align 8
-  %24 = alloca [3 x double], align 16
-  %25 = alloca [3 x double], align 16
-  %26 = alloca [3 x double], align 16
-  %27 = alloca [3 x double], align 16
-  %28 = alloca [3 x double], align 16
-  %29 = icmp sgt i64 %2, 0
-  br i1 %29, label %30, label %80
+  %13 = alloca [3 x double], align 16
+  %14 = icmp sgt i64 %2, 0
+  br i1 %14, label %15, label %33
 
-30:                                               ; preds = %5
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %33 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 1
-  %34 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 2
-  %35 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
-  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
-  %37 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
-  %38 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 7
-  %39 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
-  %40 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 9
-  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 10
-  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
-  %43 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
-  %44 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
-  %45 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
-  %46 = getelementptr inbounds double, ptr %13, i64 3
-  %47 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
-  %48 = getelementptr inbounds double, ptr %13, i64 6
-  %49 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
-  %53 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 2
-  %54 = getelementptr inbounds double, ptr %7, i64 1
-  %55 = getelementptr inbounds double, ptr %7, i64 2
-  %56 = getelementptr inbounds double, ptr %8, i64 1
-  %57 = getelementptr inbounds double, ptr %8, i64 2
-  %58 = getelementptr inbounds double, ptr %9, i64 1
-  %59 = getelementptr inbounds double, ptr %9, i64 2
-  %60 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
-  %61 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
-  %62 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3
-  %63 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 1
-  %64 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 2
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %66 = getelementptr inbounds double, ptr %24, i64 1
-  %67 = getelementptr inbounds double, ptr %24, i64 2
-  %68 = getelementptr inbounds double, ptr %25, i64 1
-  %69 = getelementptr inbounds double, ptr %25, i64 2
-  %70 = getelementptr inbounds double, ptr %21, i64 1
-  %71 = getelementptr inbounds double, ptr %21, i64 2
-  %72 = getelementptr inbounds double, ptr %22, i64 1
-  %73 = getelementptr inbounds double, ptr %22, i64 2
-  %74 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %75 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %76 = getelementptr inbounds double, ptr %27, i64 1
-  %77 = getelementptr inbounds double, ptr %27, i64 2
-  %78 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %79 = load i64, ptr %0, align 8
-  br label %81
+15:                                               ; preds = %5
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %19 = getelementptr inbounds double, ptr %9, i64 1
+  %20 = getelementptr inbounds double, ptr %9, i64 2
+  %21 = getelementptr inbounds double, ptr %10, i64 1
+  %22 = getelementptr inbounds double, ptr %10, i64 2
+  %23 = getelementptr inbounds double, ptr %6, i64 1
+  %24 = getelementptr inbounds double, ptr %6, i64 2
+  %25 = getelementptr inbounds double, ptr %7, i64 1
+  %26 = getelementptr inbounds double, ptr %7, i64 2
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %29 = getelementptr inbounds double, ptr %12, i64 1
+  %30 = getelementptr inbounds double, ptr %12, i64 2
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %32 = load i64, ptr %0, align 8
+  br label %34
 
-80:                                               ; preds = %694, %5
+33:                                               ; preds = %324, %5
   ret void
 
-81:                                               ; preds = %30, %694
-  %82 = phi i64 [ %79, %30 ], [ %695, %694 ]
-  %83 = phi ptr [ %1, %30 ], [ %697, %694 ]
-  %84 = phi ptr [ %4, %30 ], [ %699, %694 ]
-  %85 = phi i64 [ 0, %30 ], [ %696, %694 ]
-  %86 = shl nuw nsw i64 %85, 1
-  %87 = getelementptr inbounds i64, ptr %3, i64 %86
-  %88 = load i64, ptr %87, align 8
-  %89 = or i64 %86, 1
-  %90 = getelementptr inbounds i64, ptr %3, i64 %89
-  %91 = load i64, ptr %90, align 8
-  %92 = load ptr, ptr %31, align 8
-  %93 = getelementptr inbounds i64, ptr %92, i64 %88
-  %94 = load i64, ptr %93, align 8
-  %95 = getelementptr inbounds i64, ptr %92, i64 %91
-  %96 = load i64, ptr %95, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %23) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  %97 = icmp sgt i64 %82, 0
-  br i1 %97, label %100, label %111
+34:                                               ; preds = %15, %324
+  %35 = phi i64 [ %32, %15 ], [ %325, %324 ]
+  %36 = phi ptr [ %1, %15 ], [ %327, %324 ]
+  %37 = phi ptr [ %4, %15 ], [ %329, %324 ]
+  %38 = phi i64 [ 0, %15 ], [ %326, %324 ]
+  %39 = shl nuw nsw i64 %38, 1
+  %40 = getelementptr inbounds i64, ptr %3, i64 %39
+  %41 = load i64, ptr %40, align 8
+  %42 = or i64 %39, 1
+  %43 = getelementptr inbounds i64, ptr %3, i64 %42
+  %44 = load i64, ptr %43, align 8
+  %45 = load ptr, ptr %16, align 8
+  %46 = getelementptr inbounds i64, ptr %45, i64 %41
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr inbounds i64, ptr %45, i64 %44
+  %49 = load i64, ptr %48, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  %50 = icmp sgt i64 %35, 0
+  br i1 %50, label %53, label %64
 
-98:                                               ; preds = %100
-  %99 = icmp eq i32 %108, 0
-  br i1 %99, label %439, label %111
+51:                                               ; preds = %53
+  %52 = icmp eq i32 %61, 0
+  br i1 %52, label %69, label %64
 
-100:                                              ; preds = %81, %100
-  %101 = phi i32 [ %108, %100 ], [ 1, %81 ]
-  %102 = phi i64 [ %109, %100 ], [ 0, %81 ]
-  %103 = getelementptr inbounds double, ptr %83, i64 %102
-  %104 = load double, ptr %103, align 8
-  %105 = call double @llvm.fabs.f64(double %104) #14
-  %106 = fcmp one double %105, 0x7FF0000000000000
-  %107 = zext i1 %106 to i32
-  %108 = and i32 %101, %107
-  %109 = add nuw nsw i64 %102, 1
-  %110 = icmp eq i64 %109, %82
-  br i1 %110, label %98, label %100
+53:                                               ; preds = %34, %53
+  %54 = phi i32 [ %61, %53 ], [ 1, %34 ]
+  %55 = phi i64 [ %62, %53 ], [ 0, %34 ]
+  %56 = getelementptr inbounds double, ptr %36, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = call double @llvm.fabs.f64(double %57) #17
+  %59 = fcmp one double %58, 0x7FF0000000000000
+  %60 = zext i1 %59 to i32
+  %61 = and i32 %54, %60
+  %62 = add nuw nsw i64 %55, 1
+  %63 = icmp eq i64 %62, %35
+  br i1 %63, label %51, label %53
 
-111:                                              ; preds = %81, %98
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %83)
-  %112 = load ptr, ptr %32, align 8
-  %113 = getelementptr inbounds i64, ptr %112, i64 %88
-  %114 = load i64, ptr %113, align 8
-  %115 = icmp sgt i64 %114, 2
-  br i1 %115, label %439, label %116
+64:                                               ; preds = %34, %51
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %36)
+  %65 = call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %41, i64 noundef %44, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9)
+  %66 = icmp eq i32 %65, 0
+  br i1 %66, label %67, label %80
 
-116:                                              ; preds = %111
-  %117 = getelementptr inbounds i64, ptr %112, i64 %91
-  %118 = load i64, ptr %117, align 8
-  %119 = icmp eq i64 %118, 5
-  br i1 %119, label %439, label %120
+67:                                               ; preds = %64
+  %68 = load i64, ptr %0, align 8
+  br label %69
 
-120:                                              ; preds = %116
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #15
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %88, ptr noundef nonnull %10)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %15) #15
-  %121 = load i64, ptr %117, align 8
-  switch i64 %121, label %270 [
-    i64 3, label %122
-    i64 4, label %221
-  ]
+69:                                               ; preds = %67, %51
+  %70 = phi i64 [ %68, %67 ], [ %35, %51 ]
+  %71 = icmp sgt i64 %70, -13
+  br i1 %71, label %72, label %324
 
-122:                                              ; preds = %120
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %16) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  %123 = load ptr, ptr %50, align 8
-  %124 = load ptr, ptr %31, align 8
-  %125 = getelementptr inbounds i64, ptr %124, i64 %91
-  %126 = load i64, ptr %125, align 8
-  %127 = mul nsw i64 %126, 12
-  %128 = getelementptr inbounds double, ptr %123, i64 %127
-  %129 = load ptr, ptr %51, align 8
-  %130 = mul nsw i64 %91, 12
-  %131 = getelementptr inbounds double, ptr %129, i64 %130
-  %132 = getelementptr inbounds double, ptr %131, i64 9
-  %133 = getelementptr inbounds double, ptr %131, i64 10
-  %134 = getelementptr inbounds double, ptr %131, i64 11
-  %135 = load double, ptr %132, align 8
-  %136 = load double, ptr %133, align 8
-  %137 = load double, ptr %134, align 8
-  br label %138
+72:                                               ; preds = %69
+  %73 = add i64 %70, 12
+  %74 = call i64 @llvm.smax.i64(i64 %73, i64 0)
+  br label %75
 
-138:                                              ; preds = %149, %122
-  %139 = phi i64 [ 0, %122 ], [ %160, %149 ]
-  %140 = mul nuw nsw i64 %139, 3
-  %141 = getelementptr inbounds double, ptr %128, i64 %140
-  %142 = add nuw nsw i64 %140, 1
-  %143 = getelementptr inbounds double, ptr %128, i64 %142
-  %144 = add nuw nsw i64 %140, 2
-  %145 = getelementptr inbounds double, ptr %128, i64 %144
-  %146 = load double, ptr %141, align 8
-  %147 = load double, ptr %143, align 8
-  %148 = load double, ptr %145, align 8
-  br label %162
+75:                                               ; preds = %72, %75
+  %76 = phi i64 [ %78, %75 ], [ 0, %72 ]
+  %77 = getelementptr inbounds double, ptr %37, i64 %76
+  store double 0x7FF8000000000000, ptr %77, align 8
+  %78 = add nuw i64 %76, 1
+  %79 = icmp eq i64 %76, %74
+  br i1 %79, label %324, label %75
 
-149:                                              ; preds = %162
-  %150 = fmul double %135, %146
-  %151 = fmul double %136, %147
-  %152 = fadd double %150, %151
-  %153 = fmul double %137, %148
-  %154 = fadd double %152, %153
-  %155 = add nuw nsw i64 %139, 9
-  %156 = getelementptr inbounds double, ptr %128, i64 %155
+80:                                               ; preds = %64
+  %81 = load ptr, ptr %17, align 8
+  %82 = mul nsw i64 %47, 12
+  %83 = mul nsw i64 %49, 12
+  br label %211
+
+84:                                               ; preds = %211
+  %85 = getelementptr inbounds double, ptr %81, i64 %83
+  %86 = load double, ptr %8, align 8
+  %87 = load ptr, ptr %18, align 8
+  %88 = getelementptr inbounds double, ptr %87, i64 %41
+  %89 = load double, ptr %88, align 8
+  %90 = fsub double %86, %89
+  %91 = getelementptr inbounds double, ptr %87, i64 %44
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %90, %92
+  store double %93, ptr %37, align 8
+  %94 = getelementptr inbounds double, ptr %37, i64 1
+  %95 = load double, ptr %9, align 16
+  %96 = load double, ptr %19, align 8
+  %97 = load double, ptr %20, align 16
+  br label %98
+
+98:                                               ; preds = %98, %84
+  %99 = phi i64 [ 0, %84 ], [ %114, %98 ]
+  %100 = getelementptr inbounds double, ptr %85, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = fmul double %101, %95
+  %103 = add nuw nsw i64 %99, 3
+  %104 = getelementptr inbounds double, ptr %85, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = fmul double %105, %96
+  %107 = fadd double %102, %106
+  %108 = add nuw nsw i64 %99, 6
+  %109 = getelementptr inbounds double, ptr %85, i64 %108
+  %110 = load double, ptr %109, align 8
+  %111 = fmul double %110, %97
+  %112 = fadd double %107, %111
+  %113 = getelementptr inbounds double, ptr %94, i64 %99
+  store double %112, ptr %113, align 8
+  %114 = add nuw nsw i64 %99, 1
+  %115 = icmp eq i64 %114, 3
+  br i1 %115, label %116, label %98
+
+116:                                              ; preds = %98
+  %117 = getelementptr inbounds double, ptr %81, i64 %82
+  %118 = getelementptr inbounds double, ptr %37, i64 4
+  %119 = load double, ptr %10, align 16
+  %120 = load double, ptr %21, align 8
+  %121 = load double, ptr %22, align 16
+  br label %122
+
+122:                                              ; preds = %122, %116
+  %123 = phi i64 [ 0, %116 ], [ %138, %122 ]
+  %124 = getelementptr inbounds double, ptr %117, i64 %123
+  %125 = load double, ptr %124, align 8
+  %126 = fmul double %125, %119
+  %127 = add nuw nsw i64 %123, 3
+  %128 = getelementptr inbounds double, ptr %117, i64 %127
+  %129 = load double, ptr %128, align 8
+  %130 = fmul double %129, %120
+  %131 = fadd double %126, %130
+  %132 = add nuw nsw i64 %123, 6
+  %133 = getelementptr inbounds double, ptr %117, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = fmul double %134, %121
+  %136 = fadd double %131, %135
+  %137 = getelementptr inbounds double, ptr %118, i64 %123
+  store double %136, ptr %137, align 8
+  %138 = add nuw nsw i64 %123, 1
+  %139 = icmp eq i64 %138, 3
+  br i1 %139, label %140, label %122
+
+140:                                              ; preds = %122
+  %141 = getelementptr inbounds double, ptr %37, i64 7
+  %142 = load double, ptr %6, align 16
+  %143 = getelementptr inbounds double, ptr %117, i64 9
+  %144 = load double, ptr %143, align 8
+  %145 = fsub double %142, %144
+  %146 = load double, ptr %23, align 8
+  %147 = getelementptr inbounds double, ptr %117, i64 10
+  %148 = load double, ptr %147, align 8
+  %149 = fsub double %146, %148
+  %150 = load double, ptr %24, align 16
+  %151 = getelementptr inbounds double, ptr %117, i64 11
+  %152 = load double, ptr %151, align 8
+  %153 = fsub double %150, %152
+  br label %154
+
+154:                                              ; preds = %154, %140
+  %155 = phi i64 [ 0, %140 ], [ %170, %154 ]
+  %156 = getelementptr inbounds double, ptr %117, i64 %155
   %157 = load double, ptr %156, align 8
-  %158 = fadd double %154, %157
-  %159 = getelementptr inbounds double, ptr %16, i64 %155
-  store double %158, ptr %159, align 8
-  %160 = add nuw nsw i64 %139, 1
-  %161 = icmp eq i64 %160, 3
-  br i1 %161, label %182, label %138
+  %158 = fmul double %145, %157
+  %159 = add nuw nsw i64 %155, 3
+  %160 = getelementptr inbounds double, ptr %117, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = fmul double %149, %161
+  %163 = fadd double %158, %162
+  %164 = add nuw nsw i64 %155, 6
+  %165 = getelementptr inbounds double, ptr %117, i64 %164
+  %166 = load double, ptr %165, align 8
+  %167 = fmul double %153, %166
+  %168 = fadd double %163, %167
+  %169 = getelementptr inbounds double, ptr %141, i64 %155
+  store double %168, ptr %169, align 8
+  %170 = add nuw nsw i64 %155, 1
+  %171 = icmp eq i64 %170, 3
+  br i1 %171, label %172, label %154
 
-162:                                              ; preds = %162, %138
-  %163 = phi i64 [ 0, %138 ], [ %179, %162 ]
-  %164 = getelementptr inbounds double, ptr %131, i64 %163
-  %165 = load double, ptr %164, align 8
-  %166 = fmul double %146, %165
-  %167 = add nuw nsw i64 %163, 3
-  %168 = getelementptr inbounds double, ptr %131, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %147, %169
-  %171 = fadd double %166, %170
-  %172 = add nuw nsw i64 %163, 6
-  %173 = getelementptr inbounds double, ptr %131, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = fmul double %148, %174
-  %176 = fadd double %171, %175
-  %177 = add nuw nsw i64 %163, %140
-  %178 = getelementptr inbounds double, ptr %16, i64 %177
-  store double %176, ptr %178, align 8
-  %179 = add nuw nsw i64 %163, 1
-  %180 = icmp eq i64 %179, 3
-  br i1 %180, label %149, label %162
+172:                                              ; preds = %154
+  %173 = getelementptr inbounds double, ptr %37, i64 10
+  %174 = load double, ptr %7, align 16
+  %175 = getelementptr inbounds double, ptr %85, i64 9
+  %176 = load double, ptr %175, align 8
+  %177 = fsub double %174, %176
+  %178 = load double, ptr %25, align 8
+  %179 = getelementptr inbounds double, ptr %85, i64 10
+  %180 = load double, ptr %179, align 8
+  %181 = fsub double %178, %180
+  %182 = load double, ptr %26, align 16
+  %183 = getelementptr inbounds double, ptr %85, i64 11
+  %184 = load double, ptr %183, align 8
+  %185 = fsub double %182, %184
+  br label %186
 
-181:                                              ; preds = %182
-  call fastcc void @support(ptr noundef nonnull %10, ptr noundef nonnull %17, ptr noundef nonnull %21)
-  br label %193
+186:                                              ; preds = %186, %172
+  %187 = phi i64 [ 0, %172 ], [ %202, %186 ]
+  %188 = getelementptr inbounds double, ptr %85, i64 %187
+  %189 = load double, ptr %188, align 8
+  %190 = fmul double %177, %189
+  %191 = add nuw nsw i64 %187, 3
+  %192 = getelementptr inbounds double, ptr %85, i64 %191
+  %193 = load double, ptr %192, align 8
+  %194 = fmul double %181, %193
+  %195 = fadd double %190, %194
+  %196 = add nuw nsw i64 %187, 6
+  %197 = getelementptr inbounds double, ptr %85, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = fmul double %185, %198
+  %200 = fadd double %195, %199
+  %201 = getelementptr inbounds double, ptr %173, i64 %187
+  store double %200, ptr %201, align 8
+  %202 = add nuw nsw i64 %187, 1
+  %203 = icmp eq i64 %202, 3
+  br i1 %203, label %204, label %186
 
-182:                                              ; preds = %149, %182
-  %183 = phi i64 [ %191, %182 ], [ 0, %149 ]
-  %184 = mul nuw nsw i64 %183, 3
-  %185 = add nuw nsw i64 %184, 2
-  %186 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = getelementptr inbounds double, ptr %24, i64 %183
-  store double %187, ptr %188, align 8
-  %189 = fneg double %187
-  %190 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %183
-  store double %189, ptr %190, align 8
-  %191 = add nuw nsw i64 %183, 1
-  %192 = icmp eq i64 %191, 3
-  br i1 %192, label %181, label %182
+204:                                              ; preds = %186
+  %205 = load i64, ptr %0, align 8
+  %206 = icmp slt i64 %205, 1
+  br i1 %206, label %324, label %207
 
-193:                                              ; preds = %193, %181
-  %194 = phi i64 [ 0, %181 ], [ %206, %193 ]
-  %195 = phi double [ 0.000000e+00, %181 ], [ %205, %193 ]
-  %196 = getelementptr inbounds double, ptr %24, i64 %194
-  %197 = load double, ptr %196, align 8
-  %198 = getelementptr inbounds double, ptr %21, i64 %194
-  %199 = load double, ptr %198, align 8
-  %200 = add nuw nsw i64 %194, 9
-  %201 = getelementptr inbounds [12 x double], ptr %16, i64 0, i64 %200
-  %202 = load double, ptr %201, align 8
-  %203 = fsub double %199, %202
-  %204 = fmul double %197, %203
-  %205 = fadd double %195, %204
-  %206 = add nuw nsw i64 %194, 1
-  %207 = icmp eq i64 %206, 3
-  br i1 %207, label %208, label %193
+207:                                              ; preds = %204
+  %208 = load ptr, ptr %27, align 8
+  %209 = load ptr, ptr %28, align 8
+  %210 = add nuw i64 %205, 1
+  br label %219
 
-208:                                              ; preds = %193
-  store double %205, ptr %23, align 8
-  br label %210
+211:                                              ; preds = %80, %211
+  %212 = phi i64 [ 0, %80 ], [ %217, %211 ]
+  %213 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %212
+  %214 = load double, ptr %213, align 8
+  %215 = fneg double %214
+  %216 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %212
+  store double %215, ptr %216, align 8
+  %217 = add nuw nsw i64 %212, 1
+  %218 = icmp eq i64 %217, 3
+  br i1 %218, label %84, label %211
 
-209:                                              ; preds = %210
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %16) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %450
+219:                                              ; preds = %207, %253
+  %220 = phi i64 [ 1, %207 ], [ %256, %253 ]
+  %221 = mul nuw nsw i64 %220, 12
+  %222 = getelementptr inbounds double, ptr %81, i64 %221
+  %223 = add nsw i64 %220, -1
+  %224 = mul nuw nsw i64 %223, 3
+  %225 = getelementptr inbounds double, ptr %208, i64 %224
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  %226 = load double, ptr %225, align 8
+  %227 = getelementptr inbounds double, ptr %225, i64 1
+  %228 = load double, ptr %227, align 8
+  %229 = getelementptr inbounds double, ptr %225, i64 2
+  %230 = load double, ptr %229, align 8
+  br label %236
 
-210:                                              ; preds = %208, %210
-  %211 = phi i64 [ %219, %210 ], [ 0, %208 ]
-  %212 = getelementptr inbounds double, ptr %21, i64 %211
-  %213 = load double, ptr %212, align 8
-  %214 = getelementptr inbounds double, ptr %24, i64 %211
-  %215 = load double, ptr %214, align 8
-  %216 = fmul double %205, %215
-  %217 = fsub double %213, %216
-  %218 = getelementptr inbounds double, ptr %22, i64 %211
-  store double %217, ptr %218, align 8
-  %219 = add nuw nsw i64 %211, 1
-  %220 = icmp eq i64 %219, 3
-  br i1 %220, label %209, label %210
+231:                                              ; preds = %236
+  %232 = getelementptr inbounds double, ptr %222, i64 9
+  %233 = getelementptr inbounds double, ptr %222, i64 10
+  %234 = getelementptr inbounds double, ptr %222, i64 11
+  %235 = load double, ptr %11, align 16
+  br label %258
 
-221:                                              ; preds = %120
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #15
-  store double 0x7FF0000000000000, ptr %18, align 8
-  call void @llvm.lifetime.start.p0(i64 120, ptr nonnull %19) #15
-  store ptr %0, ptr %19, align 8
-  store i64 %88, ptr %33, align 8
-  store ptr %10, ptr %34, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %35, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %36, align 8
-  store ptr %18, ptr %37, align 8
-  store ptr null, ptr %38, align 8
-  store i32 0, ptr %39, align 8
-  store i64 -1, ptr %40, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %41, i8 0, i64 40, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %19, i64 noundef %91, ptr noundef null)
-  %222 = load double, ptr %18, align 8
-  %223 = fcmp ord double %222, 0.000000e+00
-  %224 = load i64, ptr %40, align 8
-  %225 = icmp sgt i64 %224, -1
-  %226 = select i1 %223, i1 %225, i1 false
-  br i1 %226, label %227, label %434
-
-227:                                              ; preds = %221
-  %228 = load ptr, ptr %42, align 8
-  %229 = mul nsw i64 %224, 9
-  %230 = getelementptr inbounds double, ptr %228, i64 %229
-  br label %231
-
-231:                                              ; preds = %261, %227
-  %232 = phi i64 [ 0, %227 ], [ %265, %261 ]
-  %233 = phi i32 [ 1, %227 ], [ %264, %261 ]
-  %234 = mul nuw nsw i64 %232, 3
-  br label %244
-
-235:                                              ; preds = %244
-  %236 = add nuw nsw i64 %232, 3
-  %237 = getelementptr inbounds double, ptr %230, i64 %236
-  %238 = load double, ptr %237, align 8
-  %239 = getelementptr inbounds double, ptr %230, i64 %232
+236:                                              ; preds = %219, %236
+  %237 = phi i64 [ 0, %219 ], [ %251, %236 ]
+  %238 = mul nuw nsw i64 %237, 3
+  %239 = getelementptr inbounds double, ptr %222, i64 %238
   %240 = load double, ptr %239, align 8
-  %241 = fsub double %238, %240
-  %242 = call double @llvm.fabs.f64(double %241)
-  %243 = fcmp olt double %242, 3.000000e-07
-  br i1 %243, label %254, label %261
+  %241 = fmul double %240, %226
+  %242 = getelementptr inbounds double, ptr %239, i64 1
+  %243 = load double, ptr %242, align 8
+  %244 = fmul double %243, %228
+  %245 = fadd double %241, %244
+  %246 = getelementptr inbounds double, ptr %239, i64 2
+  %247 = load double, ptr %246, align 8
+  %248 = fmul double %247, %230
+  %249 = fadd double %245, %248
+  %250 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %237
+  store double %249, ptr %250, align 8
+  %251 = add nuw nsw i64 %237, 1
+  %252 = icmp eq i64 %251, 3
+  br i1 %252, label %231, label %236
 
-244:                                              ; preds = %244, %231
-  %245 = phi i64 [ 0, %231 ], [ %252, %244 ]
-  %246 = mul nuw nsw i64 %245, 3
-  %247 = add nuw nsw i64 %246, %232
-  %248 = getelementptr inbounds double, ptr %230, i64 %247
-  %249 = load double, ptr %248, align 8
-  %250 = add nuw nsw i64 %245, %234
-  %251 = getelementptr inbounds double, ptr %13, i64 %250
-  store double %249, ptr %251, align 8
-  %252 = add nuw nsw i64 %245, 1
-  %253 = icmp eq i64 %252, 3
-  br i1 %253, label %235, label %244
+253:                                              ; preds = %322
+  %254 = add nuw nsw i64 %220, 12
+  %255 = getelementptr inbounds double, ptr %37, i64 %254
+  store double %323, ptr %255, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  %256 = add nuw i64 %220, 1
+  %257 = icmp eq i64 %220, %205
+  br i1 %257, label %324, label %219
 
-254:                                              ; preds = %235
-  %255 = add nuw nsw i64 %232, 6
-  %256 = getelementptr inbounds double, ptr %230, i64 %255
-  %257 = load double, ptr %256, align 8
-  %258 = fsub double %257, %240
-  %259 = call double @llvm.fabs.f64(double %258)
-  %260 = fcmp olt double %259, 3.000000e-07
-  br label %261
+258:                                              ; preds = %231, %322
+  %259 = phi i1 [ true, %231 ], [ false, %322 ]
+  %260 = phi double [ 0.000000e+00, %231 ], [ %323, %322 ]
+  %261 = select i1 %259, i64 %47, i64 %49
+  %262 = mul nsw i64 %261, %210
+  %263 = add nsw i64 %262, %220
+  %264 = getelementptr inbounds i64, ptr %209, i64 %263
+  %265 = load i64, ptr %264, align 8
+  %266 = icmp eq i64 %265, 0
+  br i1 %266, label %322, label %267
 
-261:                                              ; preds = %254, %235
-  %262 = phi i1 [ false, %235 ], [ %260, %254 ]
-  %263 = zext i1 %262 to i32
-  %264 = and i32 %233, %263
-  %265 = add nuw nsw i64 %232, 1
-  %266 = icmp eq i64 %265, 3
-  br i1 %266, label %267, label %231
+267:                                              ; preds = %258
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  %268 = select i1 %259, double %142, double %174
+  %269 = load double, ptr %232, align 8
+  %270 = fsub double %268, %269
+  store double %270, ptr %12, align 16
+  %271 = select i1 %259, double %146, double %178
+  %272 = load double, ptr %233, align 8
+  %273 = fsub double %271, %272
+  store double %273, ptr %29, align 8
+  %274 = select i1 %259, double %150, double %182
+  %275 = load double, ptr %234, align 8
+  %276 = fsub double %274, %275
+  store double %276, ptr %30, align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  br label %277
 
-267:                                              ; preds = %261
-  store i64 0, ptr %11, align 8
-  %268 = icmp eq i32 %264, 0
-  %269 = select i1 %268, i64 3, i64 1
-  store i64 %269, ptr %43, align 8
-  store ptr @place.still, ptr %44, align 8
-  store ptr %13, ptr %45, align 8
-  store ptr %46, ptr %47, align 8
-  store ptr %48, ptr %49, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %41, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  br label %286
+277:                                              ; preds = %277, %267
+  %278 = phi i64 [ 0, %267 ], [ %279, %277 ]
+  %279 = add nuw nsw i64 %278, 1
+  %280 = icmp ult i64 %278, 2
+  %281 = add nuw nsw i64 %278, 4294967294
+  %282 = select i1 %280, i64 %279, i64 %281
+  %283 = and i64 %282, 4294967295
+  %284 = getelementptr inbounds double, ptr %11, i64 %283
+  %285 = load double, ptr %284, align 8
+  %286 = icmp eq i64 %278, 0
+  %287 = add nuw nsw i64 %278, 4294967295
+  %288 = and i64 %287, 4294967295
+  %289 = select i1 %286, i64 2, i64 %288
+  %290 = getelementptr inbounds double, ptr %12, i64 %289
+  %291 = load double, ptr %290, align 8
+  %292 = fmul double %285, %291
+  %293 = getelementptr inbounds double, ptr %11, i64 %289
+  %294 = load double, ptr %293, align 8
+  %295 = getelementptr inbounds double, ptr %12, i64 %283
+  %296 = load double, ptr %295, align 8
+  %297 = fmul double %294, %296
+  %298 = fsub double %292, %297
+  %299 = getelementptr inbounds double, ptr %13, i64 %278
+  store double %298, ptr %299, align 8
+  %300 = icmp eq i64 %279, 3
+  br i1 %300, label %301, label %277
 
-270:                                              ; preds = %120
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %91, ptr noundef nonnull %11)
-  %271 = load ptr, ptr %52, align 8
-  %272 = mul nsw i64 %88, 3
-  %273 = mul nsw i64 %91, 3
-  br label %274
+301:                                              ; preds = %277
+  %302 = load ptr, ptr %31, align 8
+  %303 = getelementptr inbounds i64, ptr %302, i64 %223
+  %304 = load i64, ptr %303, align 8
+  %305 = icmp eq i64 %304, 0
+  %306 = load double, ptr %13, align 16
+  %307 = select i1 %305, double %306, double %235
+  %308 = fmul double %95, %307
+  %309 = select i1 %305, ptr %13, ptr %11
+  %310 = getelementptr inbounds double, ptr %309, i64 1
+  %311 = load double, ptr %310, align 8
+  %312 = fmul double %96, %311
+  %313 = fadd double %308, %312
+  %314 = select i1 %305, ptr %13, ptr %11
+  %315 = getelementptr inbounds double, ptr %314, i64 2
+  %316 = load double, ptr %315, align 16
+  %317 = fmul double %97, %316
+  %318 = fadd double %313, %317
+  %319 = fneg double %318
+  %320 = select i1 %259, double %318, double %319
+  %321 = fadd double %260, %320
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  br label %322
 
-274:                                              ; preds = %274, %270
-  %275 = phi i64 [ 0, %270 ], [ %284, %274 ]
-  %276 = add nsw i64 %275, %272
-  %277 = getelementptr inbounds double, ptr %271, i64 %276
-  %278 = load double, ptr %277, align 8
-  %279 = add nsw i64 %275, %273
-  %280 = getelementptr inbounds double, ptr %271, i64 %279
-  %281 = load double, ptr %280, align 8
-  %282 = fsub double %278, %281
-  %283 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %275
-  store double %282, ptr %283, align 8
-  %284 = add nuw nsw i64 %275, 1
-  %285 = icmp eq i64 %284, 3
-  br i1 %285, label %286, label %274
+322:                                              ; preds = %258, %301
+  %323 = phi double [ %321, %301 ], [ %260, %258 ]
+  br i1 %259, label %258, label %253
 
-286:                                              ; preds = %274, %267
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %20) #15
-  %287 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %14, ptr noundef nonnull %15, ptr noundef null, ptr noundef nonnull %20)
-  %288 = icmp eq i32 %287, 0
-  br i1 %288, label %289, label %300
-
-289:                                              ; preds = %286
-  %290 = load ptr, ptr %32, align 8
-  %291 = getelementptr inbounds i64, ptr %290, i64 %91
-  %292 = load i64, ptr %291, align 8
-  %293 = icmp eq i64 %292, 4
-  br i1 %293, label %435, label %294
-
-294:                                              ; preds = %289
-  %295 = call fastcc i32 @depth_of(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %20, ptr noundef nonnull %23, ptr noundef nonnull %24, ptr noundef nonnull %21, ptr noundef nonnull %22)
-  %296 = icmp eq i32 %295, 0
-  br i1 %296, label %435, label %297
-
-297:                                              ; preds = %294
-  %298 = load double, ptr %23, align 8
-  %299 = fneg double %298
-  store double %299, ptr %23, align 8
-  br label %436
-
-300:                                              ; preds = %286
-  %301 = load double, ptr %15, align 8
-  %302 = load double, ptr %14, align 8
-  %303 = fsub double %301, %302
-  %304 = fcmp ogt double %303, 1.000000e-08
-  %305 = fcmp olt double %301, 0x3EB0C6F7A0B5ED8D
-  %306 = or i1 %305, %304
-  br i1 %306, label %435, label %307
-
-307:                                              ; preds = %300
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %6, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
-  %308 = load i32, ptr %53, align 8
-  %309 = add i32 %308, -4
-  %310 = icmp ult i32 %309, -3
-  br i1 %310, label %415, label %311
-
-311:                                              ; preds = %307
-  %312 = icmp ugt i32 %308, 1
-  br i1 %312, label %313, label %388
-
-313:                                              ; preds = %311
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  %314 = icmp eq i32 %308, 3
-  br label %332
-
-315:                                              ; preds = %349
-  %316 = load double, ptr %7, align 16
-  %317 = fmul double %316, %316
-  %318 = load double, ptr %54, align 8
-  %319 = fmul double %318, %318
-  %320 = fadd double %317, %319
-  %321 = load double, ptr %55, align 16
-  %322 = fmul double %321, %321
-  %323 = fadd double %320, %322
-  %324 = load double, ptr %8, align 16
-  %325 = fmul double %316, %324
-  %326 = load double, ptr %56, align 8
-  %327 = fmul double %318, %326
-  %328 = fadd double %325, %327
-  %329 = load double, ptr %57, align 16
-  %330 = fmul double %321, %329
-  %331 = fadd double %328, %330
-  br i1 %314, label %352, label %358
-
-332:                                              ; preds = %349, %313
-  %333 = phi i64 [ 0, %313 ], [ %350, %349 ]
-  %334 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 1, i64 %333
-  %335 = load double, ptr %334, align 8
-  %336 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %333
-  %337 = load double, ptr %336, align 8
-  %338 = fsub double %335, %337
-  %339 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %333
-  store double %338, ptr %339, align 8
-  %340 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %333
-  %341 = load double, ptr %340, align 8
-  %342 = fsub double %341, %337
-  %343 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %333
-  store double %342, ptr %343, align 8
-  br i1 %314, label %344, label %349
-
-344:                                              ; preds = %332
-  %345 = getelementptr inbounds [4 x [3 x double]], ptr %20, i64 0, i64 2, i64 %333
-  %346 = load double, ptr %345, align 8
-  %347 = fsub double %346, %337
-  %348 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %333
-  store double %347, ptr %348, align 8
-  br label %349
-
-349:                                              ; preds = %344, %332
-  %350 = add nuw nsw i64 %333, 1
-  %351 = icmp eq i64 %350, 3
-  br i1 %351, label %315, label %332
-
-352:                                              ; preds = %315
-  %353 = fmul double %324, %324
-  %354 = fmul double %326, %326
-  %355 = fadd double %353, %354
-  %356 = fmul double %329, %329
-  %357 = fadd double %355, %356
-  br label %358
-
-358:                                              ; preds = %352, %315
-  %359 = phi double [ %357, %352 ], [ 1.000000e+00, %315 ]
-  %360 = fmul double %323, %359
-  %361 = fmul double %331, %331
-  %362 = fsub double %360, %361
-  %363 = fcmp ogt double %362, 0.000000e+00
-  br i1 %363, label %364, label %414
-
-364:                                              ; preds = %358
-  %365 = load double, ptr %9, align 16
-  %366 = fmul double %316, %365
-  %367 = load double, ptr %58, align 8
-  %368 = fmul double %318, %367
-  %369 = fadd double %366, %368
-  %370 = load double, ptr %59, align 16
-  %371 = fmul double %321, %370
-  %372 = fadd double %369, %371
-  %373 = fmul double %359, %372
-  %374 = fmul double %324, %365
-  %375 = fmul double %326, %367
-  %376 = fadd double %374, %375
-  %377 = fmul double %329, %370
-  %378 = fadd double %376, %377
-  %379 = fmul double %331, %378
-  %380 = fsub double %373, %379
-  %381 = fdiv double %380, %362
-  store double %381, ptr %60, align 8
-  %382 = fmul double %323, %378
-  %383 = fmul double %331, %372
-  %384 = fsub double %382, %383
-  %385 = fdiv double %384, %362
-  store double %385, ptr %61, align 16
-  %386 = fsub double 1.000000e+00, %381
-  %387 = fsub double %386, %385
-  store double %387, ptr %6, align 16
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %388
-
-388:                                              ; preds = %364, %311
-  %389 = icmp sgt i32 %308, 0
-  %390 = zext i32 %308 to i64
-  br label %391
-
-391:                                              ; preds = %395, %388
-  %392 = phi i64 [ 0, %388 ], [ %401, %395 ]
-  %393 = getelementptr inbounds double, ptr %21, i64 %392
-  store double 0.000000e+00, ptr %393, align 8
-  br i1 %389, label %403, label %395
-
-394:                                              ; preds = %403
-  store double %411, ptr %393, align 8
-  br label %395
-
-395:                                              ; preds = %394, %391
-  %396 = phi double [ 0.000000e+00, %391 ], [ %411, %394 ]
-  %397 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %392
-  %398 = load double, ptr %397, align 8
-  %399 = fsub double %396, %398
-  %400 = getelementptr inbounds double, ptr %22, i64 %392
-  store double %399, ptr %400, align 8
-  %401 = add nuw nsw i64 %392, 1
-  %402 = icmp eq i64 %401, 3
-  br i1 %402, label %416, label %391
-
-403:                                              ; preds = %391, %403
-  %404 = phi i64 [ %412, %403 ], [ 0, %391 ]
-  %405 = phi double [ %411, %403 ], [ 0.000000e+00, %391 ]
-  %406 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %404
-  %407 = load double, ptr %406, align 8
-  %408 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 1, i64 %404, i64 %392
-  %409 = load double, ptr %408, align 8
-  %410 = fmul double %407, %409
-  %411 = fadd double %405, %410
-  %412 = add nuw nsw i64 %404, 1
-  %413 = icmp eq i64 %412, %390
-  br i1 %413, label %394, label %403
-
-414:                                              ; preds = %358
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  br label %415
-
-415:                                              ; preds = %414, %307
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  br label %435
-
-416:                                              ; preds = %395
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  %417 = load double, ptr %62, align 8
-  %418 = fmul double %417, %417
-  %419 = load double, ptr %63, align 8
-  %420 = fmul double %419, %419
-  %421 = fadd double %418, %420
-  %422 = load double, ptr %64, align 8
-  %423 = fmul double %422, %422
-  %424 = fadd double %421, %423
-  %425 = call double @llvm.sqrt.f64(double %424)
-  store double %425, ptr %23, align 8
-  br label %426
-
-426:                                              ; preds = %426, %416
-  %427 = phi i64 [ 0, %416 ], [ %432, %426 ]
-  %428 = getelementptr inbounds %struct.Simplex, ptr %20, i64 0, i32 3, i64 %427
-  %429 = load double, ptr %428, align 8
-  %430 = fdiv double %429, %425
-  %431 = getelementptr inbounds double, ptr %24, i64 %427
-  store double %430, ptr %431, align 8
-  %432 = add nuw nsw i64 %427, 1
-  %433 = icmp eq i64 %432, 3
-  br i1 %433, label %436, label %426
-
-434:                                              ; preds = %221
-  call void @llvm.lifetime.end.p0(i64 120, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %439
-
-435:                                              ; preds = %294, %289, %300, %415
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  br label %439
-
-436:                                              ; preds = %426, %297
-  %437 = phi double [ %299, %297 ], [ %425, %426 ]
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %20) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #15
-  %438 = load ptr, ptr %50, align 8
-  br label %450
-
-439:                                              ; preds = %111, %116, %435, %434, %98
-  %440 = load i64, ptr %0, align 8
-  %441 = icmp sgt i64 %440, -13
-  br i1 %441, label %442, label %694
-
-442:                                              ; preds = %439
-  %443 = add i64 %440, 12
-  %444 = call i64 @llvm.smax.i64(i64 %443, i64 0)
-  br label %445
-
-445:                                              ; preds = %442, %445
-  %446 = phi i64 [ %448, %445 ], [ 0, %442 ]
-  %447 = getelementptr inbounds double, ptr %84, i64 %446
-  store double 0x7FF8000000000000, ptr %447, align 8
-  %448 = add nuw i64 %446, 1
-  %449 = icmp eq i64 %446, %444
-  br i1 %449, label %694, label %445
-
-450:                                              ; preds = %436, %209
-  %451 = phi double [ %437, %436 ], [ %205, %209 ]
-  %452 = phi ptr [ %438, %436 ], [ %123, %209 ]
-  %453 = mul nsw i64 %94, 12
-  %454 = mul nsw i64 %96, 12
-  br label %581
-
-455:                                              ; preds = %581
-  %456 = getelementptr inbounds double, ptr %452, i64 %454
-  %457 = load ptr, ptr %65, align 8
-  %458 = getelementptr inbounds double, ptr %457, i64 %88
-  %459 = load double, ptr %458, align 8
-  %460 = fsub double %451, %459
-  %461 = getelementptr inbounds double, ptr %457, i64 %91
-  %462 = load double, ptr %461, align 8
-  %463 = fsub double %460, %462
-  store double %463, ptr %84, align 8
-  %464 = getelementptr inbounds double, ptr %84, i64 1
-  %465 = load double, ptr %24, align 16
-  %466 = load double, ptr %66, align 8
-  %467 = load double, ptr %67, align 16
-  br label %468
-
-468:                                              ; preds = %468, %455
-  %469 = phi i64 [ 0, %455 ], [ %484, %468 ]
-  %470 = getelementptr inbounds double, ptr %456, i64 %469
-  %471 = load double, ptr %470, align 8
-  %472 = fmul double %471, %465
-  %473 = add nuw nsw i64 %469, 3
-  %474 = getelementptr inbounds double, ptr %456, i64 %473
-  %475 = load double, ptr %474, align 8
-  %476 = fmul double %475, %466
-  %477 = fadd double %472, %476
-  %478 = add nuw nsw i64 %469, 6
-  %479 = getelementptr inbounds double, ptr %456, i64 %478
-  %480 = load double, ptr %479, align 8
-  %481 = fmul double %480, %467
-  %482 = fadd double %477, %481
-  %483 = getelementptr inbounds double, ptr %464, i64 %469
-  store double %482, ptr %483, align 8
-  %484 = add nuw nsw i64 %469, 1
-  %485 = icmp eq i64 %484, 3
-  br i1 %485, label %486, label %468
-
-486:                                              ; preds = %468
-  %487 = getelementptr inbounds double, ptr %452, i64 %453
-  %488 = getelementptr inbounds double, ptr %84, i64 4
-  %489 = load double, ptr %25, align 16
-  %490 = load double, ptr %68, align 8
-  %491 = load double, ptr %69, align 16
-  br label %492
-
-492:                                              ; preds = %492, %486
-  %493 = phi i64 [ 0, %486 ], [ %508, %492 ]
-  %494 = getelementptr inbounds double, ptr %487, i64 %493
-  %495 = load double, ptr %494, align 8
-  %496 = fmul double %495, %489
-  %497 = add nuw nsw i64 %493, 3
-  %498 = getelementptr inbounds double, ptr %487, i64 %497
-  %499 = load double, ptr %498, align 8
-  %500 = fmul double %499, %490
-  %501 = fadd double %496, %500
-  %502 = add nuw nsw i64 %493, 6
-  %503 = getelementptr inbounds double, ptr %487, i64 %502
-  %504 = load double, ptr %503, align 8
-  %505 = fmul double %504, %491
-  %506 = fadd double %501, %505
-  %507 = getelementptr inbounds double, ptr %488, i64 %493
-  store double %506, ptr %507, align 8
-  %508 = add nuw nsw i64 %493, 1
-  %509 = icmp eq i64 %508, 3
-  br i1 %509, label %510, label %492
-
-510:                                              ; preds = %492
-  %511 = getelementptr inbounds double, ptr %84, i64 7
-  %512 = load double, ptr %21, align 16
-  %513 = getelementptr inbounds double, ptr %487, i64 9
-  %514 = load double, ptr %513, align 8
-  %515 = fsub double %512, %514
-  %516 = load double, ptr %70, align 8
-  %517 = getelementptr inbounds double, ptr %487, i64 10
-  %518 = load double, ptr %517, align 8
-  %519 = fsub double %516, %518
-  %520 = load double, ptr %71, align 16
-  %521 = getelementptr inbounds double, ptr %487, i64 11
-  %522 = load double, ptr %521, align 8
-  %523 = fsub double %520, %522
-  br label %524
-
-524:                                              ; preds = %524, %510
-  %525 = phi i64 [ 0, %510 ], [ %540, %524 ]
-  %526 = getelementptr inbounds double, ptr %487, i64 %525
-  %527 = load double, ptr %526, align 8
-  %528 = fmul double %515, %527
-  %529 = add nuw nsw i64 %525, 3
-  %530 = getelementptr inbounds double, ptr %487, i64 %529
-  %531 = load double, ptr %530, align 8
-  %532 = fmul double %519, %531
-  %533 = fadd double %528, %532
-  %534 = add nuw nsw i64 %525, 6
-  %535 = getelementptr inbounds double, ptr %487, i64 %534
-  %536 = load double, ptr %535, align 8
-  %537 = fmul double %523, %536
-  %538 = fadd double %533, %537
-  %539 = getelementptr inbounds double, ptr %511, i64 %525
-  store double %538, ptr %539, align 8
-  %540 = add nuw nsw i64 %525, 1
-  %541 = icmp eq i64 %540, 3
-  br i1 %541, label %542, label %524
-
-542:                                              ; preds = %524
-  %543 = getelementptr inbounds double, ptr %84, i64 10
-  %544 = load double, ptr %22, align 16
-  %545 = getelementptr inbounds double, ptr %456, i64 9
-  %546 = load double, ptr %545, align 8
-  %547 = fsub double %544, %546
-  %548 = load double, ptr %72, align 8
-  %549 = getelementptr inbounds double, ptr %456, i64 10
-  %550 = load double, ptr %549, align 8
-  %551 = fsub double %548, %550
-  %552 = load double, ptr %73, align 16
-  %553 = getelementptr inbounds double, ptr %456, i64 11
-  %554 = load double, ptr %553, align 8
-  %555 = fsub double %552, %554
-  br label %556
-
-556:                                              ; preds = %556, %542
-  %557 = phi i64 [ 0, %542 ], [ %572, %556 ]
-  %558 = getelementptr inbounds double, ptr %456, i64 %557
-  %559 = load double, ptr %558, align 8
-  %560 = fmul double %547, %559
-  %561 = add nuw nsw i64 %557, 3
-  %562 = getelementptr inbounds double, ptr %456, i64 %561
-  %563 = load double, ptr %562, align 8
-  %564 = fmul double %551, %563
-  %565 = fadd double %560, %564
-  %566 = add nuw nsw i64 %557, 6
-  %567 = getelementptr inbounds double, ptr %456, i64 %566
-  %568 = load double, ptr %567, align 8
-  %569 = fmul double %555, %568
-  %570 = fadd double %565, %569
-  %571 = getelementptr inbounds double, ptr %543, i64 %557
-  store double %570, ptr %571, align 8
-  %572 = add nuw nsw i64 %557, 1
-  %573 = icmp eq i64 %572, 3
-  br i1 %573, label %574, label %556
-
-574:                                              ; preds = %556
-  %575 = load i64, ptr %0, align 8
-  %576 = icmp slt i64 %575, 1
-  br i1 %576, label %694, label %577
-
-577:                                              ; preds = %574
-  %578 = load ptr, ptr %74, align 8
-  %579 = load ptr, ptr %75, align 8
-  %580 = add nuw i64 %575, 1
-  br label %589
-
-581:                                              ; preds = %450, %581
-  %582 = phi i64 [ 0, %450 ], [ %587, %581 ]
-  %583 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 %582
-  %584 = load double, ptr %583, align 8
-  %585 = fneg double %584
-  %586 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 %582
-  store double %585, ptr %586, align 8
-  %587 = add nuw nsw i64 %582, 1
-  %588 = icmp eq i64 %587, 3
-  br i1 %588, label %455, label %581
-
-589:                                              ; preds = %577, %623
-  %590 = phi i64 [ 1, %577 ], [ %626, %623 ]
-  %591 = mul nuw nsw i64 %590, 12
-  %592 = getelementptr inbounds double, ptr %452, i64 %591
-  %593 = add nsw i64 %590, -1
-  %594 = mul nuw nsw i64 %593, 3
-  %595 = getelementptr inbounds double, ptr %578, i64 %594
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
-  %596 = load double, ptr %595, align 8
-  %597 = getelementptr inbounds double, ptr %595, i64 1
-  %598 = load double, ptr %597, align 8
-  %599 = getelementptr inbounds double, ptr %595, i64 2
-  %600 = load double, ptr %599, align 8
-  br label %606
-
-601:                                              ; preds = %606
-  %602 = getelementptr inbounds double, ptr %592, i64 9
-  %603 = getelementptr inbounds double, ptr %592, i64 10
-  %604 = getelementptr inbounds double, ptr %592, i64 11
-  %605 = load double, ptr %26, align 16
-  br label %628
-
-606:                                              ; preds = %589, %606
-  %607 = phi i64 [ 0, %589 ], [ %621, %606 ]
-  %608 = mul nuw nsw i64 %607, 3
-  %609 = getelementptr inbounds double, ptr %592, i64 %608
-  %610 = load double, ptr %609, align 8
-  %611 = fmul double %610, %596
-  %612 = getelementptr inbounds double, ptr %609, i64 1
-  %613 = load double, ptr %612, align 8
-  %614 = fmul double %613, %598
-  %615 = fadd double %611, %614
-  %616 = getelementptr inbounds double, ptr %609, i64 2
-  %617 = load double, ptr %616, align 8
-  %618 = fmul double %617, %600
-  %619 = fadd double %615, %618
-  %620 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %607
-  store double %619, ptr %620, align 8
-  %621 = add nuw nsw i64 %607, 1
-  %622 = icmp eq i64 %621, 3
-  br i1 %622, label %601, label %606
-
-623:                                              ; preds = %692
-  %624 = add nuw nsw i64 %590, 12
-  %625 = getelementptr inbounds double, ptr %84, i64 %624
-  store double %693, ptr %625, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  %626 = add nuw i64 %590, 1
-  %627 = icmp eq i64 %590, %575
-  br i1 %627, label %694, label %589
-
-628:                                              ; preds = %601, %692
-  %629 = phi i1 [ true, %601 ], [ false, %692 ]
-  %630 = phi double [ 0.000000e+00, %601 ], [ %693, %692 ]
-  %631 = select i1 %629, i64 %94, i64 %96
-  %632 = mul nsw i64 %631, %580
-  %633 = add nsw i64 %632, %590
-  %634 = getelementptr inbounds i64, ptr %579, i64 %633
-  %635 = load i64, ptr %634, align 8
-  %636 = icmp eq i64 %635, 0
-  br i1 %636, label %692, label %637
-
-637:                                              ; preds = %628
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
-  %638 = select i1 %629, double %512, double %544
-  %639 = load double, ptr %602, align 8
-  %640 = fsub double %638, %639
-  store double %640, ptr %27, align 16
-  %641 = select i1 %629, double %516, double %548
-  %642 = load double, ptr %603, align 8
-  %643 = fsub double %641, %642
-  store double %643, ptr %76, align 8
-  %644 = select i1 %629, double %520, double %552
-  %645 = load double, ptr %604, align 8
-  %646 = fsub double %644, %645
-  store double %646, ptr %77, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #15
-  br label %647
-
-647:                                              ; preds = %647, %637
-  %648 = phi i64 [ 0, %637 ], [ %649, %647 ]
-  %649 = add nuw nsw i64 %648, 1
-  %650 = icmp ult i64 %648, 2
-  %651 = add nuw nsw i64 %648, 4294967294
-  %652 = select i1 %650, i64 %649, i64 %651
-  %653 = and i64 %652, 4294967295
-  %654 = getelementptr inbounds double, ptr %26, i64 %653
-  %655 = load double, ptr %654, align 8
-  %656 = icmp eq i64 %648, 0
-  %657 = add nuw nsw i64 %648, 4294967295
-  %658 = and i64 %657, 4294967295
-  %659 = select i1 %656, i64 2, i64 %658
-  %660 = getelementptr inbounds double, ptr %27, i64 %659
-  %661 = load double, ptr %660, align 8
-  %662 = fmul double %655, %661
-  %663 = getelementptr inbounds double, ptr %26, i64 %659
-  %664 = load double, ptr %663, align 8
-  %665 = getelementptr inbounds double, ptr %27, i64 %653
-  %666 = load double, ptr %665, align 8
-  %667 = fmul double %664, %666
-  %668 = fsub double %662, %667
-  %669 = getelementptr inbounds double, ptr %28, i64 %648
-  store double %668, ptr %669, align 8
-  %670 = icmp eq i64 %649, 3
-  br i1 %670, label %671, label %647
-
-671:                                              ; preds = %647
-  %672 = load ptr, ptr %78, align 8
-  %673 = getelementptr inbounds i64, ptr %672, i64 %593
-  %674 = load i64, ptr %673, align 8
-  %675 = icmp eq i64 %674, 0
-  %676 = load double, ptr %28, align 16
-  %677 = select i1 %675, double %676, double %605
-  %678 = fmul double %465, %677
-  %679 = select i1 %675, ptr %28, ptr %26
-  %680 = getelementptr inbounds double, ptr %679, i64 1
-  %681 = load double, ptr %680, align 8
-  %682 = fmul double %466, %681
-  %683 = fadd double %678, %682
-  %684 = select i1 %675, ptr %28, ptr %26
-  %685 = getelementptr inbounds double, ptr %684, i64 2
-  %686 = load double, ptr %685, align 16
-  %687 = fmul double %467, %686
-  %688 = fadd double %683, %687
-  %689 = fneg double %688
-  %690 = select i1 %629, double %688, double %689
-  %691 = fadd double %630, %690
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
-  br label %692
-
-692:                                              ; preds = %628, %671
-  %693 = phi double [ %691, %671 ], [ %630, %628 ]
-  br i1 %629, label %628, label %623
-
-694:                                              ; preds = %623, %445, %574, %439
-  %695 = phi i64 [ %575, %574 ], [ %440, %439 ], [ %440, %445 ], [ %575, %623 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  %696 = add nuw nsw i64 %85, 1
-  %697 = getelementptr inbounds double, ptr %83, i64 %695
-  %698 = add nsw i64 %695, 13
-  %699 = getelementptr inbounds double, ptr %84, i64 %698
-  %700 = icmp eq i64 %696, %2
-  br i1 %700, label %80, label %81
+324:                                              ; preds = %253, %75, %204, %69
+  %325 = phi i64 [ %205, %204 ], [ %70, %69 ], [ %70, %75 ], [ %205, %253 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  %326 = add nuw nsw i64 %38, 1
+  %327 = getelementptr inbounds double, ptr %36, i64 %325
+  %328 = add nsw i64 %325, 13
+  %329 = getelementptr inbounds double, ptr %37, i64 %328
+  %330 = icmp eq i64 %326, %2
+  br i1 %330, label %33, label %34
 }
 
-define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #7 {
+define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef %3, ptr nocapture noundef %4, ptr nocapture noundef %5, ptr noundef %6) unnamed_addr #0 {
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [3 x double], align 16
+  %12 = alloca %struct.Core, align 8
+  %13 = alloca %struct.Core, align 8
+  %14 = alloca [3 x double], align 16
+  %15 = alloca [9 x double], align 16
+  %16 = alloca [9 x double], align 16
+  %17 = alloca double, align 8
+  %18 = alloca double, align 8
+  %19 = alloca [12 x double], align 16
+  %20 = alloca double, align 8
+  %21 = alloca %struct.Search, align 8
+  %22 = alloca %struct.Simplex, align 8
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr inbounds i64, ptr %24, i64 %2
+  %26 = load i64, ptr %25, align 8
+  %27 = trunc i64 %26 to i32
+  %28 = getelementptr inbounds i64, ptr %24, i64 %1
+  %29 = load i64, ptr %28, align 8
+  %30 = trunc i64 %29 to i32
+  %31 = icmp eq i32 %27, 5
+  %32 = icmp eq i32 %30, 5
+  %33 = select i1 %31, i1 true, i1 %32
+  %34 = icmp eq i32 %30, 3
+  %35 = select i1 %33, i1 true, i1 %34
+  br i1 %35, label %500, label %36
+
+36:                                               ; preds = %7
+  %37 = icmp eq i32 %30, 4
+  %38 = icmp slt i32 %27, 3
+  %39 = select i1 %37, i1 %38, i1 false
+  br i1 %39, label %40, label %50
+
+40:                                               ; preds = %36
+  %41 = tail call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %2, i64 noundef %1, ptr noundef %4, ptr noundef %3, ptr noundef %5, ptr noundef %6)
+  %42 = icmp eq i32 %41, 0
+  br i1 %42, label %500, label %43
+
+43:                                               ; preds = %40, %43
+  %44 = phi i64 [ %48, %43 ], [ 0, %40 ]
+  %45 = getelementptr inbounds double, ptr %6, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fneg double %46
+  store double %47, ptr %45, align 8
+  %48 = add nuw nsw i64 %44, 1
+  %49 = icmp ult i64 %44, 2
+  br i1 %49, label %43, label %500
+
+50:                                               ; preds = %36
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #18
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %1, ptr noundef nonnull %12)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %17) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #18
+  switch i32 %27, label %295 [
+    i32 3, label %51
+    i32 4, label %137
+  ]
+
+51:                                               ; preds = %50
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #18
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr inbounds i64, ptr %55, i64 %2
+  %57 = load i64, ptr %56, align 8
+  %58 = mul nsw i64 %57, 12
+  %59 = getelementptr inbounds double, ptr %53, i64 %58
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %61 = load ptr, ptr %60, align 8
+  %62 = mul nsw i64 %2, 12
+  %63 = getelementptr inbounds double, ptr %61, i64 %62
+  %64 = getelementptr inbounds double, ptr %63, i64 9
+  %65 = getelementptr inbounds double, ptr %63, i64 10
+  %66 = getelementptr inbounds double, ptr %63, i64 11
+  %67 = load double, ptr %64, align 8
+  %68 = load double, ptr %65, align 8
+  %69 = load double, ptr %66, align 8
+  br label %70
+
+70:                                               ; preds = %81, %51
+  %71 = phi i64 [ 0, %51 ], [ %92, %81 ]
+  %72 = mul nuw nsw i64 %71, 3
+  %73 = getelementptr inbounds double, ptr %59, i64 %72
+  %74 = add nuw nsw i64 %72, 1
+  %75 = getelementptr inbounds double, ptr %59, i64 %74
+  %76 = add nuw nsw i64 %72, 2
+  %77 = getelementptr inbounds double, ptr %59, i64 %76
+  %78 = load double, ptr %73, align 8
+  %79 = load double, ptr %75, align 8
+  %80 = load double, ptr %77, align 8
+  br label %94
+
+81:                                               ; preds = %94
+  %82 = fmul double %78, %67
+  %83 = fmul double %79, %68
+  %84 = fadd double %82, %83
+  %85 = fmul double %80, %69
+  %86 = fadd double %84, %85
+  %87 = add nuw nsw i64 %71, 9
+  %88 = getelementptr inbounds double, ptr %59, i64 %87
+  %89 = load double, ptr %88, align 8
+  %90 = fadd double %89, %86
+  %91 = getelementptr inbounds double, ptr %19, i64 %87
+  store double %90, ptr %91, align 8
+  %92 = add nuw nsw i64 %71, 1
+  %93 = icmp eq i64 %92, 3
+  br i1 %93, label %115, label %70
+
+94:                                               ; preds = %94, %70
+  %95 = phi i64 [ 0, %70 ], [ %111, %94 ]
+  %96 = getelementptr inbounds double, ptr %63, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fmul double %78, %97
+  %99 = add nuw nsw i64 %95, 3
+  %100 = getelementptr inbounds double, ptr %63, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = fmul double %79, %101
+  %103 = fadd double %98, %102
+  %104 = add nuw nsw i64 %95, 6
+  %105 = getelementptr inbounds double, ptr %63, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %80, %106
+  %108 = fadd double %103, %107
+  %109 = add nuw nsw i64 %95, %72
+  %110 = getelementptr inbounds double, ptr %19, i64 %109
+  store double %108, ptr %110, align 8
+  %111 = add nuw nsw i64 %95, 1
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %81, label %94
+
+113:                                              ; preds = %115
+  %114 = call fastcc double @lowest(ptr noundef %0, i64 noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %19, ptr noundef %3)
+  store double %114, ptr %5, align 8
+  br label %125
+
+115:                                              ; preds = %81, %115
+  %116 = phi i64 [ %122, %115 ], [ 0, %81 ]
+  %117 = mul nuw nsw i64 %116, 3
+  %118 = add nuw nsw i64 %117, 2
+  %119 = getelementptr inbounds [12 x double], ptr %19, i64 0, i64 %118
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr inbounds double, ptr %6, i64 %116
+  store double %120, ptr %121, align 8
+  %122 = add nuw nsw i64 %116, 1
+  %123 = icmp eq i64 %122, 3
+  br i1 %123, label %113, label %115
+
+124:                                              ; preds = %125
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #18
+  br label %498
+
+125:                                              ; preds = %113, %125
+  %126 = phi i64 [ 0, %113 ], [ %135, %125 ]
+  %127 = getelementptr inbounds double, ptr %3, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = load double, ptr %5, align 8
+  %130 = getelementptr inbounds double, ptr %6, i64 %126
+  %131 = load double, ptr %130, align 8
+  %132 = fmul double %129, %131
+  %133 = fsub double %128, %132
+  %134 = getelementptr inbounds double, ptr %4, i64 %126
+  store double %133, ptr %134, align 8
+  %135 = add nuw nsw i64 %126, 1
+  %136 = icmp eq i64 %135, 3
+  br i1 %136, label %124, label %125
+
+137:                                              ; preds = %50
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %20) #18
+  store double 0x7FF0000000000000, ptr %20, align 8
+  %138 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %139 = load ptr, ptr %138, align 8
+  %140 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %141 = load ptr, ptr %140, align 8
+  %142 = getelementptr inbounds i64, ptr %141, i64 %2
+  %143 = load i64, ptr %142, align 8
+  %144 = mul nsw i64 %143, 12
+  %145 = getelementptr inbounds double, ptr %139, i64 %144
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %21) #18
+  store ptr %0, ptr %21, align 8
+  %146 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 1
+  store i64 %1, ptr %146, align 8
+  %147 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 2
+  store ptr %12, ptr %147, align 8
+  %148 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 3
+  %149 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %148, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %149, align 8
+  %150 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 6
+  store ptr %20, ptr %150, align 8
+  %151 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 7
+  store ptr null, ptr %151, align 8
+  %152 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 8
+  store i32 0, ptr %152, align 8
+  %153 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 9
+  store i64 -1, ptr %153, align 8
+  %154 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10
+  %155 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 12
+  %156 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 18
+  store double 0.000000e+00, ptr %156, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(76) %154, i8 0, i64 76, i1 false)
+  call fastcc void @look_at_solid(ptr noundef nonnull %21, i64 noundef %2)
+  %157 = load double, ptr %20, align 8
+  %158 = fcmp ord double %157, 0.000000e+00
+  %159 = load i64, ptr %153, align 8
+  %160 = icmp sgt i64 %159, -1
+  %161 = select i1 %158, i1 %160, i1 false
+  br i1 %161, label %163, label %162
+
+162:                                              ; preds = %137
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
+  br label %498
+
+163:                                              ; preds = %137
+  %164 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 13
+  %165 = load i32, ptr %164, align 8
+  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %167 = load ptr, ptr %166, align 8
+  %168 = mul nsw i64 %159, 9
+  %169 = getelementptr inbounds double, ptr %167, i64 %168
+  br label %170
+
+170:                                              ; preds = %200, %163
+  %171 = phi i64 [ 0, %163 ], [ %204, %200 ]
+  %172 = phi i32 [ 1, %163 ], [ %203, %200 ]
+  %173 = mul nuw nsw i64 %171, 3
+  br label %183
+
+174:                                              ; preds = %183
+  %175 = add nuw nsw i64 %171, 3
+  %176 = getelementptr inbounds double, ptr %169, i64 %175
+  %177 = load double, ptr %176, align 8
+  %178 = getelementptr inbounds double, ptr %169, i64 %171
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %177, %179
+  %181 = call double @llvm.fabs.f64(double %180)
+  %182 = fcmp olt double %181, 3.000000e-07
+  br i1 %182, label %193, label %200
+
+183:                                              ; preds = %183, %170
+  %184 = phi i64 [ 0, %170 ], [ %191, %183 ]
+  %185 = mul nuw nsw i64 %184, 3
+  %186 = add nuw nsw i64 %185, %171
+  %187 = getelementptr inbounds double, ptr %169, i64 %186
+  %188 = load double, ptr %187, align 8
+  %189 = add nuw nsw i64 %184, %173
+  %190 = getelementptr inbounds double, ptr %15, i64 %189
+  store double %188, ptr %190, align 8
+  %191 = add nuw nsw i64 %184, 1
+  %192 = icmp eq i64 %191, 3
+  br i1 %192, label %174, label %183
+
+193:                                              ; preds = %174
+  %194 = add nuw nsw i64 %171, 6
+  %195 = getelementptr inbounds double, ptr %169, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = fsub double %196, %179
+  %198 = call double @llvm.fabs.f64(double %197)
+  %199 = fcmp olt double %198, 3.000000e-07
+  br label %200
+
+200:                                              ; preds = %193, %174
+  %201 = phi i1 [ false, %174 ], [ %199, %193 ]
+  %202 = zext i1 %201 to i32
+  %203 = and i32 %172, %202
+  %204 = add nuw nsw i64 %171, 1
+  %205 = icmp eq i64 %204, 3
+  br i1 %205, label %206, label %170
+
+206:                                              ; preds = %200
+  store i64 0, ptr %13, align 8
+  %207 = icmp eq i32 %203, 0
+  %208 = select i1 %207, i64 3, i64 1
+  %209 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 1
+  store i64 %208, ptr %209, align 8
+  %210 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 5
+  %211 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 2
+  store ptr %15, ptr %211, align 8
+  %212 = getelementptr inbounds double, ptr %15, i64 3
+  %213 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 3
+  store ptr %212, ptr %213, align 8
+  %214 = getelementptr inbounds double, ptr %15, i64 6
+  %215 = getelementptr inbounds %struct.Core, ptr %13, i64 0, i32 4
+  store ptr %214, ptr %215, align 8
+  store ptr %145, ptr %210, align 8
+  br i1 %37, label %216, label %272
+
+216:                                              ; preds = %206
+  %217 = load i64, ptr %155, align 8
+  %218 = mul nsw i64 %217, 9
+  %219 = getelementptr inbounds double, ptr %167, i64 %218
+  br label %220
+
+220:                                              ; preds = %250, %216
+  %221 = phi i64 [ 0, %216 ], [ %254, %250 ]
+  %222 = phi i32 [ 1, %216 ], [ %253, %250 ]
+  %223 = mul nuw nsw i64 %221, 3
+  br label %233
+
+224:                                              ; preds = %233
+  %225 = add nuw nsw i64 %221, 3
+  %226 = getelementptr inbounds double, ptr %219, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = getelementptr inbounds double, ptr %219, i64 %221
+  %229 = load double, ptr %228, align 8
+  %230 = fsub double %227, %229
+  %231 = call double @llvm.fabs.f64(double %230)
+  %232 = fcmp olt double %231, 3.000000e-07
+  br i1 %232, label %243, label %250
+
+233:                                              ; preds = %233, %220
+  %234 = phi i64 [ 0, %220 ], [ %241, %233 ]
+  %235 = mul nuw nsw i64 %234, 3
+  %236 = add nuw nsw i64 %235, %221
+  %237 = getelementptr inbounds double, ptr %219, i64 %236
+  %238 = load double, ptr %237, align 8
+  %239 = add nuw nsw i64 %234, %223
+  %240 = getelementptr inbounds double, ptr %16, i64 %239
+  store double %238, ptr %240, align 8
+  %241 = add nuw nsw i64 %234, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %224, label %233
+
+243:                                              ; preds = %224
+  %244 = add nuw nsw i64 %221, 6
+  %245 = getelementptr inbounds double, ptr %219, i64 %244
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %246, %229
+  %248 = call double @llvm.fabs.f64(double %247)
+  %249 = fcmp olt double %248, 3.000000e-07
+  br label %250
+
+250:                                              ; preds = %243, %224
+  %251 = phi i1 [ false, %224 ], [ %249, %243 ]
+  %252 = zext i1 %251 to i32
+  %253 = and i32 %222, %252
+  %254 = add nuw nsw i64 %221, 1
+  %255 = icmp eq i64 %254, 3
+  br i1 %255, label %256, label %220
+
+256:                                              ; preds = %250
+  store i64 0, ptr %12, align 8
+  %257 = icmp eq i32 %253, 0
+  %258 = select i1 %257, i64 3, i64 1
+  %259 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
+  store i64 %258, ptr %259, align 8
+  %260 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 5
+  %261 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
+  store ptr %16, ptr %261, align 8
+  %262 = getelementptr inbounds double, ptr %16, i64 3
+  %263 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
+  store ptr %262, ptr %263, align 8
+  %264 = getelementptr inbounds double, ptr %16, i64 6
+  %265 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
+  store ptr %264, ptr %265, align 8
+  %266 = load ptr, ptr %138, align 8
+  %267 = load ptr, ptr %140, align 8
+  %268 = getelementptr inbounds i64, ptr %267, i64 %1
+  %269 = load i64, ptr %268, align 8
+  %270 = mul nsw i64 %269, 12
+  %271 = getelementptr inbounds double, ptr %266, i64 %270
+  store ptr %271, ptr %260, align 8
+  br label %272
+
+272:                                              ; preds = %256, %206
+  %273 = load double, ptr %154, align 8
+  %274 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10, i32 0, i64 1
+  %275 = load double, ptr %274, align 8
+  %276 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 10, i32 0, i64 2
+  %277 = load double, ptr %276, align 8
+  br label %278
+
+278:                                              ; preds = %272, %278
+  %279 = phi i64 [ 0, %272 ], [ %293, %278 ]
+  %280 = mul nuw nsw i64 %279, 3
+  %281 = getelementptr inbounds double, ptr %145, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = fmul double %282, %273
+  %284 = getelementptr inbounds double, ptr %281, i64 1
+  %285 = load double, ptr %284, align 8
+  %286 = fmul double %285, %275
+  %287 = fadd double %283, %286
+  %288 = getelementptr inbounds double, ptr %281, i64 2
+  %289 = load double, ptr %288, align 8
+  %290 = fmul double %289, %277
+  %291 = fadd double %287, %290
+  %292 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %279
+  store double %291, ptr %292, align 8
+  %293 = add nuw nsw i64 %279, 1
+  %294 = icmp eq i64 %293, 3
+  br i1 %294, label %312, label %278
+
+295:                                              ; preds = %50
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %2, ptr noundef nonnull %13)
+  %296 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %297 = load ptr, ptr %296, align 8
+  %298 = mul nsw i64 %1, 3
+  %299 = mul nsw i64 %2, 3
+  br label %300
+
+300:                                              ; preds = %295, %300
+  %301 = phi i64 [ 0, %295 ], [ %310, %300 ]
+  %302 = add nsw i64 %298, %301
+  %303 = getelementptr inbounds double, ptr %297, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = add nsw i64 %299, %301
+  %306 = getelementptr inbounds double, ptr %297, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fsub double %304, %307
+  %309 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %301
+  store double %308, ptr %309, align 8
+  %310 = add nuw nsw i64 %301, 1
+  %311 = icmp eq i64 %310, 3
+  br i1 %311, label %315, label %300
+
+312:                                              ; preds = %278
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
+  %313 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  %314 = icmp eq i32 %313, 0
+  br i1 %314, label %318, label %326
+
+315:                                              ; preds = %300
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
+  %316 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  %317 = icmp eq i32 %316, 0
+  br i1 %317, label %320, label %326
+
+318:                                              ; preds = %312
+  %319 = icmp eq i32 %165, 0
+  br i1 %319, label %320, label %496
+
+320:                                              ; preds = %315, %318
+  %321 = call fastcc i32 @depth_of(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %22, ptr noundef %5, ptr noundef %6, ptr noundef %3, ptr noundef %4)
+  %322 = icmp eq i32 %321, 0
+  br i1 %322, label %496, label %323
+
+323:                                              ; preds = %320
+  %324 = load double, ptr %5, align 8
+  %325 = fneg double %324
+  store double %325, ptr %5, align 8
+  br label %496
+
+326:                                              ; preds = %315, %312
+  %327 = phi i32 [ 0, %315 ], [ %165, %312 ]
+  %328 = load double, ptr %18, align 8
+  %329 = load double, ptr %17, align 8
+  %330 = fsub double %328, %329
+  %331 = fcmp ogt double %330, 1.000000e-08
+  %332 = fcmp olt double %328, 0x3EB0C6F7A0B5ED8D
+  %333 = or i1 %332, %331
+  br i1 %333, label %496, label %334
+
+334:                                              ; preds = %326
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
+  %335 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2
+  %336 = load i32, ptr %335, align 8
+  %337 = add i32 %336, -4
+  %338 = icmp ult i32 %337, -3
+  br i1 %338, label %451, label %339
+
+339:                                              ; preds = %334
+  %340 = icmp ugt i32 %336, 1
+  br i1 %340, label %341, label %424
+
+341:                                              ; preds = %339
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  %342 = icmp eq i32 %336, 3
+  br label %364
+
+343:                                              ; preds = %381
+  %344 = load double, ptr %9, align 16
+  %345 = fmul double %344, %344
+  %346 = getelementptr inbounds double, ptr %9, i64 1
+  %347 = load double, ptr %346, align 8
+  %348 = fmul double %347, %347
+  %349 = fadd double %345, %348
+  %350 = getelementptr inbounds double, ptr %9, i64 2
+  %351 = load double, ptr %350, align 16
+  %352 = fmul double %351, %351
+  %353 = fadd double %349, %352
+  %354 = load double, ptr %10, align 16
+  %355 = fmul double %344, %354
+  %356 = getelementptr inbounds double, ptr %10, i64 1
+  %357 = load double, ptr %356, align 8
+  %358 = fmul double %347, %357
+  %359 = fadd double %355, %358
+  %360 = getelementptr inbounds double, ptr %10, i64 2
+  %361 = load double, ptr %360, align 16
+  %362 = fmul double %351, %361
+  %363 = fadd double %359, %362
+  br i1 %342, label %384, label %390
+
+364:                                              ; preds = %381, %341
+  %365 = phi i64 [ 0, %341 ], [ %382, %381 ]
+  %366 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 1, i64 %365
+  %367 = load double, ptr %366, align 8
+  %368 = getelementptr inbounds [3 x double], ptr %22, i64 0, i64 %365
+  %369 = load double, ptr %368, align 8
+  %370 = fsub double %367, %369
+  %371 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %365
+  store double %370, ptr %371, align 8
+  %372 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %365
+  %373 = load double, ptr %372, align 8
+  %374 = fsub double %373, %369
+  %375 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %365
+  store double %374, ptr %375, align 8
+  br i1 %342, label %376, label %381
+
+376:                                              ; preds = %364
+  %377 = getelementptr inbounds [4 x [3 x double]], ptr %22, i64 0, i64 2, i64 %365
+  %378 = load double, ptr %377, align 8
+  %379 = fsub double %378, %369
+  %380 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %365
+  store double %379, ptr %380, align 8
+  br label %381
+
+381:                                              ; preds = %376, %364
+  %382 = add nuw nsw i64 %365, 1
+  %383 = icmp eq i64 %382, 3
+  br i1 %383, label %343, label %364
+
+384:                                              ; preds = %343
+  %385 = fmul double %354, %354
+  %386 = fmul double %357, %357
+  %387 = fadd double %385, %386
+  %388 = fmul double %361, %361
+  %389 = fadd double %387, %388
+  br label %390
+
+390:                                              ; preds = %384, %343
+  %391 = phi double [ %389, %384 ], [ 1.000000e+00, %343 ]
+  %392 = fmul double %353, %391
+  %393 = fmul double %363, %363
+  %394 = fsub double %392, %393
+  %395 = fcmp ogt double %394, 0.000000e+00
+  br i1 %395, label %396, label %450
+
+396:                                              ; preds = %390
+  %397 = load double, ptr %11, align 16
+  %398 = fmul double %344, %397
+  %399 = getelementptr inbounds double, ptr %11, i64 1
+  %400 = load double, ptr %399, align 8
+  %401 = fmul double %347, %400
+  %402 = fadd double %398, %401
+  %403 = getelementptr inbounds double, ptr %11, i64 2
+  %404 = load double, ptr %403, align 16
+  %405 = fmul double %351, %404
+  %406 = fadd double %402, %405
+  %407 = fmul double %391, %406
+  %408 = fmul double %354, %397
+  %409 = fmul double %357, %400
+  %410 = fadd double %408, %409
+  %411 = fmul double %361, %404
+  %412 = fadd double %410, %411
+  %413 = fmul double %363, %412
+  %414 = fsub double %407, %413
+  %415 = fdiv double %414, %394
+  %416 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 1
+  store double %415, ptr %416, align 8
+  %417 = fmul double %353, %412
+  %418 = fmul double %363, %406
+  %419 = fsub double %417, %418
+  %420 = fdiv double %419, %394
+  %421 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 2
+  store double %420, ptr %421, align 16
+  %422 = fsub double 1.000000e+00, %415
+  %423 = fsub double %422, %420
+  store double %423, ptr %8, align 16
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %424
+
+424:                                              ; preds = %396, %339
+  %425 = icmp sgt i32 %336, 0
+  %426 = zext i32 %336 to i64
+  br label %427
+
+427:                                              ; preds = %431, %424
+  %428 = phi i64 [ 0, %424 ], [ %437, %431 ]
+  %429 = getelementptr inbounds double, ptr %3, i64 %428
+  store double 0.000000e+00, ptr %429, align 8
+  br i1 %425, label %439, label %431
+
+430:                                              ; preds = %439
+  store double %447, ptr %429, align 8
+  br label %431
+
+431:                                              ; preds = %430, %427
+  %432 = phi double [ 0.000000e+00, %427 ], [ %447, %430 ]
+  %433 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %428
+  %434 = load double, ptr %433, align 8
+  %435 = fsub double %432, %434
+  %436 = getelementptr inbounds double, ptr %4, i64 %428
+  store double %435, ptr %436, align 8
+  %437 = add nuw nsw i64 %428, 1
+  %438 = icmp eq i64 %437, 3
+  br i1 %438, label %452, label %427
+
+439:                                              ; preds = %427, %439
+  %440 = phi i64 [ %448, %439 ], [ 0, %427 ]
+  %441 = phi double [ %447, %439 ], [ 0.000000e+00, %427 ]
+  %442 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %440
+  %443 = load double, ptr %442, align 8
+  %444 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 1, i64 %440, i64 %428
+  %445 = load double, ptr %444, align 8
+  %446 = fmul double %443, %445
+  %447 = fadd double %441, %446
+  %448 = add nuw nsw i64 %440, 1
+  %449 = icmp eq i64 %448, %426
+  br i1 %449, label %430, label %439
+
+450:                                              ; preds = %390
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %451
+
+451:                                              ; preds = %334, %450
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %496
+
+452:                                              ; preds = %431
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  %453 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3
+  %454 = load double, ptr %453, align 8
+  %455 = fmul double %454, %454
+  %456 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 1
+  %457 = load double, ptr %456, align 8
+  %458 = fmul double %457, %457
+  %459 = fadd double %455, %458
+  %460 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 2
+  %461 = load double, ptr %460, align 8
+  %462 = fmul double %461, %461
+  %463 = fadd double %459, %462
+  %464 = call double @llvm.sqrt.f64(double %463)
+  store double %464, ptr %5, align 8
+  br label %474
+
+465:                                              ; preds = %474
+  %466 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %467 = load ptr, ptr %466, align 8
+  %468 = getelementptr inbounds double, ptr %467, i64 %1
+  %469 = load double, ptr %468, align 8
+  %470 = getelementptr inbounds double, ptr %467, i64 %2
+  %471 = load double, ptr %470, align 8
+  %472 = fadd double %469, %471
+  %473 = icmp eq i32 %327, 0
+  br i1 %473, label %496, label %483
+
+474:                                              ; preds = %452, %474
+  %475 = phi i64 [ 0, %452 ], [ %481, %474 ]
+  %476 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3, i64 %475
+  %477 = load double, ptr %476, align 8
+  %478 = load double, ptr %5, align 8
+  %479 = fdiv double %477, %478
+  %480 = getelementptr inbounds double, ptr %6, i64 %475
+  store double %479, ptr %480, align 8
+  %481 = add nuw nsw i64 %475, 1
+  %482 = icmp eq i64 %481, 3
+  br i1 %482, label %465, label %474
+
+483:                                              ; preds = %465
+  %484 = load double, ptr %5, align 8
+  %485 = fcmp ogt double %484, %472
+  br i1 %485, label %486, label %496
+
+486:                                              ; preds = %483
+  %487 = fmul double %472, 2.000000e+00
+  %488 = fsub double %487, %484
+  store double %488, ptr %5, align 8
+  br label %489
+
+489:                                              ; preds = %486, %489
+  %490 = phi i64 [ 0, %486 ], [ %494, %489 ]
+  %491 = getelementptr inbounds double, ptr %6, i64 %490
+  %492 = load double, ptr %491, align 8
+  %493 = fneg double %492
+  store double %493, ptr %491, align 8
+  %494 = add nuw nsw i64 %490, 1
+  %495 = icmp eq i64 %494, 3
+  br i1 %495, label %496, label %489
+
+496:                                              ; preds = %489, %451, %465, %483, %326, %318, %320, %323
+  %497 = phi i32 [ 1, %323 ], [ 0, %320 ], [ 0, %318 ], [ 0, %326 ], [ 1, %483 ], [ 1, %465 ], [ 0, %451 ], [ 1, %489 ]
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22) #18
+  br label %498
+
+498:                                              ; preds = %162, %496, %124
+  %499 = phi i32 [ 1, %124 ], [ %497, %496 ], [ 0, %162 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
+  br label %500
+
+500:                                              ; preds = %43, %40, %7, %498
+  %501 = phi i32 [ %499, %498 ], [ 0, %7 ], [ 0, %40 ], [ %41, %43 ]
+  ret i32 %501
+}
+
+define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, ptr noundef %5, ptr noundef %6) local_unnamed_addr #8 {
   br label %8
 
 8:                                                ; preds = %128, %7
@@ -4092,9 +3908,9 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
   br i1 %158, label %57, label %137
 }
 
-declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #8
+declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #9
 
-define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #9 {
+define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #10 {
   %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
@@ -4176,7 +3992,7 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   %19 = or i64 %18, 3
   %20 = getelementptr inbounds double, ptr %16, i64 %19
   %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 34
+  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 39
   %23 = load ptr, ptr %22, align 8
   %24 = mul nsw i64 %17, 3
   %25 = getelementptr inbounds double, ptr %23, i64 %24
@@ -4245,11 +4061,517 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   ret void
 }
 
-declare double @llvm.sin.f64(double) #3
+define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #0 {
+  %4 = alloca double, align 8
+  %5 = alloca double, align 8
+  %6 = alloca %struct.Core, align 8
+  %7 = alloca %struct.Search, align 8
+  %8 = alloca [3 x double], align 16
+  %9 = alloca %struct.Core, align 8
+  %10 = alloca %struct.Simplex, align 8
+  %11 = alloca double, align 8
+  %12 = load ptr, ptr %0, align 8
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %14 = load ptr, ptr %13, align 8
+  %15 = icmp eq ptr %14, null
+  %16 = getelementptr inbounds i64, ptr %14, i64 %1
+  %17 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %18 = select i1 %15, ptr %17, ptr %16
+  %19 = load i64, ptr %18, align 8
+  %20 = icmp slt i64 %19, 0
+  br i1 %20, label %324, label %21
 
-declare double @llvm.cos.f64(double) #3
+21:                                               ; preds = %3
+  %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %23 = load ptr, ptr %22, align 8
+  %24 = icmp eq ptr %23, null
+  br i1 %24, label %29, label %25
 
-define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #10 {
+25:                                               ; preds = %21
+  %26 = getelementptr inbounds double, ptr %23, i64 %19
+  %27 = load double, ptr %26, align 8
+  %28 = fcmp uno double %27, 0.000000e+00
+  br i1 %28, label %324, label %33
+
+29:                                               ; preds = %21
+  %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %31 = load i32, ptr %30, align 8
+  %32 = icmp eq i32 %31, 1
+  br i1 %32, label %324, label %33
+
+33:                                               ; preds = %25, %29
+  %34 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 8
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr inbounds i64, ptr %35, i64 %1
+  %37 = load i64, ptr %36, align 8
+  %38 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr inbounds i64, ptr %35, i64 %39
+  %41 = load i64, ptr %40, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #18
+  store double 0xFFF0000000000000, ptr %4, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #18
+  store double 0x7FF0000000000000, ptr %5, align 8
+  %42 = icmp eq i64 %37, 5
+  %43 = icmp eq i64 %41, 5
+  %44 = select i1 %42, i1 true, i1 %43
+  %45 = icmp eq i64 %41, 3
+  %46 = select i1 %44, i1 true, i1 %45
+  br i1 %46, label %47, label %81
+
+47:                                               ; preds = %33
+  br i1 %24, label %68, label %48
+
+48:                                               ; preds = %47
+  %49 = getelementptr inbounds double, ptr %23, i64 %19
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %52 = load double, ptr %51, align 8
+  %53 = tail call double @llvm.minnum.f64(double %50, double %52)
+  %54 = fcmp ugt double %53, 0xFFF0000000000000
+  br i1 %54, label %55, label %323
+
+55:                                               ; preds = %48
+  %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %57 = load ptr, ptr %56, align 8
+  %58 = icmp ne ptr %57, null
+  %59 = fcmp oeq double %50, 0x7FF0000000000000
+  %60 = select i1 %58, i1 %59, i1 false
+  br i1 %60, label %61, label %67
+
+61:                                               ; preds = %55
+  %62 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 41
+  %63 = load ptr, ptr %62, align 8
+  %64 = load i64, ptr %57, align 8
+  %65 = add nsw i64 %64, 1
+  store i64 %65, ptr %57, align 8
+  %66 = getelementptr inbounds i64, ptr %63, i64 %64
+  store i64 %19, ptr %66, align 8
+  br label %67
+
+67:                                               ; preds = %61, %55
+  store double 0x7FF8000000000000, ptr %49, align 8
+  br label %323
+
+68:                                               ; preds = %47
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %70 = load double, ptr %69, align 8
+  %71 = fcmp ult double %70, 0x7FF0000000000000
+  br i1 %71, label %74, label %72
+
+72:                                               ; preds = %68
+  %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %73, align 8
+  br label %323
+
+74:                                               ; preds = %68
+  %75 = fcmp ult double %70, 0xFFF0000000000000
+  br i1 %75, label %323, label %76
+
+76:                                               ; preds = %74
+  %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %78 = load i32, ptr %77, align 8
+  %79 = icmp eq i32 %78, 0
+  br i1 %79, label %80, label %323
+
+80:                                               ; preds = %76
+  store i32 2, ptr %77, align 8
+  br label %323
+
+81:                                               ; preds = %33
+  %82 = icmp eq i64 %37, 3
+  br i1 %82, label %83, label %128
+
+83:                                               ; preds = %81
+  %84 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %85 = load ptr, ptr %84, align 8
+  %86 = tail call fastcc double @over_plane(ptr noundef nonnull %12, i64 noundef %39, ptr noundef %85, i64 noundef %1)
+  %87 = load ptr, ptr %22, align 8
+  %88 = icmp eq ptr %87, null
+  br i1 %88, label %89, label %93
+
+89:                                               ; preds = %83
+  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %91 = load double, ptr %90, align 8
+  %92 = fcmp ugt double %86, %91
+  br i1 %92, label %323, label %126
+
+93:                                               ; preds = %83
+  %94 = load ptr, ptr %13, align 8
+  %95 = icmp eq ptr %94, null
+  %96 = getelementptr inbounds i64, ptr %94, i64 %1
+  %97 = select i1 %95, ptr %17, ptr %96
+  %98 = load i64, ptr %97, align 8
+  %99 = getelementptr inbounds double, ptr %87, i64 %98
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %102 = load double, ptr %101, align 8
+  %103 = fcmp ogt double %100, %102
+  %104 = select i1 %103, double %102, double %100
+  %105 = fcmp ugt double %86, %104
+  br i1 %105, label %323, label %106
+
+106:                                              ; preds = %93
+  %107 = fsub double %86, %86
+  %108 = fcmp ole double %107, 1.000000e-08
+  %109 = tail call double @llvm.minnum.f64(double %100, double %102)
+  %110 = fcmp ult double %86, %109
+  br i1 %110, label %111, label %323
+
+111:                                              ; preds = %106
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %113 = load ptr, ptr %112, align 8
+  %114 = icmp ne ptr %113, null
+  %115 = fcmp oeq double %100, 0x7FF0000000000000
+  %116 = select i1 %114, i1 %115, i1 false
+  br i1 %116, label %117, label %124
+
+117:                                              ; preds = %111
+  %118 = load ptr, ptr %0, align 8
+  %119 = getelementptr inbounds %struct.World, ptr %118, i64 0, i32 41
+  %120 = load ptr, ptr %119, align 8
+  %121 = load i64, ptr %113, align 8
+  %122 = add nsw i64 %121, 1
+  store i64 %122, ptr %113, align 8
+  %123 = getelementptr inbounds i64, ptr %120, i64 %121
+  store i64 %98, ptr %123, align 8
+  br label %124
+
+124:                                              ; preds = %117, %111
+  %125 = select i1 %108, double %86, double 0x7FF8000000000000
+  store double %125, ptr %99, align 8
+  br label %323
+
+126:                                              ; preds = %89
+  %127 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %127, align 8
+  br label %323
+
+128:                                              ; preds = %81
+  %129 = icmp eq i64 %41, 4
+  br i1 %129, label %130, label %161
+
+130:                                              ; preds = %128
+  br i1 %24, label %131, label %134
+
+131:                                              ; preds = %130
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %133 = load double, ptr %132, align 8
+  br label %141
+
+134:                                              ; preds = %130
+  %135 = getelementptr inbounds double, ptr %23, i64 %19
+  %136 = load double, ptr %135, align 8
+  %137 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %138 = load double, ptr %137, align 8
+  %139 = fcmp ogt double %136, %138
+  %140 = select i1 %139, double %138, double %136
+  br label %141
+
+141:                                              ; preds = %131, %134
+  %142 = phi double [ %140, %134 ], [ %133, %131 ]
+  %143 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %142)
+  %144 = icmp eq i32 %143, 0
+  br i1 %144, label %145, label %323
+
+145:                                              ; preds = %141
+  %146 = icmp eq i64 %37, 4
+  br i1 %146, label %147, label %148
+
+147:                                              ; preds = %145
+  tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
+  br label %323
+
+148:                                              ; preds = %145
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %7, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
+  call fastcc void @core_of(ptr noundef nonnull %12, i64 noundef %1, ptr noundef nonnull %6)
+  %149 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
+  store i64 %1, ptr %149, align 8
+  %150 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
+  store ptr %6, ptr %150, align 8
+  %151 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
+  store ptr null, ptr %151, align 8
+  %152 = load i64, ptr %18, align 8
+  %153 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 4
+  store i64 %152, ptr %153, align 8
+  call fastcc void @look_at_solid(ptr noundef nonnull %7, i64 noundef %39)
+  %154 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
+  %155 = load i32, ptr %154, align 8
+  %156 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 %155, ptr %156, align 8
+  %157 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
+  %158 = load i64, ptr %157, align 8
+  %159 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  store i64 %158, ptr %159, align 8
+  %160 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 -1, ptr %160, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #18
+  br label %323
+
+161:                                              ; preds = %128
+  %162 = icmp eq i64 %37, 4
+  br i1 %162, label %163, label %185
+
+163:                                              ; preds = %161
+  %164 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 7
+  %165 = load ptr, ptr %164, align 8
+  %166 = getelementptr inbounds i64, ptr %165, i64 %1
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %169, label %184
+
+169:                                              ; preds = %163
+  br i1 %24, label %170, label %173
+
+170:                                              ; preds = %169
+  %171 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %172 = load double, ptr %171, align 8
+  br label %180
+
+173:                                              ; preds = %169
+  %174 = getelementptr inbounds double, ptr %23, i64 %19
+  %175 = load double, ptr %174, align 8
+  %176 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %177 = load double, ptr %176, align 8
+  %178 = fcmp ogt double %175, %177
+  %179 = select i1 %178, double %177, double %175
+  br label %180
+
+180:                                              ; preds = %170, %173
+  %181 = phi double [ %179, %173 ], [ %172, %170 ]
+  %182 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %181)
+  %183 = icmp eq i32 %182, 0
+  br i1 %183, label %184, label %323
+
+184:                                              ; preds = %180, %163
+  tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
+  br label %323
+
+185:                                              ; preds = %161
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  br i1 %24, label %186, label %189
+
+186:                                              ; preds = %185
+  %187 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %188 = load double, ptr %187, align 8
+  br label %196
+
+189:                                              ; preds = %185
+  %190 = getelementptr inbounds double, ptr %23, i64 %19
+  %191 = load double, ptr %190, align 8
+  %192 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %193 = load double, ptr %192, align 8
+  %194 = fcmp ogt double %191, %193
+  %195 = select i1 %194, double %193, double %191
+  br label %196
+
+196:                                              ; preds = %186, %189
+  %197 = phi double [ %188, %186 ], [ 0xFFF0000000000000, %189 ]
+  %198 = phi double [ %188, %186 ], [ %195, %189 ]
+  %199 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 39
+  %200 = load ptr, ptr %199, align 8
+  %201 = mul nsw i64 %39, 3
+  %202 = getelementptr inbounds double, ptr %200, i64 %201
+  %203 = mul nsw i64 %1, 3
+  %204 = getelementptr inbounds double, ptr %200, i64 %203
+  br label %208
+
+205:                                              ; preds = %208
+  %206 = tail call fastcc i32 @are_far(ptr noundef %12, i64 noundef %39, i64 noundef %1, double noundef %198)
+  %207 = icmp eq i32 %206, 0
+  br i1 %207, label %218, label %322
+
+208:                                              ; preds = %196, %208
+  %209 = phi i64 [ 0, %196 ], [ %216, %208 ]
+  %210 = getelementptr inbounds double, ptr %202, i64 %209
+  %211 = load double, ptr %210, align 8
+  %212 = getelementptr inbounds double, ptr %204, i64 %209
+  %213 = load double, ptr %212, align 8
+  %214 = fsub double %211, %213
+  %215 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %209
+  store double %214, ptr %215, align 8
+  %216 = add nuw nsw i64 %209, 1
+  %217 = icmp eq i64 %216, 3
+  br i1 %217, label %205, label %208
+
+218:                                              ; preds = %205
+  %219 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %220 = load ptr, ptr %219, align 8
+  %221 = icmp eq ptr %220, null
+  br i1 %221, label %237, label %222
+
+222:                                              ; preds = %218
+  %223 = mul nsw i64 %19, 3
+  %224 = getelementptr inbounds double, ptr %220, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fmul double %225, %225
+  %227 = getelementptr inbounds double, ptr %224, i64 1
+  %228 = load double, ptr %227, align 8
+  %229 = fmul double %228, %228
+  %230 = fadd double %226, %229
+  %231 = getelementptr inbounds double, ptr %224, i64 2
+  %232 = load double, ptr %231, align 8
+  %233 = fmul double %232, %232
+  %234 = fadd double %230, %233
+  %235 = fcmp ogt double %234, 0.000000e+00
+  br i1 %235, label %236, label %237
+
+236:                                              ; preds = %222
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 8 dereferenceable(24) %224, i64 24, i1 false)
+  br label %283
+
+237:                                              ; preds = %218, %222
+  %238 = phi ptr [ %224, %222 ], [ null, %218 ]
+  %239 = icmp eq ptr %2, null
+  br i1 %239, label %283, label %240
+
+240:                                              ; preds = %237, %240
+  %241 = phi i64 [ %258, %240 ], [ 0, %237 ]
+  %242 = phi double [ %257, %240 ], [ 0.000000e+00, %237 ]
+  %243 = getelementptr inbounds double, ptr %2, i64 %241
+  %244 = load double, ptr %243, align 8
+  %245 = getelementptr inbounds double, ptr %202, i64 %241
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %244, %246
+  %248 = add nuw nsw i64 %241, 3
+  %249 = getelementptr inbounds double, ptr %2, i64 %248
+  %250 = load double, ptr %249, align 8
+  %251 = fsub double %246, %250
+  %252 = fcmp ogt double %247, %251
+  %253 = select i1 %252, double %247, double %251
+  %254 = fcmp ogt double %253, 0.000000e+00
+  %255 = select i1 %254, double %253, double 0.000000e+00
+  %256 = fmul double %255, %255
+  %257 = fadd double %242, %256
+  %258 = add nuw nsw i64 %241, 1
+  %259 = icmp eq i64 %258, 3
+  br i1 %259, label %260, label %240
+
+260:                                              ; preds = %240
+  %261 = fcmp ogt double %257, 0.000000e+00
+  br i1 %261, label %262, label %283
+
+262:                                              ; preds = %260, %278
+  %263 = phi i64 [ %281, %278 ], [ 0, %260 ]
+  %264 = getelementptr inbounds double, ptr %202, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr inbounds double, ptr %2, i64 %263
+  %267 = load double, ptr %266, align 8
+  %268 = fcmp olt double %265, %267
+  br i1 %268, label %269, label %271
+
+269:                                              ; preds = %262
+  %270 = fsub double %265, %267
+  br label %278
+
+271:                                              ; preds = %262
+  %272 = add nuw nsw i64 %263, 3
+  %273 = getelementptr inbounds double, ptr %2, i64 %272
+  %274 = load double, ptr %273, align 8
+  %275 = fcmp ogt double %265, %274
+  br i1 %275, label %276, label %278
+
+276:                                              ; preds = %271
+  %277 = fsub double %265, %274
+  br label %278
+
+278:                                              ; preds = %276, %271, %269
+  %279 = phi double [ %270, %269 ], [ %277, %276 ], [ 0.000000e+00, %271 ]
+  %280 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %263
+  store double %279, ptr %280, align 8
+  %281 = add nuw nsw i64 %263, 1
+  %282 = icmp eq i64 %281, 3
+  br i1 %282, label %283, label %262
+
+283:                                              ; preds = %278, %237, %260, %236
+  %284 = phi ptr [ %238, %237 ], [ %238, %260 ], [ %224, %236 ], [ %238, %278 ]
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call fastcc void @core_of(ptr noundef %12, i64 noundef %1, ptr noundef nonnull %9)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  %285 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %286 = load ptr, ptr %285, align 8
+  %287 = call fastcc i32 @shape_bounds(ptr noundef %12, i64 noundef %39, ptr noundef %286, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %198, double noundef %197, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %10)
+  br i1 %221, label %289, label %288
+
+288:                                              ; preds = %283
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %284, ptr noundef nonnull align 16 dereferenceable(24) %8, i64 24, i1 false)
+  br label %289
+
+289:                                              ; preds = %288, %283
+  %290 = icmp eq i32 %287, 0
+  br i1 %290, label %293, label %291
+
+291:                                              ; preds = %289
+  %292 = load double, ptr %4, align 8
+  br label %314
+
+293:                                              ; preds = %289
+  %294 = load ptr, ptr %22, align 8
+  %295 = icmp eq ptr %294, null
+  br i1 %295, label %312, label %296
+
+296:                                              ; preds = %293
+  %297 = load ptr, ptr %285, align 8
+  %298 = call fastcc i32 @depth_of(ptr noundef %297, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef null, ptr noundef null, ptr noundef null)
+  %299 = icmp eq i32 %298, 0
+  br i1 %299, label %312, label %300
+
+300:                                              ; preds = %296
+  %301 = load double, ptr %11, align 8
+  %302 = fneg double %301
+  %303 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 11
+  %304 = load ptr, ptr %303, align 8
+  %305 = load i64, ptr %38, align 8
+  %306 = getelementptr inbounds double, ptr %304, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fsub double %302, %307
+  %309 = getelementptr inbounds double, ptr %304, i64 %1
+  %310 = load double, ptr %309, align 8
+  %311 = fsub double %308, %310
+  store double %311, ptr %5, align 8
+  br label %314
+
+312:                                              ; preds = %296, %293
+  %313 = load double, ptr %4, align 8
+  br label %317
+
+314:                                              ; preds = %291, %300
+  %315 = phi double [ %292, %291 ], [ %311, %300 ]
+  %316 = fcmp ugt double %315, %198
+  br i1 %316, label %321, label %317
+
+317:                                              ; preds = %312, %314
+  %318 = phi double [ %313, %312 ], [ %315, %314 ]
+  %319 = phi i32 [ 0, %312 ], [ 1, %314 ]
+  %320 = load double, ptr %5, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %319, double noundef %318, double noundef %320)
+  br label %321
+
+321:                                              ; preds = %314, %317
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %323
+
+322:                                              ; preds = %205
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  br label %323
+
+323:                                              ; preds = %126, %124, %106, %93, %80, %76, %74, %72, %67, %48, %321, %148, %147, %184, %89, %322, %180, %141
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #18
+  br label %324
+
+324:                                              ; preds = %25, %3, %29, %323
+  ret void
+}
+
+define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 noundef %2, double noundef %3, double noundef %4) unnamed_addr #11 {
   %6 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
   %7 = load ptr, ptr %6, align 8
   %8 = icmp eq ptr %7, null
@@ -4292,7 +4614,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 
 36:                                               ; preds = %33
   %37 = load ptr, ptr %0, align 8
-  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 36
+  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 41
   %39 = load ptr, ptr %38, align 8
   %40 = load i64, ptr %31, align 8
   %41 = add nsw i64 %40, 1
@@ -4301,7 +4623,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
   store i64 %16, ptr %42, align 8
   br label %43
 
-43:                                               ; preds = %36, %33, %29
+43:                                               ; preds = %29, %33, %36
   %44 = select i1 %21, double %4, double 0x7FF8000000000000
   store double %44, ptr %17, align 8
   br label %60
@@ -4335,768 +4657,1288 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
   store i32 2, ptr %56, align 8
   br label %60
 
-60:                                               ; preds = %43, %22, %51, %59, %55, %53
+60:                                               ; preds = %53, %55, %59, %51, %43, %22
   ret void
 }
 
-define internal fastcc void @facing(ptr noalias nocapture sret(%struct.Plane) align 8 %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #6 {
-  %5 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 14
-  %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 34
-  %8 = load ptr, ptr %7, align 8
-  %9 = mul nsw i64 %2, 3
-  %10 = getelementptr inbounds double, ptr %8, i64 %9
-  br label %14
-
-11:                                               ; preds = %14
-  %12 = tail call double @llvm.sqrt.f64(double %29)
-  %13 = fcmp ogt double %12, 0.000000e+00
-  br label %59
-
-14:                                               ; preds = %4, %14
-  %15 = phi i64 [ 0, %4 ], [ %30, %14 ]
-  %16 = phi double [ 0.000000e+00, %4 ], [ %29, %14 ]
-  %17 = getelementptr inbounds double, ptr %10, i64 %15
-  %18 = load double, ptr %17, align 8
-  %19 = getelementptr inbounds double, ptr %3, i64 %15
-  %20 = load double, ptr %19, align 8
-  %21 = add nuw nsw i64 %15, 3
-  %22 = getelementptr inbounds double, ptr %3, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fadd double %20, %23
-  %25 = fmul double %24, 5.000000e-01
-  %26 = fsub double %18, %25
-  %27 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %15
-  store double %26, ptr %27, align 8
-  %28 = fmul double %26, %26
-  %29 = fadd double %16, %28
-  %30 = add nuw nsw i64 %15, 1
-  %31 = icmp eq i64 %30, 3
-  br i1 %31, label %11, label %14
-
-32:                                               ; preds = %68
-  %33 = shl nsw i64 %2, 2
-  %34 = getelementptr inbounds double, ptr %6, i64 %33
-  %35 = load double, ptr %0, align 8
-  %36 = load double, ptr %10, align 8
-  %37 = fmul double %35, %36
-  %38 = getelementptr inbounds double, ptr %0, i64 1
-  %39 = load double, ptr %38, align 8
-  %40 = getelementptr inbounds double, ptr %10, i64 1
-  %41 = load double, ptr %40, align 8
-  %42 = fmul double %39, %41
-  %43 = fadd double %37, %42
-  %44 = getelementptr inbounds double, ptr %0, i64 2
-  %45 = load double, ptr %44, align 8
-  %46 = getelementptr inbounds double, ptr %10, i64 2
-  %47 = load double, ptr %46, align 8
-  %48 = fmul double %45, %47
-  %49 = fadd double %43, %48
-  %50 = getelementptr inbounds double, ptr %34, i64 3
-  %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds %struct.World, ptr %1, i64 0, i32 11
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %53, i64 %2
-  %55 = load double, ptr %54, align 8
-  %56 = fsub double %51, %55
-  %57 = fsub double %49, %56
-  %58 = getelementptr inbounds %struct.Plane, ptr %0, i64 0, i32 1
-  store double %57, ptr %58, align 8
-  ret void
-
-59:                                               ; preds = %11, %68
-  %60 = phi i64 [ 0, %11 ], [ %71, %68 ]
-  br i1 %13, label %61, label %65
-
-61:                                               ; preds = %59
-  %62 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %60
-  %63 = load double, ptr %62, align 8
-  %64 = fdiv double %63, %12
-  br label %68
-
-65:                                               ; preds = %59
-  %66 = icmp eq i64 %60, 0
-  %67 = uitofp i1 %66 to double
-  br label %68
-
-68:                                               ; preds = %65, %61
-  %69 = phi double [ %64, %61 ], [ %67, %65 ]
-  %70 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %60
-  store double %69, ptr %70, align 8
-  %71 = add nuw nsw i64 %60, 1
-  %72 = icmp eq i64 %71, 3
-  br i1 %72, label %32, label %59
-}
-
-define internal fastcc void @surface(ptr noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #0 {
+define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, double noundef %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
-  %6 = alloca double, align 8
-  %7 = alloca double, align 8
-  %8 = alloca [9 x double], align 16
-  %9 = alloca %struct.Core, align 8
-  %10 = alloca %struct.Plane, align 8
-  %11 = alloca [3 x double], align 16
-  %12 = alloca %struct.Plane, align 8
-  %13 = alloca [3 x double], align 16
-  %14 = alloca %struct.Core, align 8
-  %15 = alloca [3 x double], align 16
-  %16 = load ptr, ptr %0, align 8
-  %17 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 29
-  %18 = load ptr, ptr %17, align 8
-  %19 = mul nsw i64 %2, 6
-  %20 = getelementptr inbounds double, ptr %18, i64 %19
-  %21 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 34
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
-  %24 = load i64, ptr %23, align 8
-  %25 = mul nsw i64 %24, 3
-  %26 = getelementptr inbounds double, ptr %22, i64 %25
-  %27 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 11
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr inbounds double, ptr %28, i64 %1
-  %30 = load double, ptr %29, align 8
-  %31 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
-  %32 = load ptr, ptr %31, align 8
-  %33 = icmp eq ptr %32, null
-  br i1 %33, label %47, label %34
+  %6 = alloca [3 x double], align 16
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %8 = load ptr, ptr %7, align 8
+  %9 = mul nsw i64 %1, 3
+  %10 = getelementptr inbounds double, ptr %8, i64 %9
+  %11 = mul nsw i64 %2, 3
+  %12 = getelementptr inbounds double, ptr %8, i64 %11
+  %13 = load double, ptr %10, align 8
+  %14 = load double, ptr %12, align 8
+  %15 = fsub double %13, %14
+  %16 = getelementptr inbounds double, ptr %10, i64 1
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr inbounds double, ptr %12, i64 1
+  %19 = load double, ptr %18, align 8
+  %20 = fsub double %17, %19
+  %21 = getelementptr inbounds double, ptr %10, i64 2
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %12, i64 2
+  %24 = load double, ptr %23, align 8
+  %25 = fsub double %22, %24
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
+  %27 = load ptr, ptr %26, align 8
+  %28 = shl nsw i64 %1, 2
+  %29 = or i64 %28, 3
+  %30 = getelementptr inbounds double, ptr %27, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = fadd double %31, %3
+  %33 = shl nsw i64 %2, 2
+  %34 = or i64 %33, 3
+  %35 = getelementptr inbounds double, ptr %27, i64 %34
+  %36 = load double, ptr %35, align 8
+  %37 = fadd double %32, %36
+  %38 = fmul double %15, %15
+  %39 = fmul double %20, %20
+  %40 = fadd double %38, %39
+  %41 = fmul double %25, %25
+  %42 = fadd double %40, %41
+  %43 = fmul double %37, %37
+  %44 = fcmp ogt double %42, %43
+  br i1 %44, label %169, label %45
 
-34:                                               ; preds = %4
-  %35 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %36 = load ptr, ptr %35, align 8
-  %37 = icmp eq ptr %36, null
-  %38 = getelementptr inbounds i64, ptr %36, i64 %1
-  %39 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %40 = select i1 %37, ptr %39, ptr %38
-  %41 = load i64, ptr %40, align 8
-  %42 = getelementptr inbounds double, ptr %32, i64 %41
-  %43 = load double, ptr %42, align 8
-  %44 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %45 = load double, ptr %44, align 8
-  %46 = tail call double @llvm.minnum.f64(double %43, double %45)
-  br label %50
-
-47:                                               ; preds = %4
-  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
-  %49 = load double, ptr %48, align 8
-  br label %50
-
-50:                                               ; preds = %34, %47
-  %51 = phi double [ 0xFFF0000000000000, %34 ], [ %49, %47 ]
-  %52 = phi double [ %46, %34 ], [ %49, %47 ]
-  %53 = getelementptr inbounds double, ptr %28, i64 %24
-  %54 = load double, ptr %53, align 8
-  br label %55
-
-55:                                               ; preds = %55, %50
-  %56 = phi i64 [ 0, %50 ], [ %73, %55 ]
-  %57 = phi double [ 0.000000e+00, %50 ], [ %72, %55 ]
-  %58 = getelementptr inbounds double, ptr %20, i64 %56
-  %59 = load double, ptr %58, align 8
-  %60 = getelementptr inbounds double, ptr %26, i64 %56
+45:                                               ; preds = %4
+  %46 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %47 = load ptr, ptr %46, align 8
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr inbounds i64, ptr %49, i64 %1
+  %51 = load i64, ptr %50, align 8
+  %52 = mul nsw i64 %51, 12
+  %53 = getelementptr inbounds double, ptr %47, i64 %52
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  %54 = getelementptr inbounds double, ptr %53, i64 9
+  %55 = load double, ptr %54, align 8
+  %56 = fsub double %14, %55
+  %57 = getelementptr inbounds double, ptr %53, i64 10
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %19, %58
+  %60 = getelementptr inbounds double, ptr %53, i64 11
   %61 = load double, ptr %60, align 8
-  %62 = fsub double %59, %61
-  %63 = add nuw nsw i64 %56, 3
-  %64 = getelementptr inbounds double, ptr %20, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = fsub double %61, %65
-  %67 = fcmp ogt double %62, %66
-  %68 = select i1 %67, double %62, double %66
-  %69 = fcmp ogt double %68, 0.000000e+00
-  %70 = select i1 %69, double %68, double 0.000000e+00
-  %71 = fmul double %70, %70
-  %72 = fadd double %57, %71
-  %73 = add nuw nsw i64 %56, 1
-  %74 = icmp eq i64 %73, 3
-  br i1 %74, label %75, label %55
+  %62 = fsub double %24, %61
+  br label %63
 
-75:                                               ; preds = %55
-  %76 = fneg double %30
-  %77 = fsub double %76, %54
-  %78 = tail call double @llvm.sqrt.f64(double %72)
-  %79 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 14
-  %80 = load ptr, ptr %79, align 8
-  %81 = shl nsw i64 %24, 2
-  %82 = or i64 %81, 3
-  %83 = getelementptr inbounds double, ptr %80, i64 %82
-  %84 = load double, ptr %83, align 8
-  br i1 %33, label %96, label %85
+63:                                               ; preds = %63, %45
+  %64 = phi i64 [ 0, %45 ], [ %79, %63 ]
+  %65 = getelementptr inbounds double, ptr %53, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %56, %66
+  %68 = add nuw nsw i64 %64, 3
+  %69 = getelementptr inbounds double, ptr %53, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = fmul double %59, %70
+  %72 = fadd double %67, %71
+  %73 = add nuw nsw i64 %64, 6
+  %74 = getelementptr inbounds double, ptr %53, i64 %73
+  %75 = load double, ptr %74, align 8
+  %76 = fmul double %62, %75
+  %77 = fadd double %72, %76
+  %78 = getelementptr inbounds double, ptr %6, i64 %64
+  store double %77, ptr %78, align 8
+  %79 = add nuw nsw i64 %64, 1
+  %80 = icmp eq i64 %79, 3
+  br i1 %80, label %81, label %63
 
-85:                                               ; preds = %75
-  %86 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
-  %87 = load ptr, ptr %86, align 8
-  %88 = icmp eq ptr %87, null
-  %89 = getelementptr inbounds i64, ptr %87, i64 %1
-  %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
-  %91 = select i1 %88, ptr %90, ptr %89
-  %92 = load i64, ptr %91, align 8
-  %93 = getelementptr inbounds double, ptr %32, i64 %92
-  %94 = load double, ptr %93, align 8
-  %95 = fcmp uno double %94, 0.000000e+00
-  br i1 %95, label %396, label %100
+81:                                               ; preds = %63
+  %82 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %83 = load ptr, ptr %82, align 8
+  %84 = mul nsw i64 %1, 6
+  %85 = getelementptr inbounds double, ptr %83, i64 %84
+  br label %86
 
-96:                                               ; preds = %75
-  %97 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
-  %98 = load i32, ptr %97, align 8
-  %99 = icmp eq i32 %98, 1
-  br i1 %99, label %396, label %100
+86:                                               ; preds = %86, %81
+  %87 = phi i64 [ 0, %81 ], [ %104, %86 ]
+  %88 = phi double [ 0.000000e+00, %81 ], [ %103, %86 ]
+  %89 = getelementptr inbounds double, ptr %85, i64 %87
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds double, ptr %6, i64 %87
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %90, %92
+  %94 = add nuw nsw i64 %87, 3
+  %95 = getelementptr inbounds double, ptr %85, i64 %94
+  %96 = load double, ptr %95, align 8
+  %97 = fsub double %92, %96
+  %98 = fcmp ogt double %93, %97
+  %99 = select i1 %98, double %93, double %97
+  %100 = fcmp ogt double %99, 0.000000e+00
+  %101 = select i1 %100, double %99, double 0.000000e+00
+  %102 = fmul double %101, %101
+  %103 = fadd double %88, %102
+  %104 = add nuw nsw i64 %87, 1
+  %105 = icmp eq i64 %104, 3
+  br i1 %105, label %106, label %86
 
-100:                                              ; preds = %85, %96
-  %101 = fsub double %78, %84
-  %102 = fsub double %101, %30
-  %103 = fcmp ogt double %102, %52
-  br i1 %103, label %396, label %104
+106:                                              ; preds = %86
+  %107 = fadd double %36, %3
+  %108 = fmul double %107, %107
+  %109 = fcmp ule double %103, %108
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  br i1 %109, label %110, label %169
 
-104:                                              ; preds = %100, %104
-  %105 = phi i64 [ %117, %104 ], [ 0, %100 ]
-  %106 = phi double [ %116, %104 ], [ 0.000000e+00, %100 ]
-  %107 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %105
-  %108 = load double, ptr %107, align 8
-  %109 = fcmp ogt double %108, 0.000000e+00
-  %110 = add nuw nsw i64 %105, 3
-  %111 = select i1 %109, i64 %110, i64 %105
-  %112 = and i64 %111, 4294967295
-  %113 = getelementptr inbounds double, ptr %20, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = fmul double %108, %114
-  %116 = fadd double %106, %115
-  %117 = add nuw nsw i64 %105, 1
-  %118 = icmp eq i64 %117, 3
-  br i1 %118, label %119, label %104
+110:                                              ; preds = %106
+  %111 = getelementptr inbounds i64, ptr %49, i64 %2
+  %112 = load i64, ptr %111, align 8
+  %113 = mul nsw i64 %112, 12
+  %114 = getelementptr inbounds double, ptr %47, i64 %113
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  %115 = getelementptr inbounds double, ptr %114, i64 9
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %13, %116
+  %118 = getelementptr inbounds double, ptr %114, i64 10
+  %119 = load double, ptr %118, align 8
+  %120 = fsub double %17, %119
+  %121 = getelementptr inbounds double, ptr %114, i64 11
+  %122 = load double, ptr %121, align 8
+  %123 = fsub double %22, %122
+  br label %124
 
-119:                                              ; preds = %104
-  %120 = getelementptr inbounds %struct.Plane, ptr %3, i64 0, i32 1
-  %121 = load double, ptr %120, align 8
-  %122 = fsub double %121, %116
-  %123 = fadd double %77, %122
-  %124 = fcmp ogt double %123, %52
-  br i1 %124, label %396, label %125
-
-125:                                              ; preds = %119
-  %126 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
-  br label %127
-
-127:                                              ; preds = %127, %125
-  %128 = phi i64 [ 0, %125 ], [ %140, %127 ]
-  %129 = phi double [ 0.000000e+00, %125 ], [ %139, %127 ]
-  %130 = getelementptr inbounds [3 x double], ptr %126, i64 0, i64 %128
+124:                                              ; preds = %124, %110
+  %125 = phi i64 [ 0, %110 ], [ %140, %124 ]
+  %126 = getelementptr inbounds double, ptr %114, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = fmul double %117, %127
+  %129 = add nuw nsw i64 %125, 3
+  %130 = getelementptr inbounds double, ptr %114, i64 %129
   %131 = load double, ptr %130, align 8
-  %132 = fcmp ogt double %131, 0.000000e+00
-  %133 = add nuw nsw i64 %128, 3
-  %134 = select i1 %132, i64 %133, i64 %128
-  %135 = and i64 %134, 4294967295
-  %136 = getelementptr inbounds double, ptr %20, i64 %135
-  %137 = load double, ptr %136, align 8
-  %138 = fmul double %131, %137
-  %139 = fadd double %129, %138
-  %140 = add nuw nsw i64 %128, 1
+  %132 = fmul double %120, %131
+  %133 = fadd double %128, %132
+  %134 = add nuw nsw i64 %125, 6
+  %135 = getelementptr inbounds double, ptr %114, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = fmul double %123, %136
+  %138 = fadd double %133, %137
+  %139 = getelementptr inbounds double, ptr %5, i64 %125
+  store double %138, ptr %139, align 8
+  %140 = add nuw nsw i64 %125, 1
   %141 = icmp eq i64 %140, 3
-  br i1 %141, label %142, label %127
+  br i1 %141, label %142, label %124
 
-142:                                              ; preds = %127
-  %143 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
-  %144 = load double, ptr %143, align 8
-  %145 = fsub double %144, %139
-  %146 = fadd double %77, %145
-  %147 = fcmp ogt double %146, %52
-  br i1 %147, label %396, label %148
+142:                                              ; preds = %124
+  %143 = mul nsw i64 %2, 6
+  %144 = getelementptr inbounds double, ptr %83, i64 %143
+  br label %145
 
-148:                                              ; preds = %142
-  %149 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 30
-  %150 = load ptr, ptr %149, align 8
-  %151 = shl nsw i64 %2, 1
-  %152 = getelementptr inbounds i64, ptr %150, i64 %151
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #15
-  %153 = load i64, ptr %152, align 8
-  %154 = icmp slt i64 %153, 0
-  br i1 %154, label %155, label %203
+145:                                              ; preds = %145, %142
+  %146 = phi i64 [ 0, %142 ], [ %163, %145 ]
+  %147 = phi double [ 0.000000e+00, %142 ], [ %162, %145 ]
+  %148 = getelementptr inbounds double, ptr %144, i64 %146
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr inbounds double, ptr %5, i64 %146
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = add nuw nsw i64 %146, 3
+  %154 = getelementptr inbounds double, ptr %144, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %151, %155
+  %157 = fcmp ogt double %152, %156
+  %158 = select i1 %157, double %152, double %156
+  %159 = fcmp ogt double %158, 0.000000e+00
+  %160 = select i1 %159, double %158, double 0.000000e+00
+  %161 = fmul double %160, %160
+  %162 = fadd double %147, %161
+  %163 = add nuw nsw i64 %146, 1
+  %164 = icmp eq i64 %163, 3
+  br i1 %164, label %165, label %145
 
-155:                                              ; preds = %148
-  %156 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 32
-  %157 = load ptr, ptr %156, align 8
-  %158 = getelementptr inbounds i64, ptr %152, i64 1
-  %159 = load i64, ptr %158, align 8
-  %160 = mul nsw i64 %159, 9
-  %161 = getelementptr inbounds double, ptr %157, i64 %160
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %8) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #15
-  call fastcc void @leaf_core(ptr noundef %161, ptr noundef nonnull %8, ptr noundef nonnull %9)
-  %162 = load double, ptr %126, align 8
-  %163 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 1
-  %164 = load double, ptr %163, align 8
-  %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 0, i64 2
+165:                                              ; preds = %145
+  %166 = fmul double %32, %32
+  %167 = fcmp ogt double %162, %166
+  %168 = zext i1 %167 to i32
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br label %169
+
+169:                                              ; preds = %165, %106, %4
+  %170 = phi i32 [ 1, %106 ], [ 1, %4 ], [ %168, %165 ]
+  ret i32 %170
+}
+
+define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnamed_addr #0 {
+  %3 = alloca %struct.Plane, align 8
+  %4 = alloca %struct.Plane, align 8
+  %5 = alloca %struct.Core, align 8
+  %6 = alloca %struct.Two, align 8
+  %7 = alloca [12 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [12 x double], align 16
+  %11 = alloca double, align 8
+  %12 = alloca %struct.Search, align 8
+  %13 = alloca %struct.Plane, align 8
+  %14 = alloca %struct.Plane, align 8
+  %15 = load ptr, ptr %0, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 8
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr inbounds i64, ptr %17, i64 %19
+  %21 = load i64, ptr %20, align 8
+  %22 = icmp eq i64 %21, 4
+  %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %24 = load ptr, ptr %23, align 8
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 216, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  %25 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %26, i64 %19
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %26, i64 %1
+  %30 = load double, ptr %29, align 8
+  %31 = fadd double %28, %30
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %33 = load ptr, ptr %32, align 8
+  %34 = icmp eq ptr %33, null
+  br i1 %34, label %44, label %35
+
+35:                                               ; preds = %2
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %37 = load ptr, ptr %36, align 8
+  %38 = icmp eq ptr %37, null
+  %39 = getelementptr inbounds i64, ptr %37, i64 %1
+  %40 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %41 = select i1 %38, ptr %40, ptr %39
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr inbounds double, ptr %33, i64 %42
+  br label %44
+
+44:                                               ; preds = %2, %35
+  %45 = phi ptr [ %43, %35 ], [ null, %2 ]
+  %46 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  store i64 -1, ptr %46, align 8
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 -1, ptr %47, align 8
+  %48 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  store i32 0, ptr %48, align 8
+  %49 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  store i32 0, ptr %49, align 4
+  %50 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 13
+  store i32 0, ptr %50, align 8
+  %51 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  store double 0.000000e+00, ptr %51, align 8
+  br i1 %22, label %52, label %53
+
+52:                                               ; preds = %44
+  call fastcc void @look_at_surfaces(ptr noundef nonnull %0, i64 noundef %1, ptr noundef nonnull %6)
+  br label %362
+
+53:                                               ; preds = %44
+  %54 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 38
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 7
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr inbounds i64, ptr %57, i64 %1
+  %59 = load i64, ptr %58, align 8
+  %60 = getelementptr inbounds i64, ptr %57, i64 %19
+  %61 = load i64, ptr %60, align 8
+  %62 = mul nsw i64 %61, 12
+  %63 = getelementptr inbounds double, ptr %55, i64 %62
+  %64 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  store ptr %63, ptr %64, align 8
+  %65 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 39
+  %66 = load ptr, ptr %65, align 8
+  %67 = mul nsw i64 %19, 3
+  %68 = getelementptr inbounds double, ptr %66, i64 %67
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  store ptr %68, ptr %69, align 8
+  %70 = icmp sgt i64 %59, 0
+  br i1 %70, label %71, label %234
+
+71:                                               ; preds = %53
+  %72 = mul nsw i64 %59, 12
+  %73 = getelementptr inbounds double, ptr %55, i64 %72
+  br label %74
+
+74:                                               ; preds = %117, %71
+  %75 = phi i64 [ 0, %71 ], [ %118, %117 ]
+  %76 = getelementptr inbounds double, ptr %73, i64 %75
+  %77 = add nuw nsw i64 %75, 3
+  %78 = getelementptr inbounds double, ptr %73, i64 %77
+  %79 = add nuw nsw i64 %75, 6
+  %80 = getelementptr inbounds double, ptr %73, i64 %79
+  %81 = mul nuw nsw i64 %75, 3
+  br label %120
+
+82:                                               ; preds = %117
+  %83 = getelementptr inbounds double, ptr %63, i64 9
+  %84 = getelementptr inbounds double, ptr %7, i64 9
+  %85 = load double, ptr %83, align 8
+  %86 = getelementptr inbounds double, ptr %73, i64 9
+  %87 = load double, ptr %86, align 8
+  %88 = fsub double %85, %87
+  %89 = getelementptr inbounds double, ptr %63, i64 10
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds double, ptr %73, i64 10
+  %92 = load double, ptr %91, align 8
+  %93 = fsub double %90, %92
+  %94 = getelementptr inbounds double, ptr %63, i64 11
+  %95 = load double, ptr %94, align 8
+  %96 = getelementptr inbounds double, ptr %73, i64 11
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %95, %97
+  br label %99
+
+99:                                               ; preds = %99, %82
+  %100 = phi i64 [ 0, %82 ], [ %115, %99 ]
+  %101 = getelementptr inbounds double, ptr %73, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %88, %102
+  %104 = add nuw nsw i64 %100, 3
+  %105 = getelementptr inbounds double, ptr %73, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %93, %106
+  %108 = fadd double %103, %107
+  %109 = add nuw nsw i64 %100, 6
+  %110 = getelementptr inbounds double, ptr %73, i64 %109
+  %111 = load double, ptr %110, align 8
+  %112 = fmul double %98, %111
+  %113 = fadd double %108, %112
+  %114 = getelementptr inbounds double, ptr %84, i64 %100
+  store double %113, ptr %114, align 8
+  %115 = add nuw nsw i64 %100, 1
+  %116 = icmp eq i64 %115, 3
+  br i1 %116, label %142, label %99
+
+117:                                              ; preds = %120
+  %118 = add nuw nsw i64 %75, 1
+  %119 = icmp eq i64 %118, 3
+  br i1 %119, label %82, label %74
+
+120:                                              ; preds = %120, %74
+  %121 = phi i64 [ 0, %74 ], [ %140, %120 ]
+  %122 = load double, ptr %76, align 8
+  %123 = getelementptr inbounds double, ptr %63, i64 %121
+  %124 = load double, ptr %123, align 8
+  %125 = fmul double %122, %124
+  %126 = load double, ptr %78, align 8
+  %127 = add nuw nsw i64 %121, 3
+  %128 = getelementptr inbounds double, ptr %63, i64 %127
+  %129 = load double, ptr %128, align 8
+  %130 = fmul double %126, %129
+  %131 = fadd double %125, %130
+  %132 = load double, ptr %80, align 8
+  %133 = add nuw nsw i64 %121, 6
+  %134 = getelementptr inbounds double, ptr %63, i64 %133
+  %135 = load double, ptr %134, align 8
+  %136 = fmul double %132, %135
+  %137 = fadd double %131, %136
+  %138 = add nuw nsw i64 %121, %81
+  %139 = getelementptr inbounds double, ptr %7, i64 %138
+  store double %137, ptr %139, align 8
+  %140 = add nuw nsw i64 %121, 1
+  %141 = icmp eq i64 %140, 3
+  br i1 %141, label %117, label %120
+
+142:                                              ; preds = %99
+  %143 = load double, ptr %68, align 8
+  %144 = load double, ptr %86, align 8
+  %145 = fsub double %143, %144
+  %146 = getelementptr inbounds double, ptr %68, i64 1
+  %147 = load double, ptr %146, align 8
+  %148 = load double, ptr %91, align 8
+  %149 = fsub double %147, %148
+  %150 = getelementptr inbounds double, ptr %68, i64 2
+  %151 = load double, ptr %150, align 8
+  %152 = load double, ptr %96, align 8
+  %153 = fsub double %151, %152
+  br label %154
+
+154:                                              ; preds = %154, %142
+  %155 = phi i64 [ 0, %142 ], [ %170, %154 ]
+  %156 = getelementptr inbounds double, ptr %73, i64 %155
+  %157 = load double, ptr %156, align 8
+  %158 = fmul double %145, %157
+  %159 = add nuw nsw i64 %155, 3
+  %160 = getelementptr inbounds double, ptr %73, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = fmul double %149, %161
+  %163 = fadd double %158, %162
+  %164 = add nuw nsw i64 %155, 6
+  %165 = getelementptr inbounds double, ptr %73, i64 %164
   %166 = load double, ptr %165, align 8
-  br label %171
+  %167 = fmul double %153, %166
+  %168 = fadd double %163, %167
+  %169 = getelementptr inbounds double, ptr %8, i64 %155
+  store double %168, ptr %169, align 8
+  %170 = add nuw nsw i64 %155, 1
+  %171 = icmp eq i64 %170, 3
+  br i1 %171, label %172, label %154
 
-167:                                              ; preds = %171
-  %168 = fsub double %144, %186
-  %169 = fadd double %77, %168
-  %170 = fcmp ogt double %169, %52
-  br i1 %170, label %202, label %189
+172:                                              ; preds = %154
+  store ptr %7, ptr %64, align 8
+  store ptr %8, ptr %69, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(152) %5, ptr noundef nonnull align 8 dereferenceable(152) %24, i64 152, i1 false)
+  %173 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 5
+  store ptr %7, ptr %173, align 8
+  %174 = load i64, ptr %5, align 8
+  %175 = icmp eq i64 %174, 0
+  br i1 %175, label %232, label %176
 
-171:                                              ; preds = %155, %171
-  %172 = phi i64 [ 0, %155 ], [ %187, %171 ]
-  %173 = phi double [ 0xFFF0000000000000, %155 ], [ %186, %171 ]
-  %174 = mul nuw nsw i64 %172, 3
-  %175 = getelementptr inbounds double, ptr %161, i64 %174
-  %176 = load double, ptr %175, align 8
-  %177 = fmul double %162, %176
-  %178 = getelementptr inbounds double, ptr %175, i64 1
-  %179 = load double, ptr %178, align 8
-  %180 = fmul double %164, %179
-  %181 = fadd double %177, %180
-  %182 = getelementptr inbounds double, ptr %175, i64 2
-  %183 = load double, ptr %182, align 8
-  %184 = fmul double %166, %183
-  %185 = fadd double %181, %184
-  %186 = call double @llvm.maxnum.f64(double %173, double %185)
-  %187 = add nuw nsw i64 %172, 1
-  %188 = icmp eq i64 %187, 3
-  br i1 %188, label %167, label %171
+176:                                              ; preds = %172
+  %177 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
+  %178 = load ptr, ptr %177, align 8
+  %179 = mul nsw i64 %19, 12
+  %180 = getelementptr inbounds double, ptr %178, i64 %179
+  %181 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 7
+  %182 = getelementptr inbounds double, ptr %180, i64 9
+  %183 = getelementptr inbounds double, ptr %180, i64 10
+  %184 = getelementptr inbounds double, ptr %180, i64 11
+  br label %185
 
-189:                                              ; preds = %167
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %10) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %10, ptr noundef nonnull align 8 dereferenceable(32) %126, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, ptr noundef nonnull align 8 dereferenceable(24) %126, i64 24, i1 false)
-  %190 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %191 = load ptr, ptr %190, align 8
-  %192 = call fastcc i32 @shape_bounds(ptr noundef %16, i64 noundef %24, ptr noundef %191, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %11, double noundef %52, double noundef %51, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %10, ptr noundef null)
-  %193 = icmp ne i32 %192, 0
-  %194 = load double, ptr %6, align 8
-  %195 = fcmp ugt double %194, %52
-  %196 = select i1 %193, i1 %195, i1 false
-  br i1 %196, label %201, label %197
+185:                                              ; preds = %196, %176
+  %186 = phi i64 [ 0, %176 ], [ %210, %196 ]
+  %187 = mul nuw nsw i64 %186, 3
+  %188 = getelementptr inbounds double, ptr %7, i64 %187
+  %189 = add nuw nsw i64 %187, 1
+  %190 = getelementptr inbounds double, ptr %7, i64 %189
+  %191 = add nuw nsw i64 %187, 2
+  %192 = getelementptr inbounds double, ptr %7, i64 %191
+  %193 = load double, ptr %188, align 8
+  %194 = load double, ptr %190, align 8
+  %195 = load double, ptr %192, align 8
+  br label %212
 
-197:                                              ; preds = %189
-  %198 = load double, ptr %7, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %192, double noundef %194, double noundef %198)
-  %199 = load i64, ptr %158, align 8
-  %200 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
-  store i64 %199, ptr %200, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %126, ptr noundef nonnull align 8 dereferenceable(32) %10, i64 32, i1 false)
-  br label %201
+196:                                              ; preds = %212
+  %197 = load double, ptr %182, align 8
+  %198 = fmul double %193, %197
+  %199 = load double, ptr %183, align 8
+  %200 = fmul double %194, %199
+  %201 = fadd double %198, %200
+  %202 = load double, ptr %184, align 8
+  %203 = fmul double %195, %202
+  %204 = fadd double %201, %203
+  %205 = add nuw nsw i64 %186, 9
+  %206 = getelementptr inbounds double, ptr %7, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = fadd double %207, %204
+  %209 = getelementptr inbounds double, ptr %181, i64 %205
+  store double %208, ptr %209, align 8
+  %210 = add nuw nsw i64 %186, 1
+  %211 = icmp eq i64 %210, 3
+  br i1 %211, label %231, label %185
 
-201:                                              ; preds = %189, %197
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %10) #15
-  br label %202
+212:                                              ; preds = %212, %185
+  %213 = phi i64 [ 0, %185 ], [ %229, %212 ]
+  %214 = getelementptr inbounds double, ptr %180, i64 %213
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %193, %215
+  %217 = add nuw nsw i64 %213, 3
+  %218 = getelementptr inbounds double, ptr %180, i64 %217
+  %219 = load double, ptr %218, align 8
+  %220 = fmul double %194, %219
+  %221 = fadd double %216, %220
+  %222 = add nuw nsw i64 %213, 6
+  %223 = getelementptr inbounds double, ptr %180, i64 %222
+  %224 = load double, ptr %223, align 8
+  %225 = fmul double %195, %224
+  %226 = fadd double %221, %225
+  %227 = add nuw nsw i64 %213, %187
+  %228 = getelementptr inbounds double, ptr %181, i64 %227
+  store double %226, ptr %228, align 8
+  %229 = add nuw nsw i64 %213, 1
+  %230 = icmp eq i64 %229, 3
+  br i1 %230, label %196, label %212
 
-202:                                              ; preds = %167, %201
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %8) #15
-  br label %395
+231:                                              ; preds = %196
+  store ptr %181, ptr %173, align 8
+  br label %232
 
-203:                                              ; preds = %148
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %12) #15
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %12, ptr noundef nonnull align 8 dereferenceable(32) %3, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #15
-  %204 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %204, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
-  br label %205
+232:                                              ; preds = %172, %231
+  store ptr %5, ptr %23, align 8
+  %233 = select i1 %34, double 0.000000e+00, double 1.000000e-10
+  store double %233, ptr %51, align 8
+  store i32 1, ptr %48, align 8
+  br label %234
 
-205:                                              ; preds = %205, %203
-  %206 = phi i64 [ 0, %203 ], [ %221, %205 ]
-  %207 = getelementptr inbounds double, ptr %20, i64 %206
-  %208 = load double, ptr %207, align 8
-  %209 = add nuw nsw i64 %206, 3
-  %210 = getelementptr inbounds double, ptr %20, i64 %209
-  %211 = load double, ptr %210, align 8
-  %212 = fadd double %208, %211
-  %213 = fmul double %212, 5.000000e-01
-  %214 = add nuw nsw i64 %206, 9
-  %215 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %214
-  store double %213, ptr %215, align 8
-  %216 = load double, ptr %210, align 8
-  %217 = load double, ptr %207, align 8
-  %218 = fsub double %216, %217
-  %219 = fmul double %218, 5.000000e-01
-  %220 = getelementptr inbounds double, ptr %13, i64 %206
-  store double %219, ptr %220, align 8
-  %221 = add nuw nsw i64 %206, 1
-  %222 = icmp eq i64 %221, 3
-  br i1 %222, label %223, label %205
-
-223:                                              ; preds = %205
-  store i64 1, ptr %14, align 8
-  %224 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 5
-  store ptr %204, ptr %224, align 8
-  %225 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 6
-  store ptr %13, ptr %225, align 8
-  %226 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 9
-  %227 = load double, ptr %13, align 16
-  %228 = fmul double %227, %227
-  %229 = getelementptr inbounds double, ptr %13, i64 1
-  %230 = load double, ptr %229, align 8
-  %231 = fmul double %230, %230
-  %232 = fadd double %228, %231
-  %233 = getelementptr inbounds double, ptr %13, i64 2
-  %234 = load double, ptr %233, align 16
-  %235 = fmul double %234, %234
-  %236 = fadd double %232, %235
-  %237 = call double @llvm.sqrt.f64(double %236)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  %238 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 33
+234:                                              ; preds = %232, %53
+  %235 = phi ptr [ %8, %232 ], [ %68, %53 ]
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %3) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %4) #18
+  %236 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %237 = load ptr, ptr %236, align 8
+  %238 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
   %239 = load ptr, ptr %238, align 8
-  %240 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 7
-  %241 = load ptr, ptr %240, align 8
-  %242 = getelementptr inbounds i64, ptr %241, i64 %24
-  %243 = load i64, ptr %242, align 8
-  %244 = mul nsw i64 %243, 12
-  %245 = getelementptr inbounds double, ptr %239, i64 %244
-  %246 = load double, ptr %226, align 8
-  %247 = getelementptr inbounds double, ptr %245, i64 9
-  %248 = load double, ptr %247, align 8
-  %249 = fsub double %246, %248
-  %250 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 10
-  %251 = load double, ptr %250, align 8
-  %252 = getelementptr inbounds double, ptr %245, i64 10
+  %240 = getelementptr inbounds i64, ptr %239, i64 %1
+  %241 = load i64, ptr %240, align 8
+  %242 = mul nsw i64 %241, 6
+  %243 = getelementptr inbounds double, ptr %237, i64 %242
+  %244 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %245 = load ptr, ptr %244, align 8
+  br label %249
+
+246:                                              ; preds = %249
+  %247 = call double @llvm.sqrt.f64(double %264)
+  %248 = fcmp ogt double %247, 0.000000e+00
+  br label %267
+
+249:                                              ; preds = %249, %234
+  %250 = phi i64 [ 0, %234 ], [ %265, %249 ]
+  %251 = phi double [ 0.000000e+00, %234 ], [ %264, %249 ]
+  %252 = getelementptr inbounds double, ptr %235, i64 %250
   %253 = load double, ptr %252, align 8
-  %254 = fsub double %251, %253
-  %255 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 11
-  %256 = load double, ptr %255, align 8
-  %257 = getelementptr inbounds double, ptr %245, i64 11
+  %254 = getelementptr inbounds double, ptr %243, i64 %250
+  %255 = load double, ptr %254, align 8
+  %256 = add nuw nsw i64 %250, 3
+  %257 = getelementptr inbounds double, ptr %243, i64 %256
   %258 = load double, ptr %257, align 8
-  %259 = fsub double %256, %258
-  br label %260
+  %259 = fadd double %255, %258
+  %260 = fmul double %259, 5.000000e-01
+  %261 = fsub double %253, %260
+  %262 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %250
+  store double %261, ptr %262, align 8
+  %263 = fmul double %261, %261
+  %264 = fadd double %251, %263
+  %265 = add nuw nsw i64 %250, 1
+  %266 = icmp eq i64 %265, 3
+  br i1 %266, label %246, label %249
 
-260:                                              ; preds = %260, %223
-  %261 = phi i64 [ 0, %223 ], [ %276, %260 ]
-  %262 = getelementptr inbounds double, ptr %245, i64 %261
-  %263 = load double, ptr %262, align 8
-  %264 = fmul double %249, %263
-  %265 = add nuw nsw i64 %261, 3
-  %266 = getelementptr inbounds double, ptr %245, i64 %265
-  %267 = load double, ptr %266, align 8
-  %268 = fmul double %254, %267
-  %269 = fadd double %264, %268
-  %270 = add nuw nsw i64 %261, 6
-  %271 = getelementptr inbounds double, ptr %245, i64 %270
-  %272 = load double, ptr %271, align 8
-  %273 = fmul double %259, %272
-  %274 = fadd double %269, %273
-  %275 = getelementptr inbounds double, ptr %5, i64 %261
-  store double %274, ptr %275, align 8
-  %276 = add nuw nsw i64 %261, 1
-  %277 = icmp eq i64 %276, 3
-  br i1 %277, label %278, label %260
+267:                                              ; preds = %276, %246
+  %268 = phi i64 [ 0, %246 ], [ %279, %276 ]
+  br i1 %248, label %269, label %273
 
-278:                                              ; preds = %260
-  %279 = getelementptr inbounds %struct.World, ptr %16, i64 0, i32 15
-  %280 = load ptr, ptr %279, align 8
-  %281 = mul nsw i64 %24, 6
-  %282 = getelementptr inbounds double, ptr %280, i64 %281
-  br label %283
+269:                                              ; preds = %267
+  %270 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %268
+  %271 = load double, ptr %270, align 8
+  %272 = fdiv double %271, %247
+  br label %276
 
-283:                                              ; preds = %283, %278
-  %284 = phi i64 [ 0, %278 ], [ %301, %283 ]
-  %285 = phi double [ 0.000000e+00, %278 ], [ %300, %283 ]
-  %286 = getelementptr inbounds double, ptr %282, i64 %284
-  %287 = load double, ptr %286, align 8
-  %288 = getelementptr inbounds double, ptr %5, i64 %284
+273:                                              ; preds = %267
+  %274 = icmp eq i64 %268, 0
+  %275 = uitofp i1 %274 to double
+  br label %276
+
+276:                                              ; preds = %273, %269
+  %277 = phi double [ %272, %269 ], [ %275, %273 ]
+  %278 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %268
+  store double %277, ptr %278, align 8
+  %279 = add nuw nsw i64 %268, 1
+  %280 = icmp eq i64 %279, 3
+  br i1 %280, label %281, label %267
+
+281:                                              ; preds = %276
+  %282 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %283 = shl nsw i64 %19, 2
+  %284 = getelementptr inbounds double, ptr %245, i64 %283
+  %285 = load double, ptr %4, align 8
+  %286 = load double, ptr %235, align 8
+  %287 = fmul double %285, %286
+  %288 = getelementptr inbounds double, ptr %4, i64 1
   %289 = load double, ptr %288, align 8
-  %290 = fsub double %287, %289
-  %291 = add nuw nsw i64 %284, 3
-  %292 = getelementptr inbounds double, ptr %282, i64 %291
-  %293 = load double, ptr %292, align 8
-  %294 = fsub double %289, %293
-  %295 = fcmp ogt double %290, %294
-  %296 = select i1 %295, double %290, double %294
-  %297 = fcmp ogt double %296, 0.000000e+00
-  %298 = select i1 %297, double %296, double 0.000000e+00
-  %299 = fmul double %298, %298
-  %300 = fadd double %285, %299
-  %301 = add nuw nsw i64 %284, 1
-  %302 = icmp eq i64 %301, 3
-  br i1 %302, label %303, label %283
+  %290 = getelementptr inbounds double, ptr %235, i64 1
+  %291 = load double, ptr %290, align 8
+  %292 = fmul double %289, %291
+  %293 = fadd double %287, %292
+  %294 = getelementptr inbounds double, ptr %4, i64 2
+  %295 = load double, ptr %294, align 8
+  %296 = getelementptr inbounds double, ptr %235, i64 2
+  %297 = load double, ptr %296, align 8
+  %298 = fmul double %295, %297
+  %299 = fadd double %293, %298
+  %300 = getelementptr inbounds double, ptr %284, i64 3
+  %301 = load double, ptr %300, align 8
+  %302 = load ptr, ptr %25, align 8
+  %303 = getelementptr inbounds double, ptr %302, i64 %19
+  %304 = load double, ptr %303, align 8
+  %305 = fsub double %301, %304
+  %306 = fsub double %299, %305
+  %307 = getelementptr inbounds %struct.Plane, ptr %4, i64 0, i32 1
+  store double %306, ptr %307, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %282, ptr noundef nonnull align 8 dereferenceable(32) %4, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %4) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %3, ptr noundef nonnull align 8 dereferenceable(32) %282, i64 32, i1 false)
+  %308 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %309 = load ptr, ptr %308, align 8
+  %310 = icmp eq ptr %309, null
+  br i1 %310, label %343, label %311
 
-303:                                              ; preds = %283
-  %304 = fadd double %30, %52
-  %305 = fadd double %304, %237
-  %306 = fmul double %305, %305
-  %307 = fcmp ule double %300, %306
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
-  br i1 %307, label %308, label %394
+311:                                              ; preds = %281
+  %312 = load ptr, ptr %56, align 8
+  %313 = getelementptr inbounds i64, ptr %312, i64 %1
+  %314 = load i64, ptr %313, align 8
+  %315 = icmp sgt i64 %314, 0
+  br i1 %315, label %316, label %343
 
-308:                                              ; preds = %303
-  %309 = fadd double %227, %230
-  %310 = fadd double %309, %234
-  %311 = load ptr, ptr %79, align 8
-  %312 = getelementptr inbounds double, ptr %311, i64 %82
-  %313 = load double, ptr %312, align 8
-  %314 = fmul double %313, 2.000000e+00
-  %315 = fcmp olt double %310, %314
-  br i1 %315, label %316, label %341
-
-316:                                              ; preds = %308
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
-  br label %323
-
-317:                                              ; preds = %323
-  %318 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %319 = load ptr, ptr %318, align 8
-  %320 = fsub double %52, %77
-  %321 = call fastcc i32 @bounds(ptr noundef %319, ptr noundef nonnull %14, ptr noundef nonnull %15, double noundef %320, double noundef %320, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %12, ptr noundef null)
-  %322 = icmp eq i32 %321, 0
-  br i1 %322, label %338, label %334
-
-323:                                              ; preds = %316, %323
-  %324 = phi i64 [ 0, %316 ], [ %332, %323 ]
-  %325 = getelementptr inbounds double, ptr %26, i64 %324
+316:                                              ; preds = %311
+  %317 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %318 = load ptr, ptr %317, align 8
+  %319 = icmp eq ptr %318, null
+  %320 = getelementptr inbounds i64, ptr %318, i64 %1
+  %321 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %322 = select i1 %319, ptr %321, ptr %320
+  %323 = load i64, ptr %322, align 8
+  %324 = mul nsw i64 %323, 3
+  %325 = getelementptr inbounds double, ptr %309, i64 %324
   %326 = load double, ptr %325, align 8
-  %327 = add nuw nsw i64 %324, 9
-  %328 = getelementptr inbounds %struct.Core, ptr %14, i64 0, i32 7, i64 %327
-  %329 = load double, ptr %328, align 8
-  %330 = fsub double %326, %329
-  %331 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 %324
-  store double %330, ptr %331, align 8
-  %332 = add nuw nsw i64 %324, 1
-  %333 = icmp eq i64 %332, 3
-  br i1 %333, label %317, label %323
+  %327 = fcmp ogt double %326, 0.000000e+00
+  br i1 %327, label %328, label %343
 
-334:                                              ; preds = %317
-  %335 = load double, ptr %6, align 8
-  %336 = fadd double %77, %335
-  %337 = fcmp ogt double %336, %52
-  br i1 %337, label %340, label %338
+328:                                              ; preds = %316
+  %329 = fptosi double %326 to i64
+  %330 = add nsw i64 %329, -1
+  br i1 %34, label %331, label %334
 
-338:                                              ; preds = %334, %317
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  %339 = load ptr, ptr %17, align 8
+331:                                              ; preds = %328
+  %332 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %333 = load double, ptr %332, align 8
   br label %341
 
-340:                                              ; preds = %334
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  br label %394
+334:                                              ; preds = %328
+  %335 = getelementptr inbounds double, ptr %33, i64 %323
+  %336 = load double, ptr %335, align 8
+  %337 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %338 = load double, ptr %337, align 8
+  %339 = fcmp ogt double %336, %338
+  %340 = select i1 %339, double %338, double %336
+  br label %341
 
-341:                                              ; preds = %338, %308
-  %342 = phi ptr [ %339, %338 ], [ %18, %308 ]
-  %343 = load i64, ptr %152, align 8
-  %344 = mul nsw i64 %343, 6
-  %345 = getelementptr inbounds double, ptr %342, i64 %344
-  br label %346
+341:                                              ; preds = %334, %331
+  %342 = phi double [ %340, %334 ], [ %333, %331 ]
+  call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %330, double noundef %342, ptr noundef nonnull %3)
+  br label %343
 
-346:                                              ; preds = %346, %341
-  %347 = phi i64 [ 0, %341 ], [ %359, %346 ]
-  %348 = phi double [ 0.000000e+00, %341 ], [ %358, %346 ]
-  %349 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %347
-  %350 = load double, ptr %349, align 8
-  %351 = fcmp ogt double %350, 0.000000e+00
-  %352 = add nuw nsw i64 %347, 3
-  %353 = select i1 %351, i64 %352, i64 %347
-  %354 = and i64 %353, 4294967295
-  %355 = getelementptr inbounds double, ptr %345, i64 %354
-  %356 = load double, ptr %355, align 8
-  %357 = fmul double %350, %356
-  %358 = fadd double %348, %357
-  %359 = add nuw nsw i64 %347, 1
-  %360 = icmp eq i64 %359, 3
-  br i1 %360, label %361, label %346
+343:                                              ; preds = %341, %316, %311, %281
+  %344 = phi i1 [ false, %341 ], [ false, %316 ], [ true, %311 ], [ true, %281 ]
+  %345 = phi ptr [ %325, %341 ], [ %325, %316 ], [ null, %311 ], [ null, %281 ]
+  %346 = load ptr, ptr %238, align 8
+  %347 = getelementptr inbounds i64, ptr %346, i64 %1
+  %348 = load i64, ptr %347, align 8
+  %349 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
+  %350 = load ptr, ptr %349, align 8
+  %351 = getelementptr inbounds i64, ptr %350, i64 %1
+  %352 = load i64, ptr %351, align 8
+  %353 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 10
+  %354 = load ptr, ptr %353, align 8
+  %355 = getelementptr inbounds i64, ptr %354, i64 %1
+  %356 = load i64, ptr %355, align 8
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %348, i64 noundef %352, i64 noundef %356, ptr noundef nonnull %3)
+  br i1 %344, label %361, label %357
 
-361:                                              ; preds = %346
-  %362 = getelementptr inbounds %struct.Plane, ptr %12, i64 0, i32 1
-  %363 = load double, ptr %362, align 8
-  %364 = getelementptr inbounds i64, ptr %152, i64 1
-  %365 = load i64, ptr %364, align 8
-  %366 = mul nsw i64 %365, 6
-  %367 = getelementptr inbounds double, ptr %342, i64 %366
-  br label %368
+357:                                              ; preds = %343
+  %358 = load i64, ptr %47, align 8
+  %359 = add nsw i64 %358, 1
+  %360 = sitofp i64 %359 to double
+  store double %360, ptr %345, align 8
+  br label %361
 
-368:                                              ; preds = %368, %361
-  %369 = phi i64 [ 0, %361 ], [ %381, %368 ]
-  %370 = phi double [ 0.000000e+00, %361 ], [ %380, %368 ]
-  %371 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %369
-  %372 = load double, ptr %371, align 8
-  %373 = fcmp ogt double %372, 0.000000e+00
-  %374 = add nuw nsw i64 %369, 3
-  %375 = select i1 %373, i64 %374, i64 %369
-  %376 = and i64 %375, 4294967295
-  %377 = getelementptr inbounds double, ptr %367, i64 %376
-  %378 = load double, ptr %377, align 8
-  %379 = fmul double %372, %378
-  %380 = fadd double %370, %379
-  %381 = add nuw nsw i64 %369, 1
-  %382 = icmp eq i64 %381, 3
-  br i1 %382, label %383, label %368
+361:                                              ; preds = %343, %357
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %3) #18
+  br label %362
 
-383:                                              ; preds = %368
-  %384 = fsub double %363, %358
-  %385 = fsub double %363, %380
-  %386 = fcmp olt double %385, %384
-  %387 = zext i1 %386 to i64
-  %388 = getelementptr inbounds i64, ptr %152, i64 %387
-  %389 = load i64, ptr %388, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %389, ptr noundef nonnull %12)
-  %390 = xor i1 %386, true
-  %391 = zext i1 %390 to i64
-  %392 = getelementptr inbounds i64, ptr %152, i64 %391
-  %393 = load i64, ptr %392, align 8
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %393, ptr noundef nonnull %12)
-  br label %394
+362:                                              ; preds = %361, %52
+  %363 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
+  %364 = load ptr, ptr %363, align 8
+  %365 = mul nsw i64 %1, 3
+  %366 = getelementptr inbounds double, ptr %364, i64 %365
+  %367 = load double, ptr %366, align 8
+  %368 = fcmp ogt double %367, 0.000000e+00
+  %369 = icmp ne ptr %45, null
+  br i1 %369, label %370, label %377
 
-394:                                              ; preds = %340, %303, %383
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %12) #15
-  br label %395
+370:                                              ; preds = %362
+  %371 = load double, ptr %45, align 8
+  %372 = fneg double %31
+  %373 = fcmp ogt double %371, %372
+  br i1 %373, label %377, label %374
 
-395:                                              ; preds = %394, %202
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #15
+374:                                              ; preds = %370
+  %375 = load i64, ptr %47, align 8
+  %376 = icmp slt i64 %375, 0
+  br label %377
+
+377:                                              ; preds = %374, %370, %362
+  %378 = phi i1 [ true, %370 ], [ true, %362 ], [ %376, %374 ]
+  %379 = load ptr, ptr %32, align 8
+  %380 = icmp eq ptr %379, null
+  br i1 %380, label %392, label %381
+
+381:                                              ; preds = %377
+  %382 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %383 = load ptr, ptr %382, align 8
+  %384 = icmp eq ptr %383, null
+  %385 = getelementptr inbounds i64, ptr %383, i64 %1
+  %386 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %387 = select i1 %384, ptr %386, ptr %385
+  %388 = load i64, ptr %387, align 8
+  %389 = getelementptr inbounds double, ptr %379, i64 %388
+  %390 = load double, ptr %389, align 8
+  %391 = fcmp uno double %390, 0.000000e+00
   br label %396
 
-396:                                              ; preds = %85, %119, %142, %96, %100, %395
+392:                                              ; preds = %377
+  %393 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %394 = load i32, ptr %393, align 8
+  %395 = icmp eq i32 %394, 1
+  br label %396
+
+396:                                              ; preds = %381, %392
+  %397 = phi i1 [ %391, %381 ], [ %395, %392 ]
+  %398 = xor i1 %397, true
+  %399 = select i1 %398, i1 %378, i1 false
+  br i1 %399, label %400, label %578
+
+400:                                              ; preds = %396
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %10) #18
+  %401 = load i32, ptr %49, align 4
+  %402 = icmp eq i32 %401, 0
+  br i1 %402, label %429, label %403
+
+403:                                              ; preds = %400
+  br i1 %380, label %427, label %404
+
+404:                                              ; preds = %403
+  %405 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %406 = load ptr, ptr %405, align 8
+  %407 = icmp eq ptr %406, null
+  %408 = getelementptr inbounds i64, ptr %406, i64 %1
+  %409 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %410 = select i1 %407, ptr %409, ptr %408
+  %411 = load i64, ptr %410, align 8
+  %412 = getelementptr inbounds double, ptr %379, i64 %411
+  %413 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %414 = load ptr, ptr %413, align 8
+  %415 = icmp eq ptr %414, null
+  br i1 %415, label %426, label %416
+
+416:                                              ; preds = %404
+  %417 = load double, ptr %412, align 8
+  %418 = fcmp oeq double %417, 0x7FF0000000000000
+  br i1 %418, label %419, label %426
+
+419:                                              ; preds = %416
+  %420 = load ptr, ptr %0, align 8
+  %421 = getelementptr inbounds %struct.World, ptr %420, i64 0, i32 41
+  %422 = load ptr, ptr %421, align 8
+  %423 = load i64, ptr %414, align 8
+  %424 = add nsw i64 %423, 1
+  store i64 %424, ptr %414, align 8
+  %425 = getelementptr inbounds i64, ptr %422, i64 %423
+  store i64 %411, ptr %425, align 8
+  br label %426
+
+426:                                              ; preds = %419, %416, %404
+  store double 0x7FF8000000000000, ptr %412, align 8
+  br label %577
+
+427:                                              ; preds = %403
+  %428 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %428, align 8
+  br label %577
+
+429:                                              ; preds = %400
+  br i1 %22, label %430, label %528
+
+430:                                              ; preds = %429
+  br i1 %368, label %431, label %437
+
+431:                                              ; preds = %430
+  %432 = load i64, ptr %18, align 8
+  %433 = getelementptr inbounds %struct.Two, ptr %6, i64 0, i32 2
+  %434 = call fastcc i32 @is_around(ptr noundef nonnull %15, i64 noundef %1, i64 noundef %432, ptr noundef nonnull %433)
+  %435 = icmp ne i32 %434, 0
+  %436 = zext i1 %435 to i32
+  store i32 %436, ptr %50, align 8
+  br i1 %435, label %577, label %439
+
+437:                                              ; preds = %430
+  store i32 0, ptr %50, align 8
+  %438 = load i64, ptr %18, align 8
+  br label %439
+
+439:                                              ; preds = %437, %431
+  %440 = phi i64 [ %438, %437 ], [ %432, %431 ]
+  %441 = mul nsw i64 %440, 3
+  %442 = getelementptr inbounds double, ptr %364, i64 %441
+  %443 = load double, ptr %442, align 8
+  %444 = fcmp ogt double %443, 0.000000e+00
+  br i1 %444, label %445, label %577
+
+445:                                              ; preds = %439
+  %446 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 38
+  %447 = load ptr, ptr %446, align 8
+  %448 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 7
+  %449 = load ptr, ptr %448, align 8
+  %450 = getelementptr inbounds i64, ptr %449, i64 %440
+  %451 = load i64, ptr %450, align 8
+  %452 = mul nsw i64 %451, 12
+  %453 = getelementptr inbounds double, ptr %447, i64 %452
+  %454 = getelementptr inbounds i64, ptr %449, i64 %1
+  %455 = load i64, ptr %454, align 8
+  %456 = mul nsw i64 %455, 12
+  %457 = getelementptr inbounds double, ptr %447, i64 %456
+  br label %458
+
+458:                                              ; preds = %504, %445
+  %459 = phi i64 [ 0, %445 ], [ %505, %504 ]
+  %460 = getelementptr inbounds double, ptr %453, i64 %459
+  %461 = add nuw nsw i64 %459, 3
+  %462 = getelementptr inbounds double, ptr %453, i64 %461
+  %463 = add nuw nsw i64 %459, 6
+  %464 = getelementptr inbounds double, ptr %453, i64 %463
+  %465 = mul nuw nsw i64 %459, 3
+  %466 = load double, ptr %460, align 8
+  %467 = load double, ptr %462, align 8
+  %468 = load double, ptr %464, align 8
+  br label %507
+
+469:                                              ; preds = %504
+  %470 = getelementptr inbounds double, ptr %457, i64 9
+  %471 = getelementptr inbounds double, ptr %10, i64 9
+  %472 = load double, ptr %470, align 8
+  %473 = getelementptr inbounds double, ptr %453, i64 9
+  %474 = load double, ptr %473, align 8
+  %475 = fsub double %472, %474
+  %476 = getelementptr inbounds double, ptr %457, i64 10
+  %477 = load double, ptr %476, align 8
+  %478 = getelementptr inbounds double, ptr %453, i64 10
+  %479 = load double, ptr %478, align 8
+  %480 = fsub double %477, %479
+  %481 = getelementptr inbounds double, ptr %457, i64 11
+  %482 = load double, ptr %481, align 8
+  %483 = getelementptr inbounds double, ptr %453, i64 11
+  %484 = load double, ptr %483, align 8
+  %485 = fsub double %482, %484
+  br label %486
+
+486:                                              ; preds = %486, %469
+  %487 = phi i64 [ 0, %469 ], [ %502, %486 ]
+  %488 = getelementptr inbounds double, ptr %453, i64 %487
+  %489 = load double, ptr %488, align 8
+  %490 = fmul double %475, %489
+  %491 = add nuw nsw i64 %487, 3
+  %492 = getelementptr inbounds double, ptr %453, i64 %491
+  %493 = load double, ptr %492, align 8
+  %494 = fmul double %480, %493
+  %495 = fadd double %490, %494
+  %496 = add nuw nsw i64 %487, 6
+  %497 = getelementptr inbounds double, ptr %453, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fmul double %485, %498
+  %500 = fadd double %495, %499
+  %501 = getelementptr inbounds double, ptr %471, i64 %487
+  store double %500, ptr %501, align 8
+  %502 = add nuw nsw i64 %487, 1
+  %503 = icmp eq i64 %502, 3
+  br i1 %503, label %526, label %486
+
+504:                                              ; preds = %507
+  %505 = add nuw nsw i64 %459, 1
+  %506 = icmp eq i64 %505, 3
+  br i1 %506, label %469, label %458
+
+507:                                              ; preds = %507, %458
+  %508 = phi i64 [ 0, %458 ], [ %524, %507 ]
+  %509 = getelementptr inbounds double, ptr %457, i64 %508
+  %510 = load double, ptr %509, align 8
+  %511 = fmul double %466, %510
+  %512 = add nuw nsw i64 %508, 3
+  %513 = getelementptr inbounds double, ptr %457, i64 %512
+  %514 = load double, ptr %513, align 8
+  %515 = fmul double %467, %514
+  %516 = fadd double %511, %515
+  %517 = add nuw nsw i64 %508, 6
+  %518 = getelementptr inbounds double, ptr %457, i64 %517
+  %519 = load double, ptr %518, align 8
+  %520 = fmul double %468, %519
+  %521 = fadd double %516, %520
+  %522 = add nuw nsw i64 %508, %465
+  %523 = getelementptr inbounds double, ptr %10, i64 %522
+  store double %521, ptr %523, align 8
+  %524 = add nuw nsw i64 %508, 1
+  %525 = icmp eq i64 %524, 3
+  br i1 %525, label %504, label %507
+
+526:                                              ; preds = %486
+  %527 = call fastcc i32 @is_around(ptr noundef %15, i64 noundef %440, i64 noundef %1, ptr noundef nonnull %10)
+  store i32 %527, ptr %50, align 8
+  br label %577
+
+528:                                              ; preds = %429
+  br i1 %368, label %529, label %577
+
+529:                                              ; preds = %528
+  %530 = load ptr, ptr %23, align 8
+  call fastcc void @support(ptr noundef %530, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %9)
+  %531 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %532 = load ptr, ptr %531, align 8
+  %533 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %534 = load ptr, ptr %533, align 8
+  %535 = getelementptr inbounds i64, ptr %534, i64 %1
+  %536 = load i64, ptr %535, align 8
+  %537 = mul nsw i64 %536, 6
+  %538 = getelementptr inbounds double, ptr %532, i64 %537
+  br label %539
+
+539:                                              ; preds = %539, %529
+  %540 = phi i64 [ 0, %529 ], [ %557, %539 ]
+  %541 = phi double [ 0.000000e+00, %529 ], [ %556, %539 ]
+  %542 = getelementptr inbounds double, ptr %538, i64 %540
+  %543 = load double, ptr %542, align 8
+  %544 = getelementptr inbounds double, ptr %9, i64 %540
+  %545 = load double, ptr %544, align 8
+  %546 = fsub double %543, %545
+  %547 = add nuw nsw i64 %540, 3
+  %548 = getelementptr inbounds double, ptr %538, i64 %547
+  %549 = load double, ptr %548, align 8
+  %550 = fsub double %545, %549
+  %551 = fcmp ogt double %546, %550
+  %552 = select i1 %551, double %546, double %550
+  %553 = fcmp ogt double %552, 0.000000e+00
+  %554 = select i1 %553, double %552, double 0.000000e+00
+  %555 = fmul double %554, %554
+  %556 = fadd double %541, %555
+  %557 = add nuw nsw i64 %540, 1
+  %558 = icmp eq i64 %557, 3
+  br i1 %558, label %559, label %539
+
+559:                                              ; preds = %539
+  %560 = call double @llvm.sqrt.f64(double %556)
+  %561 = fcmp ogt double %560, 0.000000e+00
+  br i1 %561, label %575, label %565
+
+562:                                              ; preds = %565
+  %563 = icmp ugt i32 %572, 1
+  %564 = zext i1 %563 to i32
+  br label %575
+
+565:                                              ; preds = %559, %565
+  %566 = phi i64 [ %573, %565 ], [ 0, %559 ]
+  %567 = phi i32 [ %572, %565 ], [ 0, %559 ]
+  %568 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %566
+  %569 = call fastcc i32 @leaves(ptr noundef %15, i64 noundef %536, ptr noundef nonnull %9, ptr noundef nonnull %568)
+  %570 = icmp ne i32 %569, 0
+  %571 = zext i1 %570 to i32
+  %572 = add nuw nsw i32 %567, %571
+  %573 = add nuw nsw i64 %566, 1
+  %574 = icmp eq i64 %573, 3
+  br i1 %574, label %562, label %565
+
+575:                                              ; preds = %559, %562
+  %576 = phi i32 [ %564, %562 ], [ 0, %559 ]
+  store i32 %576, ptr %50, align 8
+  br label %577
+
+577:                                              ; preds = %427, %426, %526, %439, %431, %575, %528
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  br label %578
+
+578:                                              ; preds = %577, %396
+  %579 = load i32, ptr %50, align 8
+  %580 = icmp eq i32 %579, 0
+  %581 = or i1 %369, %580
+  br i1 %581, label %608, label %582
+
+582:                                              ; preds = %578
+  br i1 %380, label %606, label %583
+
+583:                                              ; preds = %582
+  %584 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %585 = load ptr, ptr %584, align 8
+  %586 = icmp eq ptr %585, null
+  %587 = getelementptr inbounds i64, ptr %585, i64 %1
+  %588 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %589 = select i1 %586, ptr %588, ptr %587
+  %590 = load i64, ptr %589, align 8
+  %591 = getelementptr inbounds double, ptr %379, i64 %590
+  %592 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %593 = load ptr, ptr %592, align 8
+  %594 = icmp eq ptr %593, null
+  br i1 %594, label %605, label %595
+
+595:                                              ; preds = %583
+  %596 = load double, ptr %591, align 8
+  %597 = fcmp oeq double %596, 0x7FF0000000000000
+  br i1 %597, label %598, label %605
+
+598:                                              ; preds = %595
+  %599 = load ptr, ptr %0, align 8
+  %600 = getelementptr inbounds %struct.World, ptr %599, i64 0, i32 41
+  %601 = load ptr, ptr %600, align 8
+  %602 = load i64, ptr %593, align 8
+  %603 = add nsw i64 %602, 1
+  store i64 %603, ptr %593, align 8
+  %604 = getelementptr inbounds i64, ptr %601, i64 %602
+  store i64 %590, ptr %604, align 8
+  br label %605
+
+605:                                              ; preds = %598, %595, %583
+  store double 0x7FF8000000000000, ptr %591, align 8
+  br label %768
+
+606:                                              ; preds = %582
+  %607 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %607, align 8
+  br label %768
+
+608:                                              ; preds = %578
+  br i1 %580, label %768, label %609
+
+609:                                              ; preds = %608
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  store double 0x7FF0000000000000, ptr %11, align 8
+  %610 = load i64, ptr %47, align 8
+  %611 = icmp sgt i64 %610, -1
+  br i1 %611, label %612, label %618
+
+612:                                              ; preds = %609
+  %613 = load double, ptr %45, align 8
+  %614 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %615 = load double, ptr %614, align 8
+  %616 = fcmp olt double %613, %615
+  br i1 %616, label %617, label %618
+
+617:                                              ; preds = %612
+  store double %613, ptr %11, align 8
+  br label %719
+
+618:                                              ; preds = %612, %609
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %12, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
+  %619 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %620 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %619, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %620, align 8
+  %621 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  store ptr %11, ptr %621, align 8
+  %622 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  store ptr null, ptr %622, align 8
+  %623 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
+  store ptr null, ptr %623, align 8
+  br i1 %22, label %624, label %625
+
+624:                                              ; preds = %618
+  call fastcc void @look_at_surfaces(ptr noundef nonnull %12, i64 noundef %1, ptr noundef nonnull %6)
+  br label %710
+
+625:                                              ; preds = %618
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %13) #18
+  %626 = load i64, ptr %18, align 8
+  %627 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %628 = load ptr, ptr %627, align 8
+  %629 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %630 = load ptr, ptr %629, align 8
+  %631 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %632 = load ptr, ptr %631, align 8
+  %633 = getelementptr inbounds i64, ptr %632, i64 %1
+  %634 = load i64, ptr %633, align 8
+  %635 = mul nsw i64 %634, 6
+  %636 = getelementptr inbounds double, ptr %630, i64 %635
+  %637 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %638 = load ptr, ptr %637, align 8
+  br label %642
+
+639:                                              ; preds = %642
+  %640 = call double @llvm.sqrt.f64(double %657)
+  %641 = fcmp ogt double %640, 0.000000e+00
+  br label %660
+
+642:                                              ; preds = %642, %625
+  %643 = phi i64 [ 0, %625 ], [ %658, %642 ]
+  %644 = phi double [ 0.000000e+00, %625 ], [ %657, %642 ]
+  %645 = getelementptr inbounds double, ptr %628, i64 %643
+  %646 = load double, ptr %645, align 8
+  %647 = getelementptr inbounds double, ptr %636, i64 %643
+  %648 = load double, ptr %647, align 8
+  %649 = add nuw nsw i64 %643, 3
+  %650 = getelementptr inbounds double, ptr %636, i64 %649
+  %651 = load double, ptr %650, align 8
+  %652 = fadd double %648, %651
+  %653 = fmul double %652, 5.000000e-01
+  %654 = fsub double %646, %653
+  %655 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %643
+  store double %654, ptr %655, align 8
+  %656 = fmul double %654, %654
+  %657 = fadd double %644, %656
+  %658 = add nuw nsw i64 %643, 1
+  %659 = icmp eq i64 %658, 3
+  br i1 %659, label %639, label %642
+
+660:                                              ; preds = %669, %639
+  %661 = phi i64 [ 0, %639 ], [ %672, %669 ]
+  br i1 %641, label %662, label %666
+
+662:                                              ; preds = %660
+  %663 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %661
+  %664 = load double, ptr %663, align 8
+  %665 = fdiv double %664, %640
+  br label %669
+
+666:                                              ; preds = %660
+  %667 = icmp eq i64 %661, 0
+  %668 = uitofp i1 %667 to double
+  br label %669
+
+669:                                              ; preds = %666, %662
+  %670 = phi double [ %665, %662 ], [ %668, %666 ]
+  %671 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %661
+  store double %670, ptr %671, align 8
+  %672 = add nuw nsw i64 %661, 1
+  %673 = icmp eq i64 %672, 3
+  br i1 %673, label %674, label %660
+
+674:                                              ; preds = %669
+  %675 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  %676 = shl nsw i64 %626, 2
+  %677 = getelementptr inbounds double, ptr %638, i64 %676
+  %678 = load double, ptr %13, align 8
+  %679 = load double, ptr %628, align 8
+  %680 = fmul double %678, %679
+  %681 = getelementptr inbounds double, ptr %13, i64 1
+  %682 = load double, ptr %681, align 8
+  %683 = getelementptr inbounds double, ptr %628, i64 1
+  %684 = load double, ptr %683, align 8
+  %685 = fmul double %682, %684
+  %686 = fadd double %680, %685
+  %687 = getelementptr inbounds double, ptr %13, i64 2
+  %688 = load double, ptr %687, align 8
+  %689 = getelementptr inbounds double, ptr %628, i64 2
+  %690 = load double, ptr %689, align 8
+  %691 = fmul double %688, %690
+  %692 = fadd double %686, %691
+  %693 = getelementptr inbounds double, ptr %677, i64 3
+  %694 = load double, ptr %693, align 8
+  %695 = load ptr, ptr %25, align 8
+  %696 = getelementptr inbounds double, ptr %695, i64 %626
+  %697 = load double, ptr %696, align 8
+  %698 = fsub double %694, %697
+  %699 = fsub double %692, %698
+  %700 = getelementptr inbounds %struct.Plane, ptr %13, i64 0, i32 1
+  store double %699, ptr %700, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %675, ptr noundef nonnull align 8 dereferenceable(32) %13, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %14, ptr noundef nonnull align 8 dereferenceable(32) %675, i64 32, i1 false)
+  %701 = load i64, ptr %633, align 8
+  %702 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
+  %703 = load ptr, ptr %702, align 8
+  %704 = getelementptr inbounds i64, ptr %703, i64 %1
+  %705 = load i64, ptr %704, align 8
+  %706 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 10
+  %707 = load ptr, ptr %706, align 8
+  %708 = getelementptr inbounds i64, ptr %707, i64 %1
+  %709 = load i64, ptr %708, align 8
+  call fastcc void @surface(ptr noundef nonnull %12, i64 noundef %1, i64 noundef %701, i64 noundef %705, i64 noundef %709, ptr noundef nonnull %14)
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #18
+  br label %710
+
+710:                                              ; preds = %674, %624
+  %711 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  %712 = load i64, ptr %711, align 8
+  store i64 %712, ptr %47, align 8
+  %713 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  %714 = load i64, ptr %713, align 8
+  store i64 %714, ptr %46, align 8
+  %715 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %716 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %715, ptr noundef nonnull align 8 dereferenceable(32) %716, i64 32, i1 false)
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
+  %717 = load double, ptr %11, align 8
+  %718 = load ptr, ptr %32, align 8
+  br label %719
+
+719:                                              ; preds = %710, %617
+  %720 = phi ptr [ %718, %710 ], [ %379, %617 ]
+  %721 = phi double [ %717, %710 ], [ %613, %617 ]
+  %722 = fcmp ord double %721, 0.000000e+00
+  %723 = call double @llvm.fabs.f64(double %721)
+  %724 = fneg double %723
+  %725 = icmp eq ptr %720, null
+  br i1 %725, label %760, label %726
+
+726:                                              ; preds = %719
+  %727 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %728 = load ptr, ptr %727, align 8
+  %729 = icmp eq ptr %728, null
+  %730 = getelementptr inbounds i64, ptr %728, i64 %1
+  %731 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %732 = select i1 %729, ptr %731, ptr %730
+  %733 = load i64, ptr %732, align 8
+  %734 = getelementptr inbounds double, ptr %720, i64 %733
+  %735 = fsub double %723, %723
+  %736 = fcmp ole double %735, 1.000000e-08
+  %737 = and i1 %722, %736
+  br i1 %722, label %738, label %744
+
+738:                                              ; preds = %726
+  %739 = load double, ptr %734, align 8
+  %740 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %741 = load double, ptr %740, align 8
+  %742 = call double @llvm.minnum.f64(double %739, double %741)
+  %743 = fcmp ugt double %742, %724
+  br i1 %743, label %744, label %767
+
+744:                                              ; preds = %738, %726
+  %745 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %746 = load ptr, ptr %745, align 8
+  %747 = icmp eq ptr %746, null
+  br i1 %747, label %758, label %748
+
+748:                                              ; preds = %744
+  %749 = load double, ptr %734, align 8
+  %750 = fcmp oeq double %749, 0x7FF0000000000000
+  br i1 %750, label %751, label %758
+
+751:                                              ; preds = %748
+  %752 = load ptr, ptr %0, align 8
+  %753 = getelementptr inbounds %struct.World, ptr %752, i64 0, i32 41
+  %754 = load ptr, ptr %753, align 8
+  %755 = load i64, ptr %746, align 8
+  %756 = add nsw i64 %755, 1
+  store i64 %756, ptr %746, align 8
+  %757 = getelementptr inbounds i64, ptr %754, i64 %755
+  store i64 %733, ptr %757, align 8
+  br label %758
+
+758:                                              ; preds = %751, %748, %744
+  %759 = select i1 %737, double %724, double 0x7FF8000000000000
+  store double %759, ptr %734, align 8
+  br label %767
+
+760:                                              ; preds = %719
+  br i1 %722, label %761, label %765
+
+761:                                              ; preds = %760
+  %762 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %763 = load double, ptr %762, align 8
+  %764 = fcmp ult double %763, %724
+  br i1 %764, label %767, label %765
+
+765:                                              ; preds = %761, %760
+  %766 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %766, align 8
+  br label %767
+
+767:                                              ; preds = %761, %738, %758, %765
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  br label %768
+
+768:                                              ; preds = %606, %605, %608, %767
+  br i1 %22, label %769, label %772
+
+769:                                              ; preds = %768
+  %770 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  %771 = getelementptr inbounds %struct.Two, ptr %6, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %770, ptr noundef nonnull align 8 dereferenceable(24) %771, i64 24, i1 false)
+  br label %772
+
+772:                                              ; preds = %769, %768
+  store ptr %24, ptr %23, align 8
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 216, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
   ret void
 }
 
-define internal fastcc i32 @within(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2) unnamed_addr #9 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
-  %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %7 = load ptr, ptr %6, align 8
-  %8 = getelementptr inbounds i64, ptr %7, i64 %1
-  %9 = load i64, ptr %8, align 8
-  %10 = mul nsw i64 %9, 6
-  %11 = getelementptr inbounds double, ptr %5, i64 %10
-  br label %12
-
-12:                                               ; preds = %12, %3
-  %13 = phi i64 [ 0, %3 ], [ %30, %12 ]
-  %14 = phi double [ 0.000000e+00, %3 ], [ %29, %12 ]
-  %15 = getelementptr inbounds double, ptr %11, i64 %13
-  %16 = load double, ptr %15, align 8
-  %17 = getelementptr inbounds double, ptr %2, i64 %13
-  %18 = load double, ptr %17, align 8
-  %19 = fsub double %16, %18
-  %20 = add nuw nsw i64 %13, 3
-  %21 = getelementptr inbounds double, ptr %11, i64 %20
-  %22 = load double, ptr %21, align 8
-  %23 = fsub double %18, %22
-  %24 = fcmp ogt double %19, %23
-  %25 = select i1 %24, double %19, double %23
-  %26 = fcmp ogt double %25, 0.000000e+00
-  %27 = select i1 %26, double %25, double 0.000000e+00
-  %28 = fmul double %27, %27
-  %29 = fadd double %14, %28
-  %30 = add nuw nsw i64 %13, 1
-  %31 = icmp eq i64 %30, 3
-  br i1 %31, label %32, label %12
-
-32:                                               ; preds = %12
-  %33 = tail call double @llvm.sqrt.f64(double %29)
-  %34 = fcmp ogt double %33, 0.000000e+00
-  br i1 %34, label %48, label %38
-
-35:                                               ; preds = %38
-  %36 = icmp ugt i32 %45, 1
-  %37 = zext i1 %36 to i32
-  br label %48
-
-38:                                               ; preds = %32, %38
-  %39 = phi i64 [ %46, %38 ], [ 0, %32 ]
-  %40 = phi i32 [ %45, %38 ], [ 0, %32 ]
-  %41 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %39
-  %42 = tail call fastcc i32 @leaves(ptr noundef %0, i64 noundef %9, ptr noundef %2, ptr noundef nonnull %41)
-  %43 = icmp ne i32 %42, 0
-  %44 = zext i1 %43 to i32
-  %45 = add nuw nsw i32 %40, %44
-  %46 = add nuw nsw i64 %39, 1
-  %47 = icmp eq i64 %46, 3
-  br i1 %47, label %35, label %38
-
-48:                                               ; preds = %32, %35
-  %49 = phi i32 [ %37, %35 ], [ 0, %32 ]
-  ret i32 %49
-}
-
-define internal fastcc i32 @is_beside(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, double noundef %2, i64 noundef %3, double noundef %4) unnamed_addr #9 {
-  %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i64, ptr %10, i64 %3
-  %12 = load i64, ptr %11, align 8
-  %13 = mul nsw i64 %12, 12
-  %14 = getelementptr inbounds double, ptr %8, i64 %13
-  %15 = load double, ptr %1, align 8
-  %16 = getelementptr inbounds double, ptr %14, i64 9
-  %17 = load double, ptr %16, align 8
-  %18 = fsub double %15, %17
-  %19 = getelementptr inbounds double, ptr %1, i64 1
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr inbounds double, ptr %14, i64 10
-  %22 = load double, ptr %21, align 8
-  %23 = fsub double %20, %22
-  %24 = getelementptr inbounds double, ptr %1, i64 2
-  %25 = load double, ptr %24, align 8
-  %26 = getelementptr inbounds double, ptr %14, i64 11
-  %27 = load double, ptr %26, align 8
-  %28 = fsub double %25, %27
-  br label %29
-
-29:                                               ; preds = %29, %5
-  %30 = phi i64 [ 0, %5 ], [ %45, %29 ]
-  %31 = getelementptr inbounds double, ptr %14, i64 %30
-  %32 = load double, ptr %31, align 8
-  %33 = fmul double %18, %32
-  %34 = add nuw nsw i64 %30, 3
-  %35 = getelementptr inbounds double, ptr %14, i64 %34
-  %36 = load double, ptr %35, align 8
-  %37 = fmul double %23, %36
-  %38 = fadd double %33, %37
-  %39 = add nuw nsw i64 %30, 6
-  %40 = getelementptr inbounds double, ptr %14, i64 %39
-  %41 = load double, ptr %40, align 8
-  %42 = fmul double %28, %41
-  %43 = fadd double %38, %42
-  %44 = getelementptr inbounds double, ptr %6, i64 %30
-  store double %43, ptr %44, align 8
-  %45 = add nuw nsw i64 %30, 1
-  %46 = icmp eq i64 %45, 3
-  br i1 %46, label %47, label %29
-
-47:                                               ; preds = %29
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
-  %49 = load ptr, ptr %48, align 8
-  %50 = mul nsw i64 %3, 6
-  %51 = getelementptr inbounds double, ptr %49, i64 %50
-  br label %52
-
-52:                                               ; preds = %52, %47
-  %53 = phi i64 [ 0, %47 ], [ %70, %52 ]
-  %54 = phi double [ 0.000000e+00, %47 ], [ %69, %52 ]
-  %55 = getelementptr inbounds double, ptr %51, i64 %53
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %6, i64 %53
-  %58 = load double, ptr %57, align 8
-  %59 = fsub double %56, %58
-  %60 = add nuw nsw i64 %53, 3
-  %61 = getelementptr inbounds double, ptr %51, i64 %60
-  %62 = load double, ptr %61, align 8
-  %63 = fsub double %58, %62
-  %64 = fcmp ogt double %59, %63
-  %65 = select i1 %64, double %59, double %63
-  %66 = fcmp ogt double %65, 0.000000e+00
-  %67 = select i1 %66, double %65, double 0.000000e+00
-  %68 = fmul double %67, %67
-  %69 = fadd double %54, %68
-  %70 = add nuw nsw i64 %53, 1
-  %71 = icmp eq i64 %70, 3
-  br i1 %71, label %72, label %52
-
-72:                                               ; preds = %52
-  %73 = fadd double %2, %4
-  %74 = fmul double %73, %73
-  %75 = fcmp ogt double %69, %74
-  %76 = zext i1 %75 to i32
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  ret i32 %76
-}
-
-define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #11 {
+define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #12 {
   %8 = alloca [3 x double], align 16
   %9 = alloca [3 x double], align 16
   %10 = alloca [3 x double], align 16
@@ -5121,13 +5963,13 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %29 = alloca [3 x double], align 16
   %30 = alloca [3 x double], align 16
   %31 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #15
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #15
-  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #18
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #18
+  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
   %32 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
   %33 = load i32, ptr %32, align 8
   %34 = icmp slt i32 %33, 2
@@ -5283,7 +6125,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 153:                                              ; preds = %178, %109
   %154 = phi i64 [ 0, %109 ], [ %179, %178 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
   %155 = icmp eq i64 %154, 0
   %156 = icmp eq i64 %154, 1
   %157 = select i1 %156, double %132, double %133
@@ -5293,7 +6135,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %159 = add nuw nsw i64 %154, 2
   %160 = getelementptr inbounds [3 x double], ptr %26, i64 %159
   %161 = getelementptr inbounds [3 x double], ptr %27, i64 %159
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
   %162 = load double, ptr %24, align 16
   %163 = fneg double %162
   store double %163, ptr %18, align 16
@@ -5303,7 +6145,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %166 = load double, ptr %137, align 16
   %167 = fneg double %166
   store double %167, ptr %136, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %24, ptr noundef nonnull %161)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %18, ptr noundef nonnull %19)
   br label %168
@@ -5322,9 +6164,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %177, label %178, label %168
 
 178:                                              ; preds = %168
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
   %179 = add nuw nsw i64 %154, 1
   %180 = icmp eq i64 %179, 3
   br i1 %180, label %275, label %153
@@ -5381,7 +6223,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 220:                                              ; preds = %267
   %221 = getelementptr inbounds [3 x double], ptr %26, i64 3
   %222 = getelementptr inbounds [3 x double], ptr %27, i64 3
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
   %223 = load double, ptr %22, align 16
   %224 = fneg double %223
   store double %224, ptr %16, align 16
@@ -5395,7 +6237,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %231 = load double, ptr %230, align 16
   %232 = fneg double %231
   store double %232, ptr %229, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %22, ptr noundef nonnull %222)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %17)
   br label %233
@@ -5414,11 +6256,11 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %242, label %243, label %233
 
 243:                                              ; preds = %233
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   %244 = getelementptr inbounds [3 x double], ptr %26, i64 4
   %245 = getelementptr inbounds [3 x double], ptr %27, i64 4
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
   %246 = load double, ptr %23, align 16
   %247 = fneg double %246
   store double %247, ptr %14, align 16
@@ -5432,7 +6274,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %254 = load double, ptr %253, align 16
   %255 = fneg double %254
   store double %255, ptr %252, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %23, ptr noundef nonnull %245)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %14, ptr noundef nonnull %15)
   br label %256
@@ -5451,8 +6293,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %265, label %266, label %256
 
 266:                                              ; preds = %256
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
   br label %275
 
 267:                                              ; preds = %196, %267
@@ -5474,7 +6316,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %39, label %280, label %333
 
 280:                                              ; preds = %275
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
   br label %305
 
 281:                                              ; preds = %305, %281
@@ -5535,7 +6377,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %330 = fadd double %324, %329
   %331 = freeze double %330
   %332 = fcmp uge double %331, 0.000000e+00
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %315, %275
@@ -5599,17 +6441,17 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %378, label %380, label %338
 
 379:                                              ; preds = %338, %361, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
   br label %748
 
 380:                                              ; preds = %376
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
   %381 = getelementptr inbounds double, ptr %12, i64 1
   %382 = getelementptr inbounds double, ptr %12, i64 2
   %383 = getelementptr inbounds double, ptr %29, i64 1
@@ -5619,8 +6461,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 385:                                              ; preds = %380, %746
   %386 = phi i64 [ %40, %380 ], [ %460, %746 ]
   %387 = phi i32 [ %279, %380 ], [ %558, %746 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #18
   %388 = icmp sgt i32 %387, 1
   br i1 %388, label %389, label %391
 
@@ -5632,7 +6474,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %392 = phi i32 [ 0, %385 ], [ %424, %414 ]
   %393 = sext i32 %392 to i64
   %394 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 1
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
   %395 = load double, ptr %394, align 16
   %396 = fneg double %395
   store double %396, ptr %12, align 16
@@ -5644,7 +6486,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %401 = load double, ptr %400, align 16
   %402 = fneg double %401
   store double %402, ptr %382, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %394, ptr noundef nonnull %30)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %13)
   br label %403
@@ -5663,8 +6505,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %412, label %413, label %403
 
 413:                                              ; preds = %403
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
   br label %432
 
 414:                                              ; preds = %389, %414
@@ -5728,7 +6570,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %459 = getelementptr inbounds [128 x [3 x double]], ptr %27, i64 0, i64 %386
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %459, ptr noundef nonnull align 16 dereferenceable(24) %30, i64 24, i1 false)
   %460 = add nuw nsw i64 %386, 1
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #15
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #18
   %461 = icmp sgt i32 %387, 0
   br i1 %461, label %462, label %745
 
@@ -5900,7 +6742,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %582, label %743, label %583
 
 583:                                              ; preds = %579
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #18
   %584 = icmp sgt i32 %387, 0
   br i1 %584, label %585, label %597
 
@@ -5960,9 +6802,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %625 = load i32, ptr %624, align 16
   %626 = sext i32 %625 to i64
   %627 = getelementptr inbounds [3 x double], ptr %26, i64 %626
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
   %628 = getelementptr inbounds [3 x i32], ptr %624, i64 0, i64 1
   %629 = load i32, ptr %628, align 4
   %630 = sext i32 %629 to i64
@@ -6045,9 +6887,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %700 = fsub double %699, %698
   %701 = tail call double @llvm.minnum.f64(double %694, double %698)
   %702 = tail call double @llvm.minnum.f64(double %700, double %701)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
   %703 = fcmp ogt double %702, %604
   br i1 %703, label %704, label %705
 
@@ -6065,7 +6907,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %712, label %596, label %600
 
 713:                                              ; preds = %721
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #18
   br label %743
 
 714:                                              ; preds = %597, %721
@@ -6108,107 +6950,2216 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 743:                                              ; preds = %455, %713, %579
   %744 = phi i32 [ 1, %579 ], [ 1, %713 ], [ 0, %455 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br label %748
 
 745:                                              ; preds = %553, %554, %457, %565
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br label %748
 
 746:                                              ; preds = %575
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
   %747 = icmp eq i32 %558, 0
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
   br i1 %747, label %748, label %385
 
 748:                                              ; preds = %746, %745, %743, %379
   %749 = phi i32 [ 0, %379 ], [ %744, %743 ], [ 0, %745 ], [ 0, %746 ]
-  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #15
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #15
+  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #18
   ret i32 %749
 }
 
-declare double @llvm.minnum.f64(double, double) #3
+declare double @llvm.minnum.f64(double, double) #4
 
-declare double @llvm.sqrt.f64(double) #3
+define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, ptr noundef %2) unnamed_addr #0 {
+  %4 = alloca %struct.Part, align 8
+  %5 = alloca %struct.Part, align 8
+  %6 = load ptr, ptr %0, align 8
+  %7 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %8 = load i64, ptr %7, align 8
+  store ptr %0, ptr %2, align 8
+  %9 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 1
+  store i64 %1, ptr %9, align 8
+  %10 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 11
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds double, ptr %11, i64 %8
+  %13 = load double, ptr %12, align 8
+  %14 = getelementptr inbounds double, ptr %11, i64 %1
+  %15 = load double, ptr %14, align 8
+  %16 = fadd double %13, %15
+  %17 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 4
+  store double %16, ptr %17, align 8
+  %18 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 38
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 7
+  %21 = load ptr, ptr %20, align 8
+  %22 = getelementptr inbounds i64, ptr %21, i64 %1
+  %23 = load i64, ptr %22, align 8
+  %24 = mul nsw i64 %23, 12
+  %25 = getelementptr inbounds double, ptr %19, i64 %24
+  %26 = getelementptr inbounds i64, ptr %21, i64 %8
+  %27 = load i64, ptr %26, align 8
+  %28 = mul nsw i64 %27, 12
+  %29 = getelementptr inbounds double, ptr %19, i64 %28
+  %30 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2
+  br label %31
 
-define internal fastcc void @leaf_core(ptr nocapture noundef readonly %0, ptr noundef %1, ptr nocapture noundef writeonly %2) unnamed_addr #7 {
-  br label %4
+31:                                               ; preds = %74, %3
+  %32 = phi i64 [ 0, %3 ], [ %75, %74 ]
+  %33 = getelementptr inbounds double, ptr %25, i64 %32
+  %34 = add nuw nsw i64 %32, 3
+  %35 = getelementptr inbounds double, ptr %25, i64 %34
+  %36 = add nuw nsw i64 %32, 6
+  %37 = getelementptr inbounds double, ptr %25, i64 %36
+  %38 = mul nuw nsw i64 %32, 3
+  br label %77
 
-4:                                                ; preds = %3, %44
-  %5 = phi i64 [ 0, %3 ], [ %48, %44 ]
-  %6 = phi i32 [ 1, %3 ], [ %47, %44 ]
-  %7 = mul nuw nsw i64 %5, 3
-  br label %27
+39:                                               ; preds = %74
+  %40 = getelementptr inbounds double, ptr %29, i64 9
+  %41 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2, i64 9
+  %42 = load double, ptr %40, align 8
+  %43 = getelementptr inbounds double, ptr %25, i64 9
+  %44 = load double, ptr %43, align 8
+  %45 = fsub double %42, %44
+  %46 = getelementptr inbounds double, ptr %29, i64 10
+  %47 = load double, ptr %46, align 8
+  %48 = getelementptr inbounds double, ptr %25, i64 10
+  %49 = load double, ptr %48, align 8
+  %50 = fsub double %47, %49
+  %51 = getelementptr inbounds double, ptr %29, i64 11
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr inbounds double, ptr %25, i64 11
+  %54 = load double, ptr %53, align 8
+  %55 = fsub double %52, %54
+  br label %56
 
-8:                                                ; preds = %44
-  store i64 0, ptr %2, align 8
-  %9 = icmp eq i32 %47, 0
-  %10 = select i1 %9, i64 3, i64 1
-  %11 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
-  store i64 %10, ptr %11, align 8
-  %12 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 5
-  store ptr @place.still, ptr %12, align 8
-  %13 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
-  store ptr %1, ptr %13, align 8
-  %14 = getelementptr inbounds double, ptr %1, i64 3
-  %15 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
-  store ptr %14, ptr %15, align 8
-  %16 = getelementptr inbounds double, ptr %1, i64 6
-  %17 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
-  store ptr %16, ptr %17, align 8
+56:                                               ; preds = %56, %39
+  %57 = phi i64 [ 0, %39 ], [ %72, %56 ]
+  %58 = getelementptr inbounds double, ptr %25, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = fmul double %45, %59
+  %61 = add nuw nsw i64 %57, 3
+  %62 = getelementptr inbounds double, ptr %25, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = fmul double %50, %63
+  %65 = fadd double %60, %64
+  %66 = add nuw nsw i64 %57, 6
+  %67 = getelementptr inbounds double, ptr %25, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fmul double %55, %68
+  %70 = fadd double %65, %69
+  %71 = getelementptr inbounds double, ptr %41, i64 %57
+  store double %70, ptr %71, align 8
+  %72 = add nuw nsw i64 %57, 1
+  %73 = icmp eq i64 %72, 3
+  br i1 %73, label %103, label %56
+
+74:                                               ; preds = %77
+  %75 = add nuw nsw i64 %32, 1
+  %76 = icmp eq i64 %75, 3
+  br i1 %76, label %39, label %31
+
+77:                                               ; preds = %77, %31
+  %78 = phi i64 [ 0, %31 ], [ %97, %77 ]
+  %79 = load double, ptr %33, align 8
+  %80 = getelementptr inbounds double, ptr %29, i64 %78
+  %81 = load double, ptr %80, align 8
+  %82 = fmul double %79, %81
+  %83 = load double, ptr %35, align 8
+  %84 = add nuw nsw i64 %78, 3
+  %85 = getelementptr inbounds double, ptr %29, i64 %84
+  %86 = load double, ptr %85, align 8
+  %87 = fmul double %83, %86
+  %88 = fadd double %82, %87
+  %89 = load double, ptr %37, align 8
+  %90 = add nuw nsw i64 %78, 6
+  %91 = getelementptr inbounds double, ptr %29, i64 %90
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %89, %92
+  %94 = fadd double %88, %93
+  %95 = add nuw nsw i64 %78, %38
+  %96 = getelementptr inbounds double, ptr %30, i64 %95
+  store double %94, ptr %96, align 8
+  %97 = add nuw nsw i64 %78, 1
+  %98 = icmp eq i64 %97, 3
+  br i1 %98, label %74, label %77
+
+99:                                               ; preds = %103
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
+  %101 = load ptr, ptr %100, align 8
+  %102 = icmp eq ptr %101, null
+  br i1 %102, label %121, label %111
+
+103:                                              ; preds = %56, %103
+  %104 = phi i64 [ %109, %103 ], [ 0, %56 ]
+  %105 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 2, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = tail call double @llvm.fabs.f64(double %106)
+  %108 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 3, i64 %104
+  store double %107, ptr %108, align 8
+  %109 = add nuw nsw i64 %104, 1
+  %110 = icmp eq i64 %109, 9
+  br i1 %110, label %99, label %103
+
+111:                                              ; preds = %99
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %113 = load ptr, ptr %112, align 8
+  %114 = icmp eq ptr %113, null
+  %115 = getelementptr inbounds i64, ptr %113, i64 %1
+  %116 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %117 = select i1 %114, ptr %116, ptr %115
+  %118 = load i64, ptr %117, align 8
+  %119 = mul nsw i64 %118, 3
+  %120 = getelementptr inbounds double, ptr %101, i64 %119
+  br label %121
+
+121:                                              ; preds = %99, %111
+  %122 = phi ptr [ %120, %111 ], [ null, %99 ]
+  %123 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 39
+  %124 = load ptr, ptr %123, align 8
+  %125 = mul nsw i64 %8, 3
+  %126 = getelementptr inbounds double, ptr %124, i64 %125
+  %127 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 5
+  %128 = load double, ptr %126, align 8
+  %129 = load double, ptr %43, align 8
+  %130 = fsub double %128, %129
+  %131 = getelementptr inbounds double, ptr %126, i64 1
+  %132 = load double, ptr %131, align 8
+  %133 = load double, ptr %48, align 8
+  %134 = fsub double %132, %133
+  %135 = getelementptr inbounds double, ptr %126, i64 2
+  %136 = load double, ptr %135, align 8
+  %137 = load double, ptr %53, align 8
+  %138 = fsub double %136, %137
+  br label %139
+
+139:                                              ; preds = %139, %121
+  %140 = phi i64 [ 0, %121 ], [ %155, %139 ]
+  %141 = getelementptr inbounds double, ptr %25, i64 %140
+  %142 = load double, ptr %141, align 8
+  %143 = fmul double %130, %142
+  %144 = add nuw nsw i64 %140, 3
+  %145 = getelementptr inbounds double, ptr %25, i64 %144
+  %146 = load double, ptr %145, align 8
+  %147 = fmul double %134, %146
+  %148 = fadd double %143, %147
+  %149 = add nuw nsw i64 %140, 6
+  %150 = getelementptr inbounds double, ptr %25, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fmul double %138, %151
+  %153 = fadd double %148, %152
+  %154 = getelementptr inbounds double, ptr %127, i64 %140
+  store double %153, ptr %154, align 8
+  %155 = add nuw nsw i64 %140, 1
+  %156 = icmp eq i64 %155, 3
+  br i1 %156, label %157, label %139
+
+157:                                              ; preds = %139
+  %158 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
+  %159 = load ptr, ptr %158, align 8
+  %160 = shl nsw i64 %1, 2
+  br label %163
+
+161:                                              ; preds = %163
+  %162 = icmp eq ptr %122, null
+  br i1 %162, label %215, label %173
+
+163:                                              ; preds = %157, %163
+  %164 = phi i64 [ 0, %157 ], [ %171, %163 ]
+  %165 = add nuw nsw i64 %160, %164
+  %166 = getelementptr inbounds double, ptr %159, i64 %165
+  %167 = load double, ptr %166, align 8
+  %168 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 5, i64 %164
+  %169 = load double, ptr %168, align 8
+  %170 = fsub double %169, %167
+  store double %170, ptr %168, align 8
+  %171 = add nuw nsw i64 %164, 1
+  %172 = icmp eq i64 %171, 3
+  br i1 %172, label %161, label %163
+
+173:                                              ; preds = %161
+  %174 = load double, ptr %122, align 8
+  %175 = fcmp ogt double %174, 0.000000e+00
+  br i1 %175, label %176, label %183
+
+176:                                              ; preds = %173
+  %177 = fptosi double %174 to i64
+  %178 = add nsw i64 %177, -1
+  %179 = getelementptr inbounds double, ptr %122, i64 1
+  %180 = load double, ptr %179, align 8
+  %181 = fptosi double %180 to i64
+  %182 = add nsw i64 %181, -1
+  tail call fastcc void @two_leaves(ptr noundef nonnull %2, i64 noundef %178, i64 noundef %182)
+  br label %183
+
+183:                                              ; preds = %173, %176
+  %184 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 31
+  %185 = load ptr, ptr %184, align 8
+  %186 = getelementptr inbounds i64, ptr %185, i64 %8
+  %187 = load i64, ptr %186, align 8
+  store i64 %187, ptr %4, align 8
+  %188 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
+  %189 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 9
+  %190 = load ptr, ptr %189, align 8
+  %191 = getelementptr inbounds i64, ptr %190, i64 %8
+  %192 = load i64, ptr %191, align 8
+  store i64 %192, ptr %188, align 8
+  %193 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
+  %194 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 10
+  %195 = load ptr, ptr %194, align 8
+  %196 = getelementptr inbounds i64, ptr %195, i64 %8
+  %197 = load i64, ptr %196, align 8
+  store i64 %197, ptr %193, align 8
+  %198 = getelementptr inbounds i64, ptr %185, i64 %1
+  %199 = load i64, ptr %198, align 8
+  store i64 %199, ptr %5, align 8
+  %200 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 1
+  %201 = getelementptr inbounds i64, ptr %190, i64 %1
+  %202 = load i64, ptr %201, align 8
+  store i64 %202, ptr %200, align 8
+  %203 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 2
+  %204 = getelementptr inbounds i64, ptr %195, i64 %1
+  %205 = load i64, ptr %204, align 8
+  store i64 %205, ptr %203, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %2, ptr noundef nonnull byval(%struct.Part) align 8 %4, ptr noundef nonnull byval(%struct.Part) align 8 %5, double noundef 0xFFF0000000000000)
+  %206 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 12
+  %207 = load i64, ptr %206, align 8
+  %208 = add nsw i64 %207, 1
+  %209 = sitofp i64 %208 to double
+  store double %209, ptr %122, align 8
+  %210 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  %211 = load i64, ptr %210, align 8
+  %212 = add nsw i64 %211, 1
+  %213 = sitofp i64 %212 to double
+  %214 = getelementptr inbounds double, ptr %122, i64 1
+  store double %213, ptr %214, align 8
+  br label %238
+
+215:                                              ; preds = %161
+  %216 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 31
+  %217 = load ptr, ptr %216, align 8
+  %218 = getelementptr inbounds i64, ptr %217, i64 %8
+  %219 = load i64, ptr %218, align 8
+  store i64 %219, ptr %4, align 8
+  %220 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
+  %221 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 9
+  %222 = load ptr, ptr %221, align 8
+  %223 = getelementptr inbounds i64, ptr %222, i64 %8
+  %224 = load i64, ptr %223, align 8
+  store i64 %224, ptr %220, align 8
+  %225 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
+  %226 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 10
+  %227 = load ptr, ptr %226, align 8
+  %228 = getelementptr inbounds i64, ptr %227, i64 %8
+  %229 = load i64, ptr %228, align 8
+  store i64 %229, ptr %225, align 8
+  %230 = getelementptr inbounds i64, ptr %217, i64 %1
+  %231 = load i64, ptr %230, align 8
+  store i64 %231, ptr %5, align 8
+  %232 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 1
+  %233 = getelementptr inbounds i64, ptr %222, i64 %1
+  %234 = load i64, ptr %233, align 8
+  store i64 %234, ptr %232, align 8
+  %235 = getelementptr inbounds %struct.Part, ptr %5, i64 0, i32 2
+  %236 = getelementptr inbounds i64, ptr %227, i64 %1
+  %237 = load i64, ptr %236, align 8
+  store i64 %237, ptr %235, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %2, ptr noundef nonnull byval(%struct.Part) align 8 %4, ptr noundef nonnull byval(%struct.Part) align 8 %5, double noundef 0xFFF0000000000000)
+  br label %238
+
+238:                                              ; preds = %215, %183
   ret void
-
-18:                                               ; preds = %27
-  %19 = add nuw nsw i64 %5, 3
-  %20 = getelementptr inbounds double, ptr %0, i64 %19
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds double, ptr %0, i64 %5
-  %23 = load double, ptr %22, align 8
-  %24 = fsub double %21, %23
-  %25 = tail call double @llvm.fabs.f64(double %24)
-  %26 = fcmp olt double %25, 3.000000e-07
-  br i1 %26, label %37, label %44
-
-27:                                               ; preds = %4, %27
-  %28 = phi i64 [ 0, %4 ], [ %35, %27 ]
-  %29 = mul nuw nsw i64 %28, 3
-  %30 = add nuw nsw i64 %29, %5
-  %31 = getelementptr inbounds double, ptr %0, i64 %30
-  %32 = load double, ptr %31, align 8
-  %33 = add nuw nsw i64 %28, %7
-  %34 = getelementptr inbounds double, ptr %1, i64 %33
-  store double %32, ptr %34, align 8
-  %35 = add nuw nsw i64 %28, 1
-  %36 = icmp eq i64 %35, 3
-  br i1 %36, label %18, label %27
-
-37:                                               ; preds = %18
-  %38 = add nuw nsw i64 %5, 6
-  %39 = getelementptr inbounds double, ptr %0, i64 %38
-  %40 = load double, ptr %39, align 8
-  %41 = fsub double %40, %23
-  %42 = tail call double @llvm.fabs.f64(double %41)
-  %43 = fcmp olt double %42, 3.000000e-07
-  br label %44
-
-44:                                               ; preds = %37, %18
-  %45 = phi i1 [ false, %18 ], [ %43, %37 ]
-  %46 = zext i1 %45 to i32
-  %47 = and i32 %6, %46
-  %48 = add nuw nsw i64 %5, 1
-  %49 = icmp eq i64 %48, 3
-  br i1 %49, label %8, label %4
 }
 
-declare double @llvm.maxnum.f64(double, double) #3
+define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #10 {
+  %5 = alloca [3 x double], align 16
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %7 = load ptr, ptr %6, align 8
+  %8 = shl nsw i64 %2, 1
+  %9 = getelementptr inbounds i64, ptr %7, i64 %8
+  %10 = getelementptr inbounds i64, ptr %9, i64 1
+  %11 = load i64, ptr %10, align 8
+  %12 = icmp sgt i64 %11, 0
+  br i1 %12, label %13, label %100
 
-define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #0 {
+13:                                               ; preds = %4
+  %14 = load i64, ptr %9, align 8
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds i64, ptr %20, i64 %1
+  br label %22
+
+22:                                               ; preds = %13, %94
+  %23 = phi i64 [ %14, %13 ], [ %95, %94 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  %24 = mul nsw i64 %23, 3
+  %25 = getelementptr inbounds double, ptr %16, i64 %24
+  %26 = getelementptr inbounds double, ptr %25, i64 1
+  %27 = getelementptr inbounds double, ptr %25, i64 2
+  br label %28
+
+28:                                               ; preds = %28, %22
+  %29 = phi i64 [ 0, %22 ], [ %52, %28 ]
+  %30 = mul nuw nsw i64 %29, 3
+  %31 = getelementptr inbounds double, ptr %3, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = load double, ptr %25, align 8
+  %34 = fmul double %32, %33
+  %35 = add nuw nsw i64 %30, 1
+  %36 = getelementptr inbounds double, ptr %3, i64 %35
+  %37 = load double, ptr %36, align 8
+  %38 = load double, ptr %26, align 8
+  %39 = fmul double %37, %38
+  %40 = fadd double %34, %39
+  %41 = add nuw nsw i64 %30, 2
+  %42 = getelementptr inbounds double, ptr %3, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = load double, ptr %27, align 8
+  %45 = fmul double %43, %44
+  %46 = fadd double %40, %45
+  %47 = add nuw nsw i64 %29, 9
+  %48 = getelementptr inbounds double, ptr %3, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fadd double %49, %46
+  %51 = getelementptr inbounds double, ptr %5, i64 %29
+  store double %50, ptr %51, align 8
+  %52 = add nuw nsw i64 %29, 1
+  %53 = icmp eq i64 %52, 3
+  br i1 %53, label %54, label %28
+
+54:                                               ; preds = %28
+  %55 = load i64, ptr %21, align 8
+  %56 = mul nsw i64 %55, 6
+  %57 = getelementptr inbounds double, ptr %18, i64 %56
+  br label %58
+
+58:                                               ; preds = %58, %54
+  %59 = phi i64 [ 0, %54 ], [ %76, %58 ]
+  %60 = phi double [ 0.000000e+00, %54 ], [ %75, %58 ]
+  %61 = getelementptr inbounds double, ptr %57, i64 %59
+  %62 = load double, ptr %61, align 8
+  %63 = getelementptr inbounds double, ptr %5, i64 %59
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %62, %64
+  %66 = add nuw nsw i64 %59, 3
+  %67 = getelementptr inbounds double, ptr %57, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fsub double %64, %68
+  %70 = fcmp ogt double %65, %69
+  %71 = select i1 %70, double %65, double %69
+  %72 = fcmp ogt double %71, 0.000000e+00
+  %73 = select i1 %72, double %71, double 0.000000e+00
+  %74 = fmul double %73, %73
+  %75 = fadd double %60, %74
+  %76 = add nuw nsw i64 %59, 1
+  %77 = icmp eq i64 %76, 3
+  br i1 %77, label %78, label %58
+
+78:                                               ; preds = %58
+  %79 = call double @llvm.sqrt.f64(double %75)
+  %80 = fcmp ogt double %79, 0.000000e+00
+  br i1 %80, label %81, label %82
+
+81:                                               ; preds = %78
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br label %94
+
+82:                                               ; preds = %78, %82
+  %83 = phi i64 [ %90, %82 ], [ 0, %78 ]
+  %84 = phi i32 [ %89, %82 ], [ 0, %78 ]
+  %85 = getelementptr inbounds [3 x [3 x double]], ptr @within.ray, i64 0, i64 %83
+  %86 = call fastcc i32 @leaves(ptr noundef %0, i64 noundef %55, ptr noundef nonnull %5, ptr noundef nonnull %85)
+  %87 = icmp ne i32 %86, 0
+  %88 = zext i1 %87 to i32
+  %89 = add nuw nsw i32 %84, %88
+  %90 = add nuw nsw i64 %83, 1
+  %91 = icmp eq i64 %90, 3
+  br i1 %91, label %92, label %82
+
+92:                                               ; preds = %82
+  %93 = icmp ult i32 %89, 2
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  br i1 %93, label %94, label %100
+
+94:                                               ; preds = %81, %92
+  %95 = add nsw i64 %23, 1
+  %96 = load i64, ptr %9, align 8
+  %97 = load i64, ptr %10, align 8
+  %98 = add nsw i64 %97, %96
+  %99 = icmp slt i64 %95, %98
+  br i1 %99, label %22, label %100
+
+100:                                              ; preds = %92, %94, %4
+  %101 = phi i32 [ 0, %4 ], [ 0, %94 ], [ 1, %92 ]
+  ret i32 %101
+}
+
+define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, i64 noundef %3, i64 noundef %4, ptr nocapture noundef readonly %5) unnamed_addr #6 {
+  %7 = alloca [3 x double], align 16
+  %8 = alloca %struct.Plane, align 8
+  %9 = alloca [3 x double], align 16
+  %10 = alloca double, align 8
+  %11 = alloca double, align 8
+  %12 = alloca %struct.Core, align 8
+  %13 = alloca [3 x double], align 16
+  %14 = load ptr, ptr %0, align 8
+  %15 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 29
+  %16 = load ptr, ptr %15, align 8
+  %17 = mul nsw i64 %2, 6
+  %18 = getelementptr inbounds double, ptr %16, i64 %17
+  %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 11
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %22, i64 %1
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %26 = load ptr, ptr %25, align 8
+  %27 = icmp eq ptr %26, null
+  br i1 %27, label %28, label %31
+
+28:                                               ; preds = %6
+  %29 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %30 = load double, ptr %29, align 8
+  br label %45
+
+31:                                               ; preds = %6
+  %32 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %33 = load ptr, ptr %32, align 8
+  %34 = icmp eq ptr %33, null
+  %35 = getelementptr inbounds i64, ptr %33, i64 %1
+  %36 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %37 = select i1 %34, ptr %36, ptr %35
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr inbounds double, ptr %26, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %42 = load double, ptr %41, align 8
+  %43 = fcmp ogt double %40, %42
+  %44 = select i1 %43, double %42, double %40
+  br label %45
+
+45:                                               ; preds = %28, %31
+  %46 = phi double [ %44, %31 ], [ %30, %28 ]
+  %47 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 18
+  %48 = load double, ptr %47, align 8
+  %49 = fsub double %46, %48
+  %50 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %22, i64 %51
+  %53 = load double, ptr %52, align 8
+  br label %54
+
+54:                                               ; preds = %54, %45
+  %55 = phi i64 [ 0, %45 ], [ %72, %54 ]
+  %56 = phi double [ 0.000000e+00, %45 ], [ %71, %54 ]
+  %57 = getelementptr inbounds double, ptr %18, i64 %55
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr inbounds double, ptr %20, i64 %55
+  %60 = load double, ptr %59, align 8
+  %61 = fsub double %58, %60
+  %62 = add nuw nsw i64 %55, 3
+  %63 = getelementptr inbounds double, ptr %18, i64 %62
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %60, %64
+  %66 = fcmp ogt double %61, %65
+  %67 = select i1 %66, double %61, double %65
+  %68 = fcmp ogt double %67, 0.000000e+00
+  %69 = select i1 %68, double %67, double 0.000000e+00
+  %70 = fmul double %69, %69
+  %71 = fadd double %56, %70
+  %72 = add nuw nsw i64 %55, 1
+  %73 = icmp eq i64 %72, 3
+  br i1 %73, label %74, label %54
+
+74:                                               ; preds = %54
+  %75 = fneg double %24
+  %76 = fsub double %75, %53
+  %77 = tail call double @llvm.sqrt.f64(double %71)
+  %78 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 14
+  %79 = load ptr, ptr %78, align 8
+  %80 = shl nsw i64 %51, 2
+  %81 = or i64 %80, 3
+  %82 = getelementptr inbounds double, ptr %79, i64 %81
+  %83 = load double, ptr %82, align 8
+  br i1 %27, label %95, label %84
+
+84:                                               ; preds = %74
+  %85 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %86 = load ptr, ptr %85, align 8
+  %87 = icmp eq ptr %86, null
+  %88 = getelementptr inbounds i64, ptr %86, i64 %1
+  %89 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %90 = select i1 %87, ptr %89, ptr %88
+  %91 = load i64, ptr %90, align 8
+  %92 = getelementptr inbounds double, ptr %26, i64 %91
+  %93 = load double, ptr %92, align 8
+  %94 = fcmp uno double %93, 0.000000e+00
+  br i1 %94, label %403, label %99
+
+95:                                               ; preds = %74
+  %96 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %97 = load i32, ptr %96, align 8
+  %98 = icmp eq i32 %97, 1
+  br i1 %98, label %403, label %99
+
+99:                                               ; preds = %84, %95
+  %100 = fsub double %77, %83
+  %101 = fsub double %100, %24
+  %102 = fcmp ogt double %101, %49
+  br i1 %102, label %403, label %103
+
+103:                                              ; preds = %99, %103
+  %104 = phi i64 [ %116, %103 ], [ 0, %99 ]
+  %105 = phi double [ %115, %103 ], [ 0.000000e+00, %99 ]
+  %106 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %104
+  %107 = load double, ptr %106, align 8
+  %108 = fcmp ogt double %107, 0.000000e+00
+  %109 = add nuw nsw i64 %104, 3
+  %110 = select i1 %108, i64 %109, i64 %104
+  %111 = and i64 %110, 4294967295
+  %112 = getelementptr inbounds double, ptr %18, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %107, %113
+  %115 = fadd double %105, %114
+  %116 = add nuw nsw i64 %104, 1
+  %117 = icmp eq i64 %116, 3
+  br i1 %117, label %118, label %103
+
+118:                                              ; preds = %103
+  %119 = getelementptr inbounds %struct.Plane, ptr %5, i64 0, i32 1
+  %120 = load double, ptr %119, align 8
+  %121 = fsub double %120, %115
+  %122 = fadd double %76, %121
+  %123 = fcmp ogt double %122, %49
+  br i1 %123, label %403, label %124
+
+124:                                              ; preds = %118
+  %125 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  br label %126
+
+126:                                              ; preds = %126, %124
+  %127 = phi i64 [ 0, %124 ], [ %139, %126 ]
+  %128 = phi double [ 0.000000e+00, %124 ], [ %138, %126 ]
+  %129 = getelementptr inbounds [3 x double], ptr %125, i64 0, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = fcmp ogt double %130, 0.000000e+00
+  %132 = add nuw nsw i64 %127, 3
+  %133 = select i1 %131, i64 %132, i64 %127
+  %134 = and i64 %133, 4294967295
+  %135 = getelementptr inbounds double, ptr %18, i64 %134
+  %136 = load double, ptr %135, align 8
+  %137 = fmul double %130, %136
+  %138 = fadd double %128, %137
+  %139 = add nuw nsw i64 %127, 1
+  %140 = icmp eq i64 %139, 3
+  br i1 %140, label %141, label %126
+
+141:                                              ; preds = %126
+  %142 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10, i32 1
+  %143 = load double, ptr %142, align 8
+  %144 = fsub double %143, %138
+  %145 = fadd double %76, %144
+  %146 = fcmp ogt double %145, %49
+  br i1 %146, label %403, label %147
+
+147:                                              ; preds = %141
+  %148 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 30
+  %149 = load ptr, ptr %148, align 8
+  %150 = shl nsw i64 %2, 1
+  %151 = getelementptr inbounds i64, ptr %149, i64 %150
+  %152 = load i64, ptr %151, align 8
+  %153 = icmp slt i64 %152, 0
+  br i1 %153, label %154, label %174
+
+154:                                              ; preds = %147
+  %155 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 32
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i64, ptr %151, i64 1
+  %158 = load i64, ptr %157, align 8
+  %159 = mul nsw i64 %158, 9
+  %160 = getelementptr inbounds double, ptr %156, i64 %159
+  %161 = tail call fastcc double @in_front(ptr noundef nonnull %125, ptr noundef %160)
+  %162 = fadd double %76, %161
+  %163 = fcmp ogt double %162, %49
+  br i1 %163, label %403, label %164
+
+164:                                              ; preds = %154
+  %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %166 = load i32, ptr %165, align 8
+  %167 = icmp eq i32 %166, 0
+  br i1 %167, label %168, label %169
+
+168:                                              ; preds = %164
+  tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef nonnull %125)
+  br label %403
+
+169:                                              ; preds = %164
+  %170 = tail call fastcc double @in_front(ptr noundef %5, ptr noundef %160)
+  %171 = fadd double %76, %170
+  %172 = fcmp ugt double %171, %49
+  br i1 %172, label %403, label %173
+
+173:                                              ; preds = %169
+  tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef %5)
+  br label %403
+
+174:                                              ; preds = %147
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %8) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %8, ptr noundef nonnull align 8 dereferenceable(32) %5, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
+  %175 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %175, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
+  br label %176
+
+176:                                              ; preds = %176, %174
+  %177 = phi i64 [ 0, %174 ], [ %192, %176 ]
+  %178 = getelementptr inbounds double, ptr %18, i64 %177
+  %179 = load double, ptr %178, align 8
+  %180 = add nuw nsw i64 %177, 3
+  %181 = getelementptr inbounds double, ptr %18, i64 %180
+  %182 = load double, ptr %181, align 8
+  %183 = fadd double %179, %182
+  %184 = fmul double %183, 5.000000e-01
+  %185 = add nuw nsw i64 %177, 9
+  %186 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %185
+  store double %184, ptr %186, align 8
+  %187 = load double, ptr %181, align 8
+  %188 = load double, ptr %178, align 8
+  %189 = fsub double %187, %188
+  %190 = fmul double %189, 5.000000e-01
+  %191 = getelementptr inbounds double, ptr %9, i64 %177
+  store double %190, ptr %191, align 8
+  %192 = add nuw nsw i64 %177, 1
+  %193 = icmp eq i64 %192, 3
+  br i1 %193, label %194, label %176
+
+194:                                              ; preds = %176
+  store i64 1, ptr %12, align 8
+  %195 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 5
+  store ptr %175, ptr %195, align 8
+  %196 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 6
+  store ptr %9, ptr %196, align 8
+  %197 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 9
+  %198 = load double, ptr %9, align 16
+  %199 = fmul double %198, %198
+  %200 = getelementptr inbounds double, ptr %9, i64 1
+  %201 = load double, ptr %200, align 8
+  %202 = fmul double %201, %201
+  %203 = fadd double %199, %202
+  %204 = getelementptr inbounds double, ptr %9, i64 2
+  %205 = load double, ptr %204, align 16
+  %206 = fmul double %205, %205
+  %207 = fadd double %203, %206
+  %208 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
+  %209 = load ptr, ptr %208, align 8
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  %210 = load double, ptr %197, align 8
+  %211 = getelementptr inbounds double, ptr %209, i64 9
+  %212 = load double, ptr %211, align 8
+  %213 = fsub double %210, %212
+  %214 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 10
+  %215 = load double, ptr %214, align 8
+  %216 = getelementptr inbounds double, ptr %209, i64 10
+  %217 = load double, ptr %216, align 8
+  %218 = fsub double %215, %217
+  %219 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 11
+  %220 = load double, ptr %219, align 8
+  %221 = getelementptr inbounds double, ptr %209, i64 11
+  %222 = load double, ptr %221, align 8
+  %223 = fsub double %220, %222
+  br label %224
+
+224:                                              ; preds = %224, %194
+  %225 = phi i64 [ 0, %194 ], [ %240, %224 ]
+  %226 = getelementptr inbounds double, ptr %209, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %213, %227
+  %229 = add nuw nsw i64 %225, 3
+  %230 = getelementptr inbounds double, ptr %209, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = fmul double %218, %231
+  %233 = fadd double %228, %232
+  %234 = add nuw nsw i64 %225, 6
+  %235 = getelementptr inbounds double, ptr %209, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = fmul double %223, %236
+  %238 = fadd double %233, %237
+  %239 = getelementptr inbounds double, ptr %7, i64 %225
+  store double %238, ptr %239, align 8
+  %240 = add nuw nsw i64 %225, 1
+  %241 = icmp eq i64 %240, 3
+  br i1 %241, label %242, label %224
+
+242:                                              ; preds = %224
+  %243 = call double @llvm.sqrt.f64(double %207)
+  %244 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 15
+  %245 = load ptr, ptr %244, align 8
+  %246 = mul nsw i64 %51, 6
+  %247 = getelementptr inbounds double, ptr %245, i64 %246
+  br label %248
+
+248:                                              ; preds = %248, %242
+  %249 = phi i64 [ 0, %242 ], [ %266, %248 ]
+  %250 = phi double [ 0.000000e+00, %242 ], [ %265, %248 ]
+  %251 = getelementptr inbounds double, ptr %247, i64 %249
+  %252 = load double, ptr %251, align 8
+  %253 = getelementptr inbounds double, ptr %7, i64 %249
+  %254 = load double, ptr %253, align 8
+  %255 = fsub double %252, %254
+  %256 = add nuw nsw i64 %249, 3
+  %257 = getelementptr inbounds double, ptr %247, i64 %256
+  %258 = load double, ptr %257, align 8
+  %259 = fsub double %254, %258
+  %260 = fcmp ogt double %255, %259
+  %261 = select i1 %260, double %255, double %259
+  %262 = fcmp ogt double %261, 0.000000e+00
+  %263 = select i1 %262, double %261, double 0.000000e+00
+  %264 = fmul double %263, %263
+  %265 = fadd double %250, %264
+  %266 = add nuw nsw i64 %249, 1
+  %267 = icmp eq i64 %266, 3
+  br i1 %267, label %268, label %248
+
+268:                                              ; preds = %248
+  %269 = fadd double %24, %49
+  %270 = fadd double %269, %243
+  %271 = fmul double %270, %270
+  %272 = fcmp ule double %265, %271
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  br i1 %272, label %273, label %402
+
+273:                                              ; preds = %268
+  %274 = fadd double %198, %201
+  %275 = fadd double %274, %205
+  %276 = load ptr, ptr %78, align 8
+  %277 = getelementptr inbounds double, ptr %276, i64 %81
+  %278 = load double, ptr %277, align 8
+  %279 = fmul double %278, 2.000000e+00
+  %280 = fcmp olt double %275, %279
+  %281 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %282 = load i32, ptr %281, align 8
+  %283 = icmp ne i32 %282, 0
+  %284 = icmp slt i64 %4, 33
+  %285 = and i1 %284, %283
+  br i1 %285, label %286, label %307
+
+286:                                              ; preds = %273
+  %287 = icmp sgt i64 %4, 16
+  %288 = add i64 %4, -3
+  %289 = icmp ult i64 %288, 2
+  %290 = or i1 %287, %289
+  %291 = and i1 %290, %280
+  store i64 0, ptr %12, align 8
+  %292 = mul nsw i64 %4, 3
+  %293 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
+  store i64 %292, ptr %293, align 8
+  store ptr @hull_core.still, ptr %195, align 8
+  %294 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 33
+  %295 = load ptr, ptr %294, align 8
+  %296 = mul nsw i64 %3, 3
+  %297 = getelementptr inbounds double, ptr %295, i64 %296
+  %298 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
+  store ptr %297, ptr %298, align 8
+  %299 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 34
+  %300 = load ptr, ptr %299, align 8
+  %301 = getelementptr inbounds double, ptr %300, i64 %296
+  %302 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
+  store ptr %301, ptr %302, align 8
+  %303 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 35
+  %304 = load ptr, ptr %303, align 8
+  %305 = getelementptr inbounds double, ptr %304, i64 %296
+  %306 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
+  store ptr %305, ptr %306, align 8
+  br i1 %291, label %308, label %340
+
+307:                                              ; preds = %273
+  br i1 %280, label %308, label %340
+
+308:                                              ; preds = %286, %307
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  %309 = icmp eq i32 %282, 0
+  br label %316
+
+310:                                              ; preds = %328
+  %311 = fsub double %49, %76
+  %312 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %313 = load ptr, ptr %312, align 8
+  %314 = call fastcc i32 @bounds(ptr noundef %313, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %311, double noundef %311, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null)
+  %315 = icmp eq i32 %314, 0
+  br i1 %315, label %337, label %333
+
+316:                                              ; preds = %308, %328
+  %317 = phi i64 [ 0, %308 ], [ %331, %328 ]
+  br i1 %309, label %321, label %318
+
+318:                                              ; preds = %316
+  %319 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %317
+  %320 = load double, ptr %319, align 8
+  br label %328
+
+321:                                              ; preds = %316
+  %322 = getelementptr inbounds double, ptr %20, i64 %317
+  %323 = load double, ptr %322, align 8
+  %324 = add nuw nsw i64 %317, 9
+  %325 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = fsub double %323, %326
+  br label %328
+
+328:                                              ; preds = %321, %318
+  %329 = phi double [ %320, %318 ], [ %327, %321 ]
+  %330 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %317
+  store double %329, ptr %330, align 8
+  %331 = add nuw nsw i64 %317, 1
+  %332 = icmp eq i64 %331, 3
+  br i1 %332, label %310, label %316
+
+333:                                              ; preds = %310
+  %334 = load double, ptr %10, align 8
+  %335 = fadd double %76, %334
+  %336 = fcmp ogt double %335, %49
+  br i1 %336, label %339, label %337
+
+337:                                              ; preds = %333, %310
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  %338 = load ptr, ptr %15, align 8
+  br label %340
+
+339:                                              ; preds = %333
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  br label %402
+
+340:                                              ; preds = %286, %337, %307
+  %341 = phi ptr [ %338, %337 ], [ %16, %307 ], [ %16, %286 ]
+  %342 = load i64, ptr %151, align 8
+  %343 = mul nsw i64 %342, 6
+  %344 = getelementptr inbounds double, ptr %341, i64 %343
+  br label %345
+
+345:                                              ; preds = %345, %340
+  %346 = phi i64 [ 0, %340 ], [ %358, %345 ]
+  %347 = phi double [ 0.000000e+00, %340 ], [ %357, %345 ]
+  %348 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %346
+  %349 = load double, ptr %348, align 8
+  %350 = fcmp ogt double %349, 0.000000e+00
+  %351 = add nuw nsw i64 %346, 3
+  %352 = select i1 %350, i64 %351, i64 %346
+  %353 = and i64 %352, 4294967295
+  %354 = getelementptr inbounds double, ptr %344, i64 %353
+  %355 = load double, ptr %354, align 8
+  %356 = fmul double %349, %355
+  %357 = fadd double %347, %356
+  %358 = add nuw nsw i64 %346, 1
+  %359 = icmp eq i64 %358, 3
+  br i1 %359, label %360, label %345
+
+360:                                              ; preds = %345
+  %361 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
+  %362 = load double, ptr %361, align 8
+  %363 = getelementptr inbounds i64, ptr %151, i64 1
+  %364 = load i64, ptr %363, align 8
+  %365 = mul nsw i64 %364, 6
+  %366 = getelementptr inbounds double, ptr %341, i64 %365
+  br label %367
+
+367:                                              ; preds = %367, %360
+  %368 = phi i64 [ 0, %360 ], [ %380, %367 ]
+  %369 = phi double [ 0.000000e+00, %360 ], [ %379, %367 ]
+  %370 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %368
+  %371 = load double, ptr %370, align 8
+  %372 = fcmp ogt double %371, 0.000000e+00
+  %373 = add nuw nsw i64 %368, 3
+  %374 = select i1 %372, i64 %373, i64 %368
+  %375 = and i64 %374, 4294967295
+  %376 = getelementptr inbounds double, ptr %366, i64 %375
+  %377 = load double, ptr %376, align 8
+  %378 = fmul double %371, %377
+  %379 = fadd double %369, %378
+  %380 = add nuw nsw i64 %368, 1
+  %381 = icmp eq i64 %380, 3
+  br i1 %381, label %382, label %367
+
+382:                                              ; preds = %367
+  %383 = fsub double %362, %357
+  %384 = fsub double %362, %379
+  %385 = fcmp olt double %384, %383
+  %386 = sdiv i64 %4, 2
+  %387 = sdiv i64 %4, -2
+  %388 = add i64 %387, %4
+  %389 = zext i1 %385 to i64
+  %390 = getelementptr inbounds i64, ptr %151, i64 %389
+  %391 = load i64, ptr %390, align 8
+  %392 = select i1 %385, i64 %386, i64 0
+  %393 = add nsw i64 %392, %3
+  %394 = select i1 %385, i64 %388, i64 %386
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %391, i64 noundef %393, i64 noundef %394, ptr noundef nonnull %8)
+  %395 = xor i1 %385, true
+  %396 = zext i1 %395 to i64
+  %397 = getelementptr inbounds i64, ptr %151, i64 %396
+  %398 = load i64, ptr %397, align 8
+  %399 = select i1 %385, i64 0, i64 %386
+  %400 = add nsw i64 %399, %3
+  %401 = select i1 %385, i64 %386, i64 %388
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %398, i64 noundef %400, i64 noundef %401, ptr noundef nonnull %8)
+  br label %402
+
+402:                                              ; preds = %382, %339, %268
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %8) #18
+  br label %403
+
+403:                                              ; preds = %84, %402, %168, %173, %169, %154, %118, %141, %95, %99
+  ret void
+}
+
+define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noundef %2) unnamed_addr #6 {
+  %4 = alloca %struct.Core, align 8
+  %5 = alloca %struct.Core, align 8
+  %6 = alloca [9 x double], align 16
+  %7 = alloca [9 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca double, align 8
+  %10 = alloca double, align 8
+  %11 = alloca %struct.Simplex, align 8
+  %12 = load ptr, ptr %0, align 8
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  %13 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 1
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  %16 = load ptr, ptr %15, align 8
+  %17 = icmp eq ptr %16, null
+  br i1 %17, label %18, label %21
+
+18:                                               ; preds = %3
+  %19 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %20 = load double, ptr %19, align 8
+  br label %35
+
+21:                                               ; preds = %3
+  %22 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %23 = load ptr, ptr %22, align 8
+  %24 = icmp eq ptr %23, null
+  %25 = getelementptr inbounds i64, ptr %23, i64 %14
+  %26 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 4
+  %27 = select i1 %24, ptr %26, ptr %25
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %16, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %32 = load double, ptr %31, align 8
+  %33 = fcmp ogt double %30, %32
+  %34 = select i1 %33, double %32, double %30
+  br label %35
+
+35:                                               ; preds = %18, %21
+  %36 = phi double [ %20, %18 ], [ 0xFFF0000000000000, %21 ]
+  %37 = phi double [ %20, %18 ], [ %34, %21 ]
+  %38 = load ptr, ptr %12, align 8
+  %39 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 32
+  %40 = load ptr, ptr %39, align 8
+  %41 = mul nsw i64 %1, 9
+  %42 = getelementptr inbounds double, ptr %40, i64 %41
+  br label %43
+
+43:                                               ; preds = %73, %35
+  %44 = phi i64 [ 0, %35 ], [ %77, %73 ]
+  %45 = phi i32 [ 1, %35 ], [ %76, %73 ]
+  %46 = mul nuw nsw i64 %44, 3
+  br label %56
+
+47:                                               ; preds = %56
+  %48 = add nuw nsw i64 %44, 3
+  %49 = getelementptr inbounds double, ptr %42, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr inbounds double, ptr %42, i64 %44
+  %52 = load double, ptr %51, align 8
+  %53 = fsub double %50, %52
+  %54 = tail call double @llvm.fabs.f64(double %53)
+  %55 = fcmp olt double %54, 3.000000e-07
+  br i1 %55, label %66, label %73
+
+56:                                               ; preds = %56, %43
+  %57 = phi i64 [ 0, %43 ], [ %64, %56 ]
+  %58 = mul nuw nsw i64 %57, 3
+  %59 = add nuw nsw i64 %58, %44
+  %60 = getelementptr inbounds double, ptr %42, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = add nuw nsw i64 %57, %46
+  %63 = getelementptr inbounds double, ptr %6, i64 %62
+  store double %61, ptr %63, align 8
+  %64 = add nuw nsw i64 %57, 1
+  %65 = icmp eq i64 %64, 3
+  br i1 %65, label %47, label %56
+
+66:                                               ; preds = %47
+  %67 = add nuw nsw i64 %44, 6
+  %68 = getelementptr inbounds double, ptr %42, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = fsub double %69, %52
+  %71 = tail call double @llvm.fabs.f64(double %70)
+  %72 = fcmp olt double %71, 3.000000e-07
+  br label %73
+
+73:                                               ; preds = %66, %47
+  %74 = phi i1 [ false, %47 ], [ %72, %66 ]
+  %75 = zext i1 %74 to i32
+  %76 = and i32 %45, %75
+  %77 = add nuw nsw i64 %44, 1
+  %78 = icmp eq i64 %77, 3
+  br i1 %78, label %79, label %43
+
+79:                                               ; preds = %73
+  store i64 0, ptr %4, align 8
+  %80 = icmp eq i32 %76, 0
+  %81 = select i1 %80, i64 3, i64 1
+  %82 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 1
+  store i64 %81, ptr %82, align 8
+  %83 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 5
+  %84 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 2
+  store ptr %6, ptr %84, align 8
+  %85 = getelementptr inbounds double, ptr %6, i64 3
+  %86 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 3
+  store ptr %85, ptr %86, align 8
+  %87 = getelementptr inbounds double, ptr %6, i64 6
+  %88 = getelementptr inbounds %struct.Core, ptr %4, i64 0, i32 4
+  store ptr %87, ptr %88, align 8
+  %89 = mul nsw i64 %2, 9
+  %90 = getelementptr inbounds double, ptr %40, i64 %89
+  br label %91
+
+91:                                               ; preds = %121, %79
+  %92 = phi i64 [ 0, %79 ], [ %125, %121 ]
+  %93 = phi i32 [ 1, %79 ], [ %124, %121 ]
+  %94 = mul nuw nsw i64 %92, 3
+  br label %104
+
+95:                                               ; preds = %104
+  %96 = add nuw nsw i64 %92, 3
+  %97 = getelementptr inbounds double, ptr %90, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = getelementptr inbounds double, ptr %90, i64 %92
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %98, %100
+  %102 = call double @llvm.fabs.f64(double %101)
+  %103 = fcmp olt double %102, 3.000000e-07
+  br i1 %103, label %114, label %121
+
+104:                                              ; preds = %104, %91
+  %105 = phi i64 [ 0, %91 ], [ %112, %104 ]
+  %106 = mul nuw nsw i64 %105, 3
+  %107 = add nuw nsw i64 %106, %92
+  %108 = getelementptr inbounds double, ptr %90, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = add nuw nsw i64 %105, %94
+  %111 = getelementptr inbounds double, ptr %7, i64 %110
+  store double %109, ptr %111, align 8
+  %112 = add nuw nsw i64 %105, 1
+  %113 = icmp eq i64 %112, 3
+  br i1 %113, label %95, label %104
+
+114:                                              ; preds = %95
+  %115 = add nuw nsw i64 %92, 6
+  %116 = getelementptr inbounds double, ptr %90, i64 %115
+  %117 = load double, ptr %116, align 8
+  %118 = fsub double %117, %100
+  %119 = call double @llvm.fabs.f64(double %118)
+  %120 = fcmp olt double %119, 3.000000e-07
+  br label %121
+
+121:                                              ; preds = %114, %95
+  %122 = phi i1 [ false, %95 ], [ %120, %114 ]
+  %123 = zext i1 %122 to i32
+  %124 = and i32 %93, %123
+  %125 = add nuw nsw i64 %92, 1
+  %126 = icmp eq i64 %125, 3
+  br i1 %126, label %127, label %91
+
+127:                                              ; preds = %121
+  store i64 0, ptr %5, align 8
+  %128 = icmp eq i32 %124, 0
+  %129 = select i1 %128, i64 3, i64 1
+  %130 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 1
+  store i64 %129, ptr %130, align 8
+  %131 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 5
+  store ptr @place.still, ptr %131, align 8
+  %132 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 2
+  store ptr %7, ptr %132, align 8
+  %133 = getelementptr inbounds double, ptr %7, i64 3
+  %134 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 3
+  store ptr %133, ptr %134, align 8
+  %135 = getelementptr inbounds double, ptr %7, i64 6
+  %136 = getelementptr inbounds %struct.Core, ptr %5, i64 0, i32 4
+  store ptr %135, ptr %136, align 8
+  %137 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  store ptr %137, ptr %83, align 8
+  %138 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 8 dereferenceable(24) %138, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #18
+  %139 = fadd double %37, -1.000000e-10
+  %140 = select i1 %17, double %37, double %139
+  %141 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
+  %142 = load i64, ptr %141, align 8
+  %143 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 11
+  %144 = load ptr, ptr %143, align 8
+  %145 = getelementptr inbounds double, ptr %144, i64 %142
+  %146 = load double, ptr %145, align 8
+  %147 = getelementptr inbounds double, ptr %144, i64 %14
+  %148 = load double, ptr %147, align 8
+  %149 = fadd double %146, %148
+  %150 = fadd double %140, %149
+  %151 = fadd double %36, %149
+  %152 = call fastcc i32 @bounds(ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %8, double noundef %150, double noundef %151, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef null, ptr noundef nonnull %11)
+  %153 = load double, ptr %9, align 8
+  %154 = fsub double %153, %149
+  %155 = load double, ptr %10, align 8
+  %156 = fsub double %155, %149
+  %157 = icmp ne i32 %152, 0
+  %158 = fcmp ogt double %154, %140
+  %159 = select i1 %157, i1 %158, i1 false
+  br i1 %159, label %217, label %160
+
+160:                                              ; preds = %127
+  br i1 %157, label %165, label %161
+
+161:                                              ; preds = %160
+  %162 = load i64, ptr %13, align 8
+  %163 = call fastcc i32 @tell_depth(ptr noundef nonnull %12, i64 noundef %162, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %11)
+  %164 = icmp eq i32 %163, 0
+  br i1 %164, label %217, label %214
+
+165:                                              ; preds = %160
+  %166 = load ptr, ptr %15, align 8
+  %167 = icmp eq ptr %166, null
+  br i1 %167, label %201, label %168
+
+168:                                              ; preds = %165
+  %169 = load i64, ptr %13, align 8
+  %170 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %171 = load ptr, ptr %170, align 8
+  %172 = icmp eq ptr %171, null
+  %173 = getelementptr inbounds i64, ptr %171, i64 %169
+  %174 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 4
+  %175 = select i1 %172, ptr %174, ptr %173
+  %176 = load i64, ptr %175, align 8
+  %177 = getelementptr inbounds double, ptr %166, i64 %176
+  %178 = fsub double %156, %154
+  %179 = fcmp ole double %178, 1.000000e-08
+  %180 = select i1 %179, double %156, double %154
+  %181 = load double, ptr %177, align 8
+  %182 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %183 = load double, ptr %182, align 8
+  %184 = call double @llvm.minnum.f64(double %181, double %183)
+  %185 = fcmp ult double %180, %184
+  br i1 %185, label %186, label %217
+
+186:                                              ; preds = %168
+  %187 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  %188 = load ptr, ptr %187, align 8
+  %189 = icmp ne ptr %188, null
+  %190 = fcmp oeq double %181, 0x7FF0000000000000
+  %191 = select i1 %189, i1 %190, i1 false
+  br i1 %191, label %192, label %199
+
+192:                                              ; preds = %186
+  %193 = load ptr, ptr %12, align 8
+  %194 = getelementptr inbounds %struct.World, ptr %193, i64 0, i32 41
+  %195 = load ptr, ptr %194, align 8
+  %196 = load i64, ptr %188, align 8
+  %197 = add nsw i64 %196, 1
+  store i64 %197, ptr %188, align 8
+  %198 = getelementptr inbounds i64, ptr %195, i64 %196
+  store i64 %176, ptr %198, align 8
+  br label %199
+
+199:                                              ; preds = %192, %186
+  %200 = select i1 %179, double %156, double 0x7FF8000000000000
+  store double %200, ptr %177, align 8
+  br label %214
+
+201:                                              ; preds = %165
+  %202 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %203 = load double, ptr %202, align 8
+  %204 = fcmp ult double %203, %156
+  br i1 %204, label %207, label %205
+
+205:                                              ; preds = %201
+  %206 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  store i32 1, ptr %206, align 8
+  br label %214
+
+207:                                              ; preds = %201
+  %208 = fcmp ult double %203, %154
+  br i1 %208, label %214, label %209
+
+209:                                              ; preds = %207
+  %210 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  %211 = load i32, ptr %210, align 8
+  %212 = icmp eq i32 %211, 0
+  br i1 %212, label %213, label %214
+
+213:                                              ; preds = %209
+  store i32 2, ptr %210, align 8
+  br label %214
+
+214:                                              ; preds = %207, %209, %213, %205, %199, %161
+  %215 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  store i64 %1, ptr %215, align 8
+  %216 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  store i64 %2, ptr %216, align 8
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %138, ptr noundef nonnull align 16 dereferenceable(24) %8, i64 24, i1 false)
+  br label %217
+
+217:                                              ; preds = %168, %161, %127, %214
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %4) #18
+  ret void
+}
+
+define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef readonly byval(%struct.Part) align 8 %1, ptr nocapture noundef readonly byval(%struct.Part) align 8 %2, double noundef %3) unnamed_addr #0 {
+  %5 = alloca [3 x double], align 16
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca %struct.Core, align 8
+  %11 = alloca %struct.Core, align 8
+  %12 = alloca [3 x double], align 16
+  %13 = alloca double, align 8
+  %14 = alloca double, align 8
+  %15 = alloca [2 x %struct.Part], align 16
+  %16 = alloca [2 x double], align 16
+  %17 = alloca %struct.Part, align 8
+  %18 = alloca %struct.Part, align 8
+  %19 = load ptr, ptr %0, align 8
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 6
+  %22 = load ptr, ptr %21, align 8
+  %23 = icmp eq ptr %22, null
+  br i1 %23, label %40, label %24
+
+24:                                               ; preds = %4
+  %25 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 1
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 3
+  %28 = load ptr, ptr %27, align 8
+  %29 = icmp eq ptr %28, null
+  %30 = getelementptr inbounds i64, ptr %28, i64 %26
+  %31 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 4
+  %32 = select i1 %29, ptr %31, ptr %30
+  %33 = load i64, ptr %32, align 8
+  %34 = getelementptr inbounds double, ptr %22, i64 %33
+  %35 = load double, ptr %34, align 8
+  %36 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %37 = load double, ptr %36, align 8
+  %38 = fcmp ogt double %35, %37
+  %39 = select i1 %38, double %37, double %35
+  br label %46
+
+40:                                               ; preds = %4
+  %41 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 5
+  %42 = load double, ptr %41, align 8
+  %43 = getelementptr inbounds %struct.Search, ptr %19, i64 0, i32 8
+  %44 = load i32, ptr %43, align 8
+  %45 = icmp eq i32 %44, 1
+  br i1 %45, label %424, label %46
+
+46:                                               ; preds = %24, %40
+  %47 = phi double [ %42, %40 ], [ %39, %24 ]
+  %48 = fadd double %47, -1.000000e-10
+  %49 = select i1 %23, double %47, double %48
+  %50 = fcmp ult double %49, %3
+  br i1 %50, label %424, label %51
+
+51:                                               ; preds = %46
+  %52 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 30
+  %53 = load ptr, ptr %52, align 8
+  %54 = load i64, ptr %1, align 8
+  %55 = shl nsw i64 %54, 1
+  %56 = getelementptr inbounds i64, ptr %53, i64 %55
+  %57 = load i64, ptr %2, align 8
+  %58 = shl nsw i64 %57, 1
+  %59 = getelementptr inbounds i64, ptr %53, i64 %58
+  %60 = load i64, ptr %56, align 8
+  %61 = icmp slt i64 %60, 0
+  br i1 %61, label %62, label %70
+
+62:                                               ; preds = %51
+  %63 = load i64, ptr %59, align 8
+  %64 = icmp slt i64 %63, 0
+  br i1 %64, label %65, label %70
+
+65:                                               ; preds = %62
+  %66 = getelementptr inbounds i64, ptr %56, i64 1
+  %67 = load i64, ptr %66, align 8
+  %68 = getelementptr inbounds i64, ptr %59, i64 1
+  %69 = load i64, ptr %68, align 8
+  tail call fastcc void @two_leaves(ptr noundef nonnull %0, i64 noundef %67, i64 noundef %69)
+  br label %424
+
+70:                                               ; preds = %62, %51
+  %71 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 29
+  %72 = load ptr, ptr %71, align 8
+  %73 = mul nsw i64 %57, 6
+  %74 = getelementptr inbounds double, ptr %72, i64 %73
+  %75 = getelementptr inbounds double, ptr %74, i64 3
+  %76 = load double, ptr %75, align 8
+  %77 = load double, ptr %74, align 8
+  %78 = fsub double %76, %77
+  %79 = getelementptr inbounds double, ptr %74, i64 4
+  %80 = load double, ptr %79, align 8
+  %81 = fadd double %78, %80
+  %82 = getelementptr inbounds double, ptr %74, i64 1
+  %83 = load double, ptr %82, align 8
+  %84 = fsub double %81, %83
+  %85 = getelementptr inbounds double, ptr %74, i64 5
+  %86 = load double, ptr %85, align 8
+  %87 = fadd double %84, %86
+  %88 = getelementptr inbounds double, ptr %74, i64 2
+  %89 = load double, ptr %88, align 8
+  %90 = fsub double %87, %89
+  %91 = fmul double %90, -1.000000e-01
+  %92 = fcmp olt double %91, %3
+  %93 = getelementptr inbounds %struct.Part, ptr %1, i64 0, i32 2
+  %94 = load i64, ptr %93, align 8
+  %95 = icmp slt i64 %94, 33
+  %96 = select i1 %92, i1 %95, i1 false
+  %97 = getelementptr inbounds %struct.Part, ptr %2, i64 0, i32 2
+  %98 = load i64, ptr %97, align 8
+  %99 = icmp slt i64 %98, 33
+  %100 = select i1 %96, i1 %99, i1 false
+  %101 = mul nsw i64 %98, %94
+  %102 = icmp sgt i64 %101, 63
+  %103 = select i1 %100, i1 %102, i1 false
+  br i1 %103, label %104, label %147
+
+104:                                              ; preds = %70
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #18
+  %105 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 4
+  %106 = load double, ptr %105, align 8
+  %107 = fadd double %49, %106
+  %108 = getelementptr inbounds %struct.Part, ptr %1, i64 0, i32 1
+  %109 = load i64, ptr %108, align 8
+  store i64 0, ptr %10, align 8
+  %110 = mul nsw i64 %94, 3
+  %111 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 1
+  store i64 %110, ptr %111, align 8
+  %112 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 5
+  %113 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 33
+  %114 = load ptr, ptr %113, align 8
+  %115 = mul nsw i64 %109, 3
+  %116 = getelementptr inbounds double, ptr %114, i64 %115
+  %117 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 2
+  store ptr %116, ptr %117, align 8
+  %118 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 34
+  %119 = load ptr, ptr %118, align 8
+  %120 = getelementptr inbounds double, ptr %119, i64 %115
+  %121 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 3
+  store ptr %120, ptr %121, align 8
+  %122 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 35
+  %123 = load ptr, ptr %122, align 8
+  %124 = getelementptr inbounds double, ptr %123, i64 %115
+  %125 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
+  store ptr %124, ptr %125, align 8
+  %126 = getelementptr inbounds %struct.Part, ptr %2, i64 0, i32 1
+  %127 = load i64, ptr %126, align 8
+  store i64 0, ptr %11, align 8
+  %128 = mul nsw i64 %98, 3
+  %129 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 1
+  store i64 %128, ptr %129, align 8
+  %130 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 5
+  store ptr @hull_core.still, ptr %130, align 8
+  %131 = mul nsw i64 %127, 3
+  %132 = getelementptr inbounds double, ptr %114, i64 %131
+  %133 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 2
+  store ptr %132, ptr %133, align 8
+  %134 = getelementptr inbounds double, ptr %119, i64 %131
+  %135 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 3
+  store ptr %134, ptr %135, align 8
+  %136 = getelementptr inbounds double, ptr %123, i64 %131
+  %137 = getelementptr inbounds %struct.Core, ptr %11, i64 0, i32 4
+  store ptr %136, ptr %137, align 8
+  %138 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  store ptr %138, ptr %112, align 8
+  %139 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %139, i64 24, i1 false)
+  %140 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef %107, double noundef %107, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef null, ptr noundef null)
+  %141 = icmp ne i32 %140, 0
+  %142 = load double, ptr %13, align 8
+  %143 = fcmp ogt double %142, %107
+  %144 = select i1 %141, i1 %143, i1 false
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
+  br i1 %144, label %424, label %145
+
+145:                                              ; preds = %104
+  %146 = load i64, ptr %56, align 8
+  br label %147
+
+147:                                              ; preds = %145, %70
+  %148 = phi i64 [ %146, %145 ], [ %60, %70 ]
+  %149 = icmp sgt i64 %148, -1
+  br i1 %149, label %151, label %150
+
+150:                                              ; preds = %147
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br label %193
+
+151:                                              ; preds = %147
+  %152 = load i64, ptr %59, align 8
+  %153 = icmp slt i64 %152, 0
+  br i1 %153, label %154, label %155
+
+154:                                              ; preds = %151
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br label %194
+
+155:                                              ; preds = %151
+  %156 = load ptr, ptr %71, align 8
+  %157 = mul nsw i64 %54, 6
+  %158 = getelementptr inbounds double, ptr %156, i64 %157
+  %159 = getelementptr inbounds double, ptr %158, i64 3
+  %160 = load double, ptr %159, align 8
+  %161 = load double, ptr %158, align 8
+  %162 = fsub double %160, %161
+  %163 = getelementptr inbounds double, ptr %158, i64 4
+  %164 = load double, ptr %163, align 8
+  %165 = fadd double %162, %164
+  %166 = getelementptr inbounds double, ptr %158, i64 1
+  %167 = load double, ptr %166, align 8
+  %168 = fsub double %165, %167
+  %169 = getelementptr inbounds double, ptr %158, i64 5
+  %170 = load double, ptr %169, align 8
+  %171 = fadd double %168, %170
+  %172 = getelementptr inbounds double, ptr %158, i64 2
+  %173 = load double, ptr %172, align 8
+  %174 = fsub double %171, %173
+  %175 = getelementptr inbounds double, ptr %156, i64 %73
+  %176 = getelementptr inbounds double, ptr %175, i64 3
+  %177 = load double, ptr %176, align 8
+  %178 = load double, ptr %175, align 8
+  %179 = fsub double %177, %178
+  %180 = getelementptr inbounds double, ptr %175, i64 4
+  %181 = load double, ptr %180, align 8
+  %182 = fadd double %179, %181
+  %183 = getelementptr inbounds double, ptr %175, i64 1
+  %184 = load double, ptr %183, align 8
+  %185 = fsub double %182, %184
+  %186 = getelementptr inbounds double, ptr %175, i64 5
+  %187 = load double, ptr %186, align 8
+  %188 = fadd double %185, %187
+  %189 = getelementptr inbounds double, ptr %175, i64 2
+  %190 = load double, ptr %189, align 8
+  %191 = fsub double %188, %190
+  %192 = fcmp ult double %174, %191
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  br i1 %192, label %193, label %194
+
+193:                                              ; preds = %150, %155
+  br label %194
+
+194:                                              ; preds = %155, %154, %193
+  %195 = phi i64 [ %55, %155 ], [ %55, %154 ], [ %58, %193 ]
+  %196 = phi i1 [ true, %155 ], [ true, %154 ], [ false, %193 ]
+  %197 = phi ptr [ %1, %155 ], [ %1, %154 ], [ %2, %193 ]
+  %198 = getelementptr inbounds i8, ptr %197, i64 8
+  %199 = load i64, ptr %198, align 8
+  %200 = getelementptr inbounds i8, ptr %197, i64 16
+  %201 = load i64, ptr %200, align 8
+  %202 = sdiv i64 %201, 2
+  %203 = load ptr, ptr %52, align 8
+  %204 = getelementptr inbounds i64, ptr %203, i64 %195
+  %205 = load i64, ptr %204, align 8
+  store i64 %205, ptr %15, align 16
+  %206 = getelementptr inbounds %struct.Part, ptr %15, i64 0, i32 1
+  store i64 %199, ptr %206, align 8
+  %207 = getelementptr inbounds %struct.Part, ptr %15, i64 0, i32 2
+  store i64 %202, ptr %207, align 16
+  %208 = getelementptr inbounds %struct.Part, ptr %15, i64 1
+  %209 = getelementptr inbounds i8, ptr %1, i64 8
+  %210 = load i64, ptr %209, align 8
+  %211 = getelementptr inbounds i8, ptr %2, i64 8
+  %212 = load i64, ptr %211, align 8
+  %213 = select i1 %196, i64 %210, i64 %212
+  %214 = select i1 %196, i64 %54, i64 %57
+  %215 = select i1 %196, i64 %94, i64 %98
+  %216 = sdiv i64 %215, 2
+  %217 = shl nsw i64 %214, 1
+  %218 = or i64 %217, 1
+  %219 = getelementptr inbounds i64, ptr %203, i64 %218
+  %220 = load i64, ptr %219, align 8
+  store i64 %220, ptr %208, align 8
+  %221 = getelementptr inbounds %struct.Part, ptr %15, i64 1, i32 1
+  %222 = add nsw i64 %216, %213
+  store i64 %222, ptr %221, align 16
+  %223 = getelementptr inbounds %struct.Part, ptr %15, i64 1, i32 2
+  %224 = sub nsw i64 %215, %216
+  store i64 %224, ptr %223, align 8
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %16) #18
+  %225 = load ptr, ptr %71, align 8
+  %226 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
+  %227 = getelementptr inbounds double, ptr %5, i64 1
+  %228 = getelementptr inbounds double, ptr %5, i64 2
+  %229 = getelementptr inbounds double, ptr %8, i64 1
+  %230 = getelementptr inbounds double, ptr %8, i64 2
+  %231 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 3
+  %232 = getelementptr inbounds double, ptr %6, i64 1
+  %233 = getelementptr inbounds double, ptr %6, i64 2
+  %234 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 4
+  %235 = load double, ptr %234, align 8
+  br label %242
+
+236:                                              ; preds = %404
+  %237 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 1
+  %238 = load double, ptr %237, align 8
+  %239 = load double, ptr %16, align 16
+  %240 = fcmp olt double %238, %239
+  %241 = zext i1 %240 to i32
+  br label %409
+
+242:                                              ; preds = %194, %404
+  %243 = phi i1 [ true, %194 ], [ false, %404 ]
+  %244 = phi i64 [ 0, %194 ], [ 1, %404 ]
+  %245 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %244
+  %246 = select i1 %196, ptr %245, ptr %1
+  %247 = load i64, ptr %246, align 8
+  %248 = mul nsw i64 %247, 6
+  %249 = getelementptr inbounds double, ptr %225, i64 %248
+  %250 = select i1 %196, ptr %2, ptr %245
+  %251 = load i64, ptr %250, align 8
+  %252 = mul nsw i64 %251, 6
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  br label %282
+
+253:                                              ; preds = %282
+  %254 = load double, ptr %5, align 16
+  %255 = load double, ptr %227, align 8
+  %256 = load double, ptr %228, align 16
+  br label %257
+
+257:                                              ; preds = %257, %253
+  %258 = phi i64 [ 0, %253 ], [ %278, %257 ]
+  %259 = mul nuw nsw i64 %258, 3
+  %260 = getelementptr inbounds double, ptr %226, i64 %259
+  %261 = load double, ptr %260, align 8
+  %262 = fmul double %254, %261
+  %263 = add nuw nsw i64 %259, 1
+  %264 = getelementptr inbounds double, ptr %226, i64 %263
+  %265 = load double, ptr %264, align 8
+  %266 = fmul double %255, %265
+  %267 = fadd double %262, %266
+  %268 = add nuw nsw i64 %259, 2
+  %269 = getelementptr inbounds double, ptr %226, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fmul double %256, %270
+  %272 = fadd double %267, %271
+  %273 = add nuw nsw i64 %258, 9
+  %274 = getelementptr inbounds double, ptr %226, i64 %273
+  %275 = load double, ptr %274, align 8
+  %276 = fadd double %275, %272
+  %277 = getelementptr inbounds double, ptr %8, i64 %258
+  store double %276, ptr %277, align 8
+  %278 = add nuw nsw i64 %258, 1
+  %279 = icmp eq i64 %278, 3
+  br i1 %279, label %280, label %257
+
+280:                                              ; preds = %257
+  %281 = getelementptr inbounds double, ptr %225, i64 %252
+  br label %323
+
+282:                                              ; preds = %282, %242
+  %283 = phi i64 [ 0, %242 ], [ %295, %282 ]
+  %284 = getelementptr inbounds double, ptr %249, i64 %283
+  %285 = load double, ptr %284, align 8
+  %286 = add nuw nsw i64 %283, 3
+  %287 = getelementptr inbounds double, ptr %249, i64 %286
+  %288 = load double, ptr %287, align 8
+  %289 = fadd double %285, %288
+  %290 = fmul double %289, 5.000000e-01
+  %291 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %283
+  store double %290, ptr %291, align 8
+  %292 = fsub double %288, %285
+  %293 = fmul double %292, 5.000000e-01
+  %294 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %283
+  store double %293, ptr %294, align 8
+  %295 = add nuw nsw i64 %283, 1
+  %296 = icmp eq i64 %295, 3
+  br i1 %296, label %253, label %282
+
+297:                                              ; preds = %323
+  %298 = load double, ptr %8, align 16
+  %299 = load double, ptr %229, align 8
+  %300 = load double, ptr %230, align 16
+  br label %301
+
+301:                                              ; preds = %301, %297
+  %302 = phi i64 [ 0, %297 ], [ %317, %301 ]
+  %303 = getelementptr inbounds double, ptr %226, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = fmul double %298, %304
+  %306 = add nuw nsw i64 %302, 3
+  %307 = getelementptr inbounds double, ptr %226, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = fmul double %299, %308
+  %310 = fadd double %305, %309
+  %311 = add nuw nsw i64 %302, 6
+  %312 = getelementptr inbounds double, ptr %226, i64 %311
+  %313 = load double, ptr %312, align 8
+  %314 = fmul double %300, %313
+  %315 = fadd double %310, %314
+  %316 = getelementptr inbounds double, ptr %9, i64 %302
+  store double %315, ptr %316, align 8
+  %317 = add nuw nsw i64 %302, 1
+  %318 = icmp eq i64 %317, 3
+  br i1 %318, label %319, label %301
+
+319:                                              ; preds = %301
+  %320 = load double, ptr %6, align 16
+  %321 = load double, ptr %232, align 8
+  %322 = load double, ptr %233, align 16
+  br label %342
+
+323:                                              ; preds = %280, %323
+  %324 = phi i64 [ %338, %323 ], [ 0, %280 ]
+  %325 = getelementptr inbounds double, ptr %281, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = add nuw nsw i64 %324, 3
+  %328 = getelementptr inbounds double, ptr %281, i64 %327
+  %329 = load double, ptr %328, align 8
+  %330 = fadd double %326, %329
+  %331 = fmul double %330, 5.000000e-01
+  %332 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %324
+  %333 = load double, ptr %332, align 8
+  %334 = fsub double %333, %331
+  store double %334, ptr %332, align 8
+  %335 = fsub double %329, %326
+  %336 = fmul double %335, 5.000000e-01
+  %337 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %324
+  store double %336, ptr %337, align 8
+  %338 = add nuw nsw i64 %324, 1
+  %339 = icmp eq i64 %338, 3
+  br i1 %339, label %297, label %323
+
+340:                                              ; preds = %366
+  %341 = fcmp ogt double %376, 0.000000e+00
+  br i1 %341, label %400, label %404
+
+342:                                              ; preds = %366, %319
+  %343 = phi i64 [ 0, %319 ], [ %385, %366 ]
+  %344 = phi double [ 0.000000e+00, %319 ], [ %382, %366 ]
+  %345 = phi double [ 0.000000e+00, %319 ], [ %384, %366 ]
+  %346 = phi double [ 0xFFF0000000000000, %319 ], [ %376, %366 ]
+  %347 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %343
+  %348 = load double, ptr %347, align 8
+  %349 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %343
+  %350 = load double, ptr %349, align 8
+  %351 = mul nuw nsw i64 %343, 3
+  %352 = getelementptr inbounds double, ptr %231, i64 %351
+  %353 = load double, ptr %352, align 8
+  %354 = getelementptr inbounds double, ptr %352, i64 1
+  %355 = load double, ptr %354, align 8
+  %356 = fmul double %321, %355
+  %357 = getelementptr inbounds double, ptr %352, i64 2
+  %358 = load double, ptr %357, align 8
+  %359 = fmul double %322, %358
+  %360 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %343
+  %361 = load double, ptr %360, align 8
+  %362 = tail call double @llvm.fabs.f64(double %361)
+  %363 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %343
+  %364 = load double, ptr %363, align 8
+  %365 = fsub double %362, %364
+  br label %387
+
+366:                                              ; preds = %387
+  %367 = fmul double %320, %353
+  %368 = fadd double %367, %356
+  %369 = fadd double %368, %359
+  %370 = tail call double @llvm.fabs.f64(double %348)
+  %371 = fsub double %370, %350
+  %372 = fsub double %371, %369
+  %373 = fcmp ogt double %372, %346
+  %374 = select i1 %373, double %372, double %346
+  %375 = fcmp ogt double %397, %374
+  %376 = select i1 %375, double %397, double %374
+  %377 = fcmp ogt double %372, 0.000000e+00
+  %378 = select i1 %377, double %372, double 0.000000e+00
+  %379 = fcmp ogt double %397, 0.000000e+00
+  %380 = select i1 %379, double %397, double 0.000000e+00
+  %381 = fmul double %378, %378
+  %382 = fadd double %344, %381
+  %383 = fmul double %380, %380
+  %384 = fadd double %345, %383
+  %385 = add nuw nsw i64 %343, 1
+  %386 = icmp eq i64 %385, 3
+  br i1 %386, label %340, label %342
+
+387:                                              ; preds = %387, %342
+  %388 = phi i64 [ 0, %342 ], [ %398, %387 ]
+  %389 = phi double [ %365, %342 ], [ %397, %387 ]
+  %390 = mul nuw nsw i64 %388, 3
+  %391 = add nuw nsw i64 %390, %343
+  %392 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 3, i64 %391
+  %393 = load double, ptr %392, align 8
+  %394 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %388
+  %395 = load double, ptr %394, align 8
+  %396 = fmul double %393, %395
+  %397 = fsub double %389, %396
+  %398 = add nuw nsw i64 %388, 1
+  %399 = icmp eq i64 %398, 3
+  br i1 %399, label %366, label %387
+
+400:                                              ; preds = %340
+  %401 = fcmp ogt double %384, %382
+  %402 = select i1 %401, double %384, double %382
+  %403 = tail call double @llvm.sqrt.f64(double %402)
+  br label %404
+
+404:                                              ; preds = %340, %400
+  %405 = phi double [ %403, %400 ], [ %376, %340 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  %406 = fsub double %405, %235
+  %407 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 %244
+  store double %406, ptr %407, align 8
+  br i1 %243, label %242, label %236
+
+408:                                              ; preds = %419
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 48, ptr nonnull %15) #18
+  br label %424
+
+409:                                              ; preds = %236, %419
+  %410 = phi i1 [ true, %236 ], [ false, %419 ]
+  %411 = phi i32 [ 0, %236 ], [ 1, %419 ]
+  %412 = xor i32 %411, %241
+  br i1 %196, label %413, label %416
+
+413:                                              ; preds = %409
+  %414 = zext i32 %412 to i64
+  %415 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %414
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %17, ptr noundef nonnull align 8 dereferenceable(24) %415, i64 24, i1 false)
+  br label %419
+
+416:                                              ; preds = %409
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %17, ptr noundef nonnull align 8 dereferenceable(24) %1, i64 24, i1 false)
+  %417 = zext i32 %412 to i64
+  %418 = getelementptr inbounds [2 x %struct.Part], ptr %15, i64 0, i64 %417
+  br label %419
+
+419:                                              ; preds = %416, %413
+  %420 = phi ptr [ %418, %416 ], [ %2, %413 ]
+  %421 = phi i64 [ %417, %416 ], [ %414, %413 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %18, ptr noundef nonnull align 8 dereferenceable(24) %420, i64 24, i1 false)
+  %422 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 %421
+  %423 = load double, ptr %422, align 8
+  tail call fastcc void @two_nodes(ptr noundef nonnull %0, ptr noundef nonnull byval(%struct.Part) align 8 %17, ptr noundef nonnull byval(%struct.Part) align 8 %18, double noundef %423)
+  br i1 %410, label %409, label %408
+
+424:                                              ; preds = %104, %65, %408, %40, %46
+  ret void
+}
+
+define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+  %6 = alloca [2 x [3 x [3 x double]]], align 16
+  %7 = alloca [2 x [3 x [3 x double]]], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca double, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  %10 = load ptr, ptr %0, align 8
+  %11 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 11
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %12, i64 %14
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr inbounds double, ptr %12, i64 %1
+  %18 = load double, ptr %17, align 8
+  %19 = fadd double %16, %18
+  %20 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %21 = load ptr, ptr %20, align 8
+  %22 = icmp eq ptr %21, null
+  br i1 %22, label %23, label %25
+
+23:                                               ; preds = %5
+  %24 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %24, align 8
+  br label %276
+
+25:                                               ; preds = %5
+  %26 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 8
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i64, ptr %27, i64 %14
+  %29 = load i64, ptr %28, align 8
+  %30 = icmp eq i64 %29, 4
+  br i1 %30, label %31, label %234
+
+31:                                               ; preds = %25
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %7) #18
+  br label %36
+
+32:                                               ; preds = %92
+  %33 = getelementptr inbounds double, ptr %8, i64 1
+  %34 = getelementptr inbounds double, ptr %8, i64 2
+  %35 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 1
+  br label %104
+
+36:                                               ; preds = %92, %31
+  %37 = phi i1 [ true, %31 ], [ false, %92 ]
+  %38 = phi i64 [ 0, %31 ], [ 1, %92 ]
+  %39 = select i1 %37, ptr %2, ptr %3
+  %40 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 1
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 2
+  %43 = load ptr, ptr %42, align 8
+  %44 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 3
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 4
+  %47 = load ptr, ptr %46, align 8
+  %48 = getelementptr inbounds %struct.Core, ptr %39, i64 0, i32 5
+  %49 = load ptr, ptr %48, align 8
+  br label %50
+
+50:                                               ; preds = %84, %36
+  %51 = phi i64 [ 0, %36 ], [ %85, %84 ]
+  %52 = icmp sgt i64 %41, %51
+  %53 = select i1 %52, i64 %51, i64 0
+  %54 = getelementptr inbounds double, ptr %43, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = getelementptr inbounds double, ptr %45, i64 %53
+  %57 = load double, ptr %56, align 8
+  %58 = getelementptr inbounds double, ptr %47, i64 %53
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %51
+  br label %61
+
+61:                                               ; preds = %61, %50
+  %62 = phi i64 [ 0, %50 ], [ %82, %61 ]
+  %63 = mul nuw nsw i64 %62, 3
+  %64 = getelementptr inbounds double, ptr %49, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %55, %65
+  %67 = add nuw nsw i64 %63, 1
+  %68 = getelementptr inbounds double, ptr %49, i64 %67
+  %69 = load double, ptr %68, align 8
+  %70 = fmul double %57, %69
+  %71 = fadd double %66, %70
+  %72 = add nuw nsw i64 %63, 2
+  %73 = getelementptr inbounds double, ptr %49, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %59, %74
+  %76 = fadd double %71, %75
+  %77 = add nuw nsw i64 %62, 9
+  %78 = getelementptr inbounds double, ptr %49, i64 %77
+  %79 = load double, ptr %78, align 8
+  %80 = fadd double %79, %76
+  %81 = getelementptr inbounds double, ptr %60, i64 %62
+  store double %80, ptr %81, align 8
+  %82 = add nuw nsw i64 %62, 1
+  %83 = icmp eq i64 %82, 3
+  br i1 %83, label %84, label %61
+
+84:                                               ; preds = %61
+  %85 = add nuw nsw i64 %51, 1
+  %86 = icmp eq i64 %85, 3
+  br i1 %86, label %87, label %50
+
+87:                                               ; preds = %84, %93
+  %88 = phi i64 [ %89, %93 ], [ 0, %84 ]
+  %89 = add nuw nsw i64 %88, 1
+  %90 = icmp eq i64 %89, 3
+  %91 = select i1 %90, i64 0, i64 %89
+  br label %94
+
+92:                                               ; preds = %93
+  br i1 %37, label %36, label %32
+
+93:                                               ; preds = %94
+  br i1 %90, label %92, label %87
+
+94:                                               ; preds = %94, %87
+  %95 = phi i64 [ 0, %87 ], [ %102, %94 ]
+  %96 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %91, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %6, i64 0, i64 %38, i64 %88, i64 %95
+  %99 = load double, ptr %98, align 8
+  %100 = fsub double %97, %99
+  %101 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %38, i64 %88, i64 %95
+  store double %100, ptr %101, align 8
+  %102 = add nuw nsw i64 %95, 1
+  %103 = icmp eq i64 %102, 3
+  br i1 %103, label %93, label %94
+
+104:                                              ; preds = %227, %32
+  %105 = phi i64 [ 0, %32 ], [ %229, %227 ]
+  %106 = phi double [ 0x7FF0000000000000, %32 ], [ %228, %227 ]
+  %107 = icmp ult i64 %105, 9
+  br i1 %107, label %108, label %116
+
+108:                                              ; preds = %104
+  %109 = trunc i64 %105 to i8
+  %110 = udiv i8 %109, 3
+  %111 = zext i8 %110 to i64
+  %112 = getelementptr inbounds [3 x [3 x double]], ptr %7, i64 0, i64 %111
+  %113 = urem i8 %109, 3
+  %114 = zext i8 %113 to i64
+  %115 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 1, i64 %114
+  br label %121
+
+116:                                              ; preds = %104
+  %117 = add nuw nsw i64 %105, 4294967287
+  %118 = and i64 %117, 4294967295
+  %119 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %118
+  %120 = getelementptr inbounds [2 x [3 x [3 x double]]], ptr %7, i64 0, i64 %118, i64 1
+  br label %121
+
+121:                                              ; preds = %116, %108
+  %122 = phi ptr [ %112, %108 ], [ %119, %116 ]
+  %123 = phi ptr [ %115, %108 ], [ %120, %116 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  br label %124
+
+124:                                              ; preds = %124, %121
+  %125 = phi i64 [ 0, %121 ], [ %126, %124 ]
+  %126 = add nuw nsw i64 %125, 1
+  %127 = icmp ult i64 %125, 2
+  %128 = add nuw nsw i64 %125, 4294967294
+  %129 = select i1 %127, i64 %126, i64 %128
+  %130 = and i64 %129, 4294967295
+  %131 = getelementptr inbounds double, ptr %122, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = icmp eq i64 %125, 0
+  %134 = add nuw nsw i64 %125, 4294967295
+  %135 = and i64 %134, 4294967295
+  %136 = select i1 %133, i64 2, i64 %135
+  %137 = getelementptr inbounds double, ptr %123, i64 %136
+  %138 = load double, ptr %137, align 8
+  %139 = fmul double %132, %138
+  %140 = getelementptr inbounds double, ptr %122, i64 %136
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr inbounds double, ptr %123, i64 %130
+  %143 = load double, ptr %142, align 8
+  %144 = fmul double %141, %143
+  %145 = fsub double %139, %144
+  %146 = getelementptr inbounds double, ptr %8, i64 %125
+  store double %145, ptr %146, align 8
+  %147 = icmp eq i64 %126, 3
+  br i1 %147, label %148, label %124
+
+148:                                              ; preds = %124
+  %149 = load double, ptr %8, align 16
+  %150 = fmul double %149, %149
+  %151 = load double, ptr %33, align 8
+  %152 = fmul double %151, %151
+  %153 = fadd double %150, %152
+  %154 = load double, ptr %34, align 16
+  %155 = fmul double %154, %154
+  %156 = fadd double %153, %155
+  %157 = load double, ptr %122, align 8
+  %158 = fmul double %157, %157
+  %159 = getelementptr inbounds double, ptr %122, i64 1
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %160, %160
+  %162 = fadd double %158, %161
+  %163 = getelementptr inbounds double, ptr %122, i64 2
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %164, %164
+  %166 = fadd double %162, %165
+  %167 = fmul double %166, 0x3BC79CA10C924223
+  %168 = load double, ptr %123, align 8
+  %169 = fmul double %168, %168
+  %170 = getelementptr inbounds double, ptr %123, i64 1
+  %171 = load double, ptr %170, align 8
+  %172 = fmul double %171, %171
+  %173 = fadd double %169, %172
+  %174 = getelementptr inbounds double, ptr %123, i64 2
+  %175 = load double, ptr %174, align 8
+  %176 = fmul double %175, %175
+  %177 = fadd double %173, %176
+  %178 = fmul double %167, %177
+  %179 = fcmp ogt double %156, %178
+  br i1 %179, label %185, label %227
+
+180:                                              ; preds = %185
+  %181 = fsub double %216, %218
+  %182 = fsub double %220, %214
+  %183 = tail call double @llvm.minnum.f64(double %181, double %182)
+  %184 = fcmp ogt double %183, 0.000000e+00
+  br i1 %184, label %223, label %227
+
+185:                                              ; preds = %148, %185
+  %186 = phi i64 [ %221, %185 ], [ 0, %148 ]
+  %187 = phi double [ %218, %185 ], [ 0x7FF0000000000000, %148 ]
+  %188 = phi double [ %214, %185 ], [ 0x7FF0000000000000, %148 ]
+  %189 = phi double [ %220, %185 ], [ 0xFFF0000000000000, %148 ]
+  %190 = phi double [ %216, %185 ], [ 0xFFF0000000000000, %148 ]
+  %191 = getelementptr inbounds [3 x double], ptr %6, i64 %186
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %149, %192
+  %194 = getelementptr inbounds double, ptr %191, i64 1
+  %195 = load double, ptr %194, align 8
+  %196 = fmul double %151, %195
+  %197 = fadd double %193, %196
+  %198 = getelementptr inbounds double, ptr %191, i64 2
+  %199 = load double, ptr %198, align 8
+  %200 = fmul double %154, %199
+  %201 = fadd double %197, %200
+  %202 = getelementptr inbounds [3 x double], ptr %35, i64 %186
+  %203 = load double, ptr %202, align 8
+  %204 = fmul double %149, %203
+  %205 = getelementptr inbounds double, ptr %202, i64 1
+  %206 = load double, ptr %205, align 8
+  %207 = fmul double %151, %206
+  %208 = fadd double %204, %207
+  %209 = getelementptr inbounds double, ptr %202, i64 2
+  %210 = load double, ptr %209, align 8
+  %211 = fmul double %154, %210
+  %212 = fadd double %208, %211
+  %213 = fcmp olt double %201, %188
+  %214 = select i1 %213, double %201, double %188
+  %215 = fcmp ogt double %201, %190
+  %216 = select i1 %215, double %201, double %190
+  %217 = fcmp olt double %212, %187
+  %218 = select i1 %217, double %212, double %187
+  %219 = fcmp ogt double %212, %189
+  %220 = select i1 %219, double %212, double %189
+  %221 = add nuw nsw i64 %186, 1
+  %222 = icmp eq i64 %221, 3
+  br i1 %222, label %180, label %185
+
+223:                                              ; preds = %180
+  %224 = tail call double @llvm.sqrt.f64(double %156)
+  %225 = fdiv double %183, %224
+  %226 = tail call double @llvm.minnum.f64(double %225, double %106)
+  br label %227
+
+227:                                              ; preds = %223, %180, %148
+  %228 = phi double [ %106, %148 ], [ %226, %223 ], [ 0.000000e+00, %180 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  %229 = add nuw nsw i64 %105, 1
+  %230 = icmp eq i64 %229, 11
+  br i1 %230, label %231, label %104
+
+231:                                              ; preds = %227
+  %232 = fcmp olt double %228, 0x7FF0000000000000
+  %233 = select i1 %232, double %228, double 0.000000e+00
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %6) #18
+  br label %241
+
+234:                                              ; preds = %25
+  %235 = call fastcc i32 @depth_of(ptr noundef %2, ptr noundef %3, ptr noundef %4, ptr noundef nonnull %9, ptr noundef null, ptr noundef null, ptr noundef null)
+  %236 = icmp eq i32 %235, 0
+  br i1 %236, label %239, label %237
+
+237:                                              ; preds = %234
+  %238 = load double, ptr %9, align 8
+  br label %241
+
+239:                                              ; preds = %234
+  %240 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 14
+  store i32 1, ptr %240, align 4
+  br label %276
+
+241:                                              ; preds = %237, %231
+  %242 = phi double [ %238, %237 ], [ %233, %231 ]
+  %243 = fneg double %242
+  %244 = fsub double %243, %19
+  %245 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %246 = load ptr, ptr %245, align 8
+  %247 = icmp eq ptr %246, null
+  %248 = getelementptr inbounds i64, ptr %246, i64 %1
+  %249 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %250 = select i1 %247, ptr %249, ptr %248
+  %251 = load i64, ptr %250, align 8
+  %252 = getelementptr inbounds double, ptr %21, i64 %251
+  %253 = load double, ptr %252, align 8
+  %254 = fcmp ult double %244, %253
+  br i1 %254, label %255, label %276
+
+255:                                              ; preds = %241
+  %256 = fsub double %244, %244
+  %257 = fcmp ole double %256, 1.000000e-08
+  %258 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %259 = load double, ptr %258, align 8
+  %260 = tail call double @llvm.minnum.f64(double %253, double %259)
+  %261 = fcmp ult double %244, %260
+  br i1 %261, label %262, label %276
+
+262:                                              ; preds = %255
+  %263 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %264 = load ptr, ptr %263, align 8
+  %265 = icmp ne ptr %264, null
+  %266 = fcmp oeq double %253, 0x7FF0000000000000
+  %267 = select i1 %265, i1 %266, i1 false
+  br i1 %267, label %268, label %274
+
+268:                                              ; preds = %262
+  %269 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 41
+  %270 = load ptr, ptr %269, align 8
+  %271 = load i64, ptr %264, align 8
+  %272 = add nsw i64 %271, 1
+  store i64 %272, ptr %264, align 8
+  %273 = getelementptr inbounds i64, ptr %270, i64 %271
+  store i64 %251, ptr %273, align 8
+  br label %274
+
+274:                                              ; preds = %268, %262
+  %275 = select i1 %257, double %244, double 0x7FF8000000000000
+  store double %275, ptr %252, align 8
+  br label %276
+
+276:                                              ; preds = %274, %255, %241, %239, %23
+  %277 = phi i32 [ 0, %239 ], [ 1, %23 ], [ 0, %241 ], [ 1, %255 ], [ 1, %274 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  ret i32 %277
+}
+
+declare double @llvm.sqrt.f64(double) #4
+
+define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #6 {
   %11 = alloca [3 x double], align 16
   %12 = alloca [3 x double], align 16
   %13 = alloca [3 x double], align 16
@@ -6226,13 +9177,13 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %25 = alloca [3 x double], align 16
   %26 = alloca [3 x double], align 16
   %27 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #15
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #18
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22)
   %28 = icmp ne ptr %9, null
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
   %29 = load double, ptr %2, align 8
   %30 = fmul double %29, %29
   %31 = getelementptr inbounds double, ptr %2, i64 1
@@ -6337,7 +9288,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 111:                                              ; preds = %138
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %26, ptr noundef nonnull %24)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %23, ptr noundef nonnull %25)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
   %112 = load double, ptr %24, align 16
   %113 = load double, ptr %25, align 16
   %114 = fsub double %112, %113
@@ -6467,7 +9418,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %578
 
 195:                                              ; preds = %186
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
   br label %206
 
 196:                                              ; preds = %206
@@ -6540,12 +9491,12 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br label %245
 
 245:                                              ; preds = %231, %243
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
   br label %578
 
 246:                                              ; preds = %186
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14)
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #15
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #18
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
   %247 = icmp eq i32 %193, 4
   %248 = zext i1 %247 to i32
@@ -6582,9 +9533,9 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   %273 = sub i32 6, %272
   %274 = sext i32 %273 to i64
   %275 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %274
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
   br label %301
 
 276:                                              ; preds = %301
@@ -6654,22 +9605,22 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %319, %276
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   br label %335
 
 334:                                              ; preds = %319
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
   br label %529
 
 335:                                              ; preds = %333, %253
   %336 = phi i32 [ %257, %253 ], [ 0, %333 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
   br label %394
 
 337:                                              ; preds = %394
@@ -6892,8 +9843,8 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 514:                                              ; preds = %479, %496, %452, %428, %511
   %515 = phi i32 [ %513, %511 ], [ 3, %428 ], [ 5, %452 ], [ 7, %496 ], [ 6, %479 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
   %516 = load double, ptr %19, align 16
   %517 = fmul double %516, %516
   %518 = load double, ptr %86, align 8
@@ -6913,7 +9864,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 526:                                              ; preds = %525, %514
   %527 = phi i32 [ %515, %525 ], [ %256, %514 ]
   %528 = phi double [ %523, %525 ], [ %255, %514 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
   br label %529
 
 529:                                              ; preds = %526, %334
@@ -6930,7 +9881,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %537, label %576, label %538
 
 538:                                              ; preds = %536
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #15
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #18
   br label %559
 
 539:                                              ; preds = %572
@@ -6967,7 +9918,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 558:                                              ; preds = %555, %539
   store i32 %573, ptr %45, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #15
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #18
   br label %576
 
 559:                                              ; preds = %572, %538
@@ -6996,7 +9947,7 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 576:                                              ; preds = %558, %536, %250
   %577 = phi i32 [ 0, %558 ], [ 1, %250 ], [ 0, %536 ]
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #15
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #18
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14)
   br label %578
 
@@ -7072,27 +10023,248 @@ define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapt
 
 620:                                              ; preds = %168, %165, %604, %609, %613, %611, %617, %179, %590, %596, %603
   %621 = phi i32 [ 1, %603 ], [ 0, %590 ], [ 1, %596 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %604 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
   br label %625
 
 622:                                              ; preds = %617
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
   %623 = add nuw nsw i32 %110, 1
   %624 = icmp eq i32 %623, 300
   br i1 %624, label %625, label %108
 
 625:                                              ; preds = %622, %620
   %626 = phi i32 [ %621, %620 ], [ 1, %622 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
   call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22)
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #15
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #18
   ret i32 %626
 }
 
-define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #9 {
+define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, double noundef %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
+  %6 = alloca [9 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca double, align 8
+  %9 = alloca double, align 8
+  %10 = alloca %struct.Core, align 8
+  %11 = alloca %struct.Plane, align 8
+  %12 = alloca %struct.Simplex, align 8
+  %13 = load ptr, ptr %0, align 8
+  %14 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 32
+  %15 = load ptr, ptr %14, align 8
+  %16 = mul nsw i64 %2, 9
+  %17 = getelementptr inbounds double, ptr %15, i64 %16
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
+  %19 = load ptr, ptr %18, align 8
+  %20 = icmp eq ptr %19, null
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
+  br label %21
+
+21:                                               ; preds = %51, %5
+  %22 = phi i64 [ 0, %5 ], [ %55, %51 ]
+  %23 = phi i32 [ 1, %5 ], [ %54, %51 ]
+  %24 = mul nuw nsw i64 %22, 3
+  br label %34
+
+25:                                               ; preds = %34
+  %26 = add nuw nsw i64 %22, 3
+  %27 = getelementptr inbounds double, ptr %17, i64 %26
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %17, i64 %22
+  %30 = load double, ptr %29, align 8
+  %31 = fsub double %28, %30
+  %32 = tail call double @llvm.fabs.f64(double %31)
+  %33 = fcmp olt double %32, 3.000000e-07
+  br i1 %33, label %44, label %51
+
+34:                                               ; preds = %34, %21
+  %35 = phi i64 [ 0, %21 ], [ %42, %34 ]
+  %36 = mul nuw nsw i64 %35, 3
+  %37 = add nuw nsw i64 %36, %22
+  %38 = getelementptr inbounds double, ptr %17, i64 %37
+  %39 = load double, ptr %38, align 8
+  %40 = add nuw nsw i64 %35, %24
+  %41 = getelementptr inbounds double, ptr %6, i64 %40
+  store double %39, ptr %41, align 8
+  %42 = add nuw nsw i64 %35, 1
+  %43 = icmp eq i64 %42, 3
+  br i1 %43, label %25, label %34
+
+44:                                               ; preds = %25
+  %45 = add nuw nsw i64 %22, 6
+  %46 = getelementptr inbounds double, ptr %17, i64 %45
+  %47 = load double, ptr %46, align 8
+  %48 = fsub double %47, %30
+  %49 = tail call double @llvm.fabs.f64(double %48)
+  %50 = fcmp olt double %49, 3.000000e-07
+  br label %51
+
+51:                                               ; preds = %44, %25
+  %52 = phi i1 [ false, %25 ], [ %50, %44 ]
+  %53 = zext i1 %52 to i32
+  %54 = and i32 %23, %53
+  %55 = add nuw nsw i64 %22, 1
+  %56 = icmp eq i64 %55, 3
+  br i1 %56, label %57, label %21
+
+57:                                               ; preds = %51
+  %58 = select i1 %20, double %3, double 0xFFF0000000000000
+  store i64 0, ptr %10, align 8
+  %59 = icmp eq i32 %54, 0
+  %60 = select i1 %59, i64 3, i64 1
+  %61 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 1
+  store i64 %60, ptr %61, align 8
+  %62 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 5
+  store ptr @place.still, ptr %62, align 8
+  %63 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 2
+  store ptr %6, ptr %63, align 8
+  %64 = getelementptr inbounds double, ptr %6, i64 3
+  %65 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 3
+  store ptr %64, ptr %65, align 8
+  %66 = getelementptr inbounds double, ptr %6, i64 6
+  %67 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
+  store ptr %66, ptr %67, align 8
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #18
+  %68 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %68, i64 32, i1 false)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %12) #18
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %7, ptr noundef nonnull align 8 dereferenceable(24) %4, i64 24, i1 false)
+  %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
+  %70 = load i64, ptr %69, align 8
+  %71 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %72 = load ptr, ptr %71, align 8
+  %73 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
+  %74 = load ptr, ptr %73, align 8
+  %75 = getelementptr inbounds double, ptr %74, i64 %70
+  %76 = load double, ptr %75, align 8
+  %77 = getelementptr inbounds double, ptr %74, i64 %1
+  %78 = load double, ptr %77, align 8
+  %79 = fadd double %76, %78
+  %80 = fadd double %79, %3
+  %81 = fadd double %58, %79
+  %82 = call fastcc i32 @bounds(ptr noundef %72, ptr noundef nonnull %10, ptr noundef nonnull %7, double noundef %80, double noundef %81, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %8, ptr noundef nonnull %9, ptr noundef nonnull %11, ptr noundef nonnull %12)
+  %83 = load double, ptr %8, align 8
+  %84 = fsub double %83, %79
+  %85 = load double, ptr %9, align 8
+  %86 = fsub double %85, %79
+  %87 = icmp eq i32 %82, 0
+  br i1 %87, label %88, label %94
+
+88:                                               ; preds = %57
+  %89 = load ptr, ptr %71, align 8
+  %90 = call fastcc i32 @tell_depth(ptr noundef nonnull %0, i64 noundef %1, ptr noundef %89, ptr noundef nonnull %10, ptr noundef nonnull %12)
+  %91 = icmp eq i32 %90, 0
+  br i1 %91, label %147, label %92
+
+92:                                               ; preds = %88
+  %93 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %2, ptr %93, align 8
+  br label %147
+
+94:                                               ; preds = %57
+  %95 = fcmp ugt double %84, %3
+  br i1 %95, label %147, label %96
+
+96:                                               ; preds = %94
+  %97 = load ptr, ptr %18, align 8
+  %98 = icmp eq ptr %97, null
+  br i1 %98, label %131, label %99
+
+99:                                               ; preds = %96
+  %100 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 3
+  %101 = load ptr, ptr %100, align 8
+  %102 = icmp eq ptr %101, null
+  %103 = getelementptr inbounds i64, ptr %101, i64 %1
+  %104 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
+  %105 = select i1 %102, ptr %104, ptr %103
+  %106 = load i64, ptr %105, align 8
+  %107 = getelementptr inbounds double, ptr %97, i64 %106
+  %108 = fsub double %86, %84
+  %109 = fcmp ole double %108, 1.000000e-08
+  %110 = select i1 %109, double %86, double %84
+  %111 = load double, ptr %107, align 8
+  %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %113 = load double, ptr %112, align 8
+  %114 = call double @llvm.minnum.f64(double %111, double %113)
+  %115 = fcmp ult double %110, %114
+  br i1 %115, label %116, label %146
+
+116:                                              ; preds = %99
+  %117 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
+  %118 = load ptr, ptr %117, align 8
+  %119 = icmp ne ptr %118, null
+  %120 = fcmp oeq double %111, 0x7FF0000000000000
+  %121 = select i1 %119, i1 %120, i1 false
+  br i1 %121, label %122, label %129
+
+122:                                              ; preds = %116
+  %123 = load ptr, ptr %0, align 8
+  %124 = getelementptr inbounds %struct.World, ptr %123, i64 0, i32 41
+  %125 = load ptr, ptr %124, align 8
+  %126 = load i64, ptr %118, align 8
+  %127 = add nsw i64 %126, 1
+  store i64 %127, ptr %118, align 8
+  %128 = getelementptr inbounds i64, ptr %125, i64 %126
+  store i64 %106, ptr %128, align 8
+  br label %129
+
+129:                                              ; preds = %122, %116
+  %130 = select i1 %109, double %86, double 0x7FF8000000000000
+  store double %130, ptr %107, align 8
+  br label %144
+
+131:                                              ; preds = %96
+  %132 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
+  %133 = load double, ptr %132, align 8
+  %134 = fcmp ult double %133, %86
+  br i1 %134, label %137, label %135
+
+135:                                              ; preds = %131
+  %136 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  store i32 1, ptr %136, align 8
+  br label %144
+
+137:                                              ; preds = %131
+  %138 = fcmp ult double %133, %84
+  br i1 %138, label %144, label %139
+
+139:                                              ; preds = %137
+  %140 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
+  %141 = load i32, ptr %140, align 8
+  %142 = icmp eq i32 %141, 0
+  br i1 %142, label %143, label %144
+
+143:                                              ; preds = %139
+  store i32 2, ptr %140, align 8
+  br label %144
+
+144:                                              ; preds = %129, %135, %143, %139, %137
+  %145 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
+  store i64 %2, ptr %145, align 8
+  br label %146
+
+146:                                              ; preds = %99, %144
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %68, ptr noundef nonnull align 8 dereferenceable(32) %11, i64 32, i1 false)
+  br label %147
+
+147:                                              ; preds = %94, %146, %88, %92
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
+  ret void
+}
+
+define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
@@ -7162,9 +10334,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, 9
   %61 = getelementptr inbounds double, ptr %57, i64 %60
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
   br label %93
 
 62:                                               ; preds = %93
@@ -7281,9 +10453,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
 
 159:                                              ; preds = %156, %148, %128, %113, %62
   %160 = phi i32 [ 0, %62 ], [ 0, %113 ], [ %158, %156 ], [ 0, %148 ], [ 0, %128 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
   br label %161
 
 161:                                              ; preds = %16, %159
@@ -7292,13 +10464,61 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #7 {
+define internal fastcc double @in_front(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #13 {
+  %3 = load double, ptr %0, align 8
+  %4 = load double, ptr %1, align 8
+  %5 = fmul double %3, %4
+  %6 = getelementptr inbounds double, ptr %0, i64 1
+  %7 = load double, ptr %6, align 8
+  %8 = getelementptr inbounds double, ptr %1, i64 1
+  %9 = load double, ptr %8, align 8
+  %10 = fmul double %7, %9
+  %11 = fadd double %5, %10
+  %12 = getelementptr inbounds double, ptr %0, i64 2
+  %13 = load double, ptr %12, align 8
+  %14 = getelementptr inbounds double, ptr %1, i64 2
+  %15 = load double, ptr %14, align 8
+  %16 = fmul double %13, %15
+  %17 = fadd double %11, %16
+  %18 = getelementptr inbounds double, ptr %1, i64 3
+  %19 = load double, ptr %18, align 8
+  %20 = fmul double %3, %19
+  %21 = getelementptr inbounds double, ptr %1, i64 4
+  %22 = load double, ptr %21, align 8
+  %23 = fmul double %7, %22
+  %24 = fadd double %20, %23
+  %25 = getelementptr inbounds double, ptr %1, i64 5
+  %26 = load double, ptr %25, align 8
+  %27 = fmul double %13, %26
+  %28 = fadd double %24, %27
+  %29 = getelementptr inbounds double, ptr %1, i64 6
+  %30 = load double, ptr %29, align 8
+  %31 = fmul double %3, %30
+  %32 = getelementptr inbounds double, ptr %1, i64 7
+  %33 = load double, ptr %32, align 8
+  %34 = fmul double %7, %33
+  %35 = fadd double %31, %34
+  %36 = getelementptr inbounds double, ptr %1, i64 8
+  %37 = load double, ptr %36, align 8
+  %38 = fmul double %13, %37
+  %39 = fadd double %35, %38
+  %40 = fcmp ogt double %17, %28
+  %41 = select i1 %40, double %17, double %28
+  %42 = getelementptr inbounds %struct.Plane, ptr %0, i64 0, i32 1
+  %43 = load double, ptr %42, align 8
+  %44 = fcmp ogt double %39, %41
+  %45 = select i1 %44, double %39, double %41
+  %46 = fsub double %43, %45
+  ret double %46
+}
+
+define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 noundef %1, i32 noundef %2, i32 noundef %3, ptr nocapture noundef %4) unnamed_addr #8 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #15
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
   %9 = sext i32 %2 to i64
   %10 = sext i32 %1 to i64
   %11 = sext i32 %3 to i64
@@ -7406,33 +10626,279 @@ define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 nou
 
 94:                                               ; preds = %36, %63
   %95 = phi i32 [ %85, %63 ], [ 0, %36 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #15
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #15
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
   ret i32 %95
 }
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #12
+declare double @llvm.sin.f64(double) #4
 
-declare i64 @llvm.smin.i64(i64, i64) #13
+declare double @llvm.cos.f64(double) #4
 
-declare i64 @llvm.smax.i64(i64, i64) #13
+define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4) unnamed_addr #3 {
+  %6 = alloca [3 x double], align 16
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  br label %15
 
-attributes #0 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+9:                                                ; preds = %15
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i64, ptr %11, i64 %1
+  %13 = load i64, ptr %12, align 8
+  %14 = icmp eq i64 %13, 4
+  br i1 %14, label %25, label %94
+
+15:                                               ; preds = %5, %15
+  %16 = phi i64 [ 0, %5 ], [ %23, %15 ]
+  %17 = mul nuw nsw i64 %16, 3
+  %18 = add nuw nsw i64 %17, 2
+  %19 = getelementptr inbounds double, ptr %3, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = fneg double %20
+  %22 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %16
+  store double %21, ptr %22, align 8
+  %23 = add nuw nsw i64 %16, 1
+  %24 = icmp eq i64 %23, 3
+  br i1 %24, label %9, label %15
+
+25:                                               ; preds = %9
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i64, ptr %29, i64 %1
+  %31 = load i64, ptr %30, align 8
+  %32 = mul nsw i64 %31, 12
+  %33 = getelementptr inbounds double, ptr %27, i64 %32
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
+  %34 = load double, ptr %6, align 16
+  %35 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
+  %36 = load double, ptr %35, align 8
+  %37 = fneg double %36
+  %38 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 2
+  %39 = load double, ptr %38, align 16
+  br label %40
+
+40:                                               ; preds = %40, %25
+  %41 = phi i64 [ 0, %25 ], [ %56, %40 ]
+  %42 = getelementptr inbounds double, ptr %33, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = add nuw nsw i64 %41, 3
+  %45 = getelementptr inbounds double, ptr %33, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fmul double %46, %37
+  %48 = fmul double %34, %43
+  %49 = fsub double %47, %48
+  %50 = add nuw nsw i64 %41, 6
+  %51 = getelementptr inbounds double, ptr %33, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fmul double %39, %52
+  %54 = fsub double %49, %53
+  %55 = getelementptr inbounds double, ptr %7, i64 %41
+  store double %54, ptr %55, align 8
+  %56 = add nuw nsw i64 %41, 1
+  %57 = icmp eq i64 %56, 3
+  br i1 %57, label %58, label %40
+
+58:                                               ; preds = %40
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %60 = load ptr, ptr %59, align 8
+  %61 = getelementptr inbounds i64, ptr %60, i64 %1
+  %62 = load i64, ptr %61, align 8
+  %63 = call fastcc double @lowest_of(ptr noundef %0, i64 noundef %62, ptr noundef nonnull %7, double noundef 0x7FF0000000000000, ptr noundef nonnull %8)
+  %64 = getelementptr inbounds double, ptr %8, i64 1
+  %65 = getelementptr inbounds double, ptr %8, i64 2
+  %66 = load double, ptr %8, align 16
+  %67 = load double, ptr %64, align 8
+  %68 = load double, ptr %65, align 16
+  br label %69
+
+69:                                               ; preds = %69, %58
+  %70 = phi i64 [ 0, %58 ], [ %90, %69 ]
+  %71 = mul nuw nsw i64 %70, 3
+  %72 = getelementptr inbounds double, ptr %33, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fmul double %73, %66
+  %75 = add nuw nsw i64 %71, 1
+  %76 = getelementptr inbounds double, ptr %33, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = fmul double %77, %67
+  %79 = fadd double %74, %78
+  %80 = add nuw nsw i64 %71, 2
+  %81 = getelementptr inbounds double, ptr %33, i64 %80
+  %82 = load double, ptr %81, align 8
+  %83 = fmul double %82, %68
+  %84 = fadd double %79, %83
+  %85 = add nuw nsw i64 %70, 9
+  %86 = getelementptr inbounds double, ptr %33, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = fadd double %87, %84
+  %89 = getelementptr inbounds double, ptr %4, i64 %70
+  store double %88, ptr %89, align 8
+  %90 = add nuw nsw i64 %70, 1
+  %91 = icmp eq i64 %90, 3
+  br i1 %91, label %92, label %69
+
+92:                                               ; preds = %69
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  br label %93
+
+93:                                               ; preds = %94, %92
+  br label %96
+
+94:                                               ; preds = %9
+  call fastcc void @support(ptr noundef %2, ptr noundef nonnull %6, ptr noundef %4)
+  br label %93
+
+95:                                               ; preds = %96
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  ret double %108
+
+96:                                               ; preds = %93, %96
+  %97 = phi i64 [ %109, %96 ], [ 0, %93 ]
+  %98 = phi double [ %108, %96 ], [ 0.000000e+00, %93 ]
+  %99 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 %97
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr inbounds double, ptr %4, i64 %97
+  %102 = load double, ptr %101, align 8
+  %103 = add nuw nsw i64 %97, 9
+  %104 = getelementptr inbounds double, ptr %3, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = fsub double %102, %105
+  %107 = fmul double %100, %106
+  %108 = fsub double %98, %107
+  %109 = add nuw nsw i64 %97, 1
+  %110 = icmp eq i64 %109, 3
+  br i1 %110, label %95, label %96
+}
+
+define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, double noundef %3, ptr nocapture noundef writeonly %4) unnamed_addr #3 {
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %7 = load ptr, ptr %6, align 8
+  %8 = mul nsw i64 %1, 6
+  %9 = getelementptr inbounds double, ptr %7, i64 %8
+  br label %12
+
+10:                                               ; preds = %12
+  %11 = fcmp olt double %24, %3
+  br i1 %11, label %27, label %77
+
+12:                                               ; preds = %5, %12
+  %13 = phi i64 [ 0, %5 ], [ %25, %12 ]
+  %14 = phi double [ 0.000000e+00, %5 ], [ %24, %12 ]
+  %15 = getelementptr inbounds double, ptr %2, i64 %13
+  %16 = load double, ptr %15, align 8
+  %17 = fcmp ogt double %16, 0.000000e+00
+  %18 = add nuw i64 %13, 3
+  %19 = select i1 %17, i64 %13, i64 %18
+  %20 = and i64 %19, 4294967295
+  %21 = getelementptr inbounds double, ptr %9, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = fmul double %16, %22
+  %24 = fadd double %14, %23
+  %25 = add nuw nsw i64 %13, 1
+  %26 = icmp eq i64 %25, 3
+  br i1 %26, label %10, label %12
+
+27:                                               ; preds = %10
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %29 = load ptr, ptr %28, align 8
+  %30 = shl nsw i64 %1, 1
+  %31 = getelementptr inbounds i64, ptr %29, i64 %30
+  %32 = load i64, ptr %31, align 8
+  %33 = icmp sgt i64 %32, -1
+  br i1 %33, label %40, label %34
+
+34:                                               ; preds = %27
+  %35 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %36 = getelementptr inbounds i64, ptr %31, i64 1
+  %37 = getelementptr inbounds double, ptr %2, i64 1
+  %38 = getelementptr inbounds double, ptr %2, i64 2
+  %39 = load double, ptr %2, align 8
+  br label %47
+
+40:                                               ; preds = %27, %40
+  %41 = phi i1 [ false, %40 ], [ true, %27 ]
+  %42 = phi i64 [ 1, %40 ], [ 0, %27 ]
+  %43 = phi double [ %46, %40 ], [ %3, %27 ]
+  %44 = getelementptr inbounds i64, ptr %31, i64 %42
+  %45 = load i64, ptr %44, align 8
+  %46 = tail call fastcc double @lowest_of(ptr noundef %0, i64 noundef %45, ptr noundef %2, double noundef %43, ptr noundef %4)
+  br i1 %41, label %40, label %77
+
+47:                                               ; preds = %34, %72
+  %48 = phi double [ %39, %34 ], [ %73, %72 ]
+  %49 = phi i64 [ 0, %34 ], [ %75, %72 ]
+  %50 = phi double [ %3, %34 ], [ %74, %72 ]
+  %51 = load ptr, ptr %35, align 8
+  %52 = load i64, ptr %36, align 8
+  %53 = mul nsw i64 %52, 9
+  %54 = getelementptr inbounds double, ptr %51, i64 %53
+  %55 = mul nuw nsw i64 %49, 3
+  %56 = getelementptr inbounds double, ptr %54, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fmul double %48, %57
+  %59 = load double, ptr %37, align 8
+  %60 = getelementptr inbounds double, ptr %56, i64 1
+  %61 = load double, ptr %60, align 8
+  %62 = fmul double %59, %61
+  %63 = fadd double %58, %62
+  %64 = load double, ptr %38, align 8
+  %65 = getelementptr inbounds double, ptr %56, i64 2
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %64, %66
+  %68 = fadd double %63, %67
+  %69 = fcmp olt double %68, %50
+  br i1 %69, label %70, label %72
+
+70:                                               ; preds = %47
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %4, ptr noundef nonnull align 8 dereferenceable(24) %56, i64 24, i1 false)
+  %71 = load double, ptr %2, align 8
+  br label %72
+
+72:                                               ; preds = %70, %47
+  %73 = phi double [ %71, %70 ], [ %48, %47 ]
+  %74 = phi double [ %68, %70 ], [ %50, %47 ]
+  %75 = add nuw nsw i64 %49, 1
+  %76 = icmp eq i64 %75, 3
+  br i1 %76, label %77, label %47
+
+77:                                               ; preds = %72, %40, %10
+  %78 = phi double [ %3, %10 ], [ %46, %40 ], [ %74, %72 ]
+  ret double %78
+}
+
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #14
+
+declare i64 @llvm.smin.i64(i64, i64) #15
+
+declare i64 @llvm.smax.i64(i64, i64) #15
+
+
+attributes #0 = { nofree nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 attributes #2 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
-attributes #3 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #4 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #3 = { nofree nosync nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
 attributes #5 = { nofree norecurse nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #6 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #7 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #8 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
-attributes #9 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #10 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #11 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #12 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #13 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #14 = { memory(none) }
-attributes #15 = { nounwind }
+attributes #6 = { nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #7 = { nofree nosync nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #8 = { nofree nosync nounwind memory(argmem: readwrite) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #9 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: readwrite) }
+attributes #10 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #11 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #12 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #13 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #14 = { nofree nounwind willreturn memory(argmem: read) }
+attributes #15 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #16 = { nocallback nofree nosync nounwind willreturn memory(inaccessiblemem: readwrite) }
+attributes #17 = { memory(none) }
+attributes #18 = { nounwind }
 
 

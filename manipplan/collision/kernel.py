@@ -48,7 +48,8 @@ class _World(ctypes.Structure):
             ),
             "local",
             *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", "frames", "centres", "least", "found", "guess"),
+            *("node_box", "node", "root", "corners", "leaf_x", "leaf_y", "leaf_z", "probes", "probe"),
+            *("frames", "centres", "least", "found", "guess"),
         )
     ]
 

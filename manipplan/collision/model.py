@@ -11,11 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
 from manipplan.collision.near_pairs import NearPairs, apart_text
-from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.collision.surfaces.meshes import triangle_tree
-from manipplan.collision.surfaces.shells import winding_number
+from manipplan.collision.primitives import core_of
+from manipplan.collision.surfaces.shells import connected_parts, winding_number
 from manipplan.collision.witnesses import Witnesses
+from manipplan.collision.world import placed_triangles
 from manipplan.paths.joint import JointPath
+from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -83,14 +84,16 @@ class CollisionModel:
         self._carriers = carriers[self._bodies]
         around = np.array([_radius(item.geometry) + radii.get(k, 0.0) for k, item in enumerate(objects)])
         self._around = around[self._bodies]
-        self._solid_pairs = {k: pair for k, pair in enumerate(pairs) if pair[1] in solids}
+        inside = {k: [(i, j), (j, i)] for k, (i, j) in enumerate(pairs) if i in solids or j in solids}
+        self._solid_pairs = {k: [each for each in both if each[1] in solids] for k, both in inside.items()}
         self._margin = np.nan  # coal's, set when it is first asked
         self._cores: dict[int, tuple[Array, float]] = {}
         self._surfaces: dict[int, tuple[Array, Array, Array]] = {}  # triangles of solids, and a box around them
+        self._probes: dict[int, Array] = {}
 
     def __repr__(self) -> str:
-        own = {f"{item.name}.mesh" for item in self.robot.geometry.geometryObjects}  # described meshes come after the bodies
-        others = sum(item.name not in own for item in list(self.geometry.geometryObjects)[self.bodies :])
+        later = [item.name for item in list(self.geometry.geometryObjects)[self.bodies :]]
+        others = sum(name not in self.excess for name in later)  # the robot's finer bodies come after its bodies, too
         most = 1e3 * max(self.excess.values(), default=0.0)
         counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pair_names)} pairs"
         return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"
@@ -373,25 +376,36 @@ class CollisionModel:
         return result
 
     def _sign(self, pair: int, result: coal.DistanceResult) -> float:
-        """-1 where the first body of a pair is wholly inside the solid that is its second, otherwise 1."""
+        """-1 where one body of a pair is wholly inside the other, which is a solid surface, otherwise 1."""
         return -1.0 if result.min_distance > 0 and pair in self._solid_pairs and self._is_inside(pair) else 1.0
 
     def _is_inside(self, pair: int) -> bool:
-        """Whether a point of a pair's first body is inside the solid that is its second, where the bodies are placed."""
-        body, solid = self._solid_pairs[pair]
-        item = self.geometry.geometryObjects[body]
-        core = self._core(body)[0]  # the middle of a convex core is inside the body, a corner of a box around it may not be
-        middle = core[0] if isinstance(item.geometry, coal.BVHModelBase) else core.mean(axis=0)
-        point = self._data.oMi[item.parentJoint].act(middle)
-        if solid not in self._surfaces:
-            surface = self.geometry.geometryObjects[solid]
-            place = surface.placement
-            triangles = mesh_triangles(surface.geometry) @ place.rotation.T + place.translation
-            self._surfaces[solid] = triangles, triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
-        triangles, low, high = self._surfaces[solid]
-        if (point < low).any() or (point > high).any():
-            return False
-        return bool(abs(winding_number(triangles, point[None])[0]) > 0.5)
+        """Whether a part of one body of a pair is inside the other, which is a solid surface, where the bodies are placed."""
+        objects = self.geometry.geometryObjects
+        for body, solid in self._solid_pairs[pair]:
+            here, there = (self._data.oMi[objects[k].parentJoint] for k in (body, solid))
+            if solid not in self._surfaces:
+                triangles = placed_triangles(objects[solid])
+                self._surfaces[solid] = triangles, triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+            triangles, low, high = self._surfaces[solid]
+            points = self._inner_points(body) @ (there.rotation.T @ here.rotation).T + there.actInv(here.translation)
+            points = points[((points >= low) & (points <= high)).all(axis=1)]
+            if (np.abs(winding_number(triangles, points)) > 0.5).any():
+                return True
+        return False
+
+    def _inner_points(self, body: int) -> Array:
+        """A point (k, 3) of each connected part of a geometry object, in its joint's frame."""
+        if body not in self._probes:
+            item = self.geometry.geometryObjects[body]
+            if isinstance(item.geometry, coal.BVHModelBase):
+                parts = [placed_triangles(item)] if body in self.solids else connected_parts(placed_triangles(item))
+                self._probes[body] = np.array([part[0, 0] for part in parts])
+            elif isinstance(item.geometry, coal.Halfspace | coal.Plane):  # without bounds, it is inside nothing
+                self._probes[body] = np.empty((0, 3))
+            else:  # the middle of a convex core is inside the body, a corner of a box around it may not be
+                self._probes[body] = self._core(body)[0].mean(axis=0)[None]
+        return self._probes[body]
 
     def _set_margin(self, clearance: float) -> None:
         """Let coal count pairs nearer than `clearance` [m] as touching."""

@@ -1,6 +1,6 @@
 """The arrays that describe an arm among obstacles for `distances.c`."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 import coal
@@ -9,6 +9,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.surfaces.shells import connected_parts
 from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -47,7 +48,7 @@ def world_arrays(
     still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
     around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
     arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
-    arrays |= _trees(tree, objects, still, arrays["local"], arrays["radius"])
+    arrays |= _trees(tree, objects, still, pairs, arrays)
     return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
 
@@ -84,11 +85,9 @@ def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collect
             ball[k] = _ball(points)
             cores.append(points)
             begin += len(points)
-        elif isinstance(shape, coal.BVHModelBase) and item.parentJoint == 0:
+        elif isinstance(shape, coal.BVHModelBase):
             kind[k], size[k, 0] = SURFACE, k in closed
             ball[k] = _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
-        elif isinstance(shape, coal.BVHModelBase):  # a moving mesh is left to coal where it is near
-            kind[k], ball[k] = UNKNOWN, _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
         else:
             kind[k], ball[k, 3] = UNKNOWN, ENDLESS
         ball[k, 3] += radius[k]
@@ -134,39 +133,77 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 
 
 def _trees(
-    tree: Tree, objects: Sequence[pin.GeometryObject], still: Numbers, local: Array, radius: Array
+    tree: Tree,
+    objects: Sequence[pin.GeometryObject],
+    still: Numbers,
+    pairs: Numbers,
+    arrays: Mapping[str, NDArray[Any]],
 ) -> dict[str, NDArray[Any]]:
-    """One tree per static surface, then the tree over all static bodies; `top` is the root of the last, -1 without any."""
-    root = np.full(len(objects), -1, dtype=np.int64)
-    triangles = {
-        int(k): mesh_triangles(objects[k].geometry) @ objects[k].placement.rotation.T + objects[k].placement.translation
-        for k in still
-        if isinstance(objects[k].geometry, coal.BVHModelBase)
-    }
+    """One tree per surface that is checked, then the tree over all static bodies `still`: its root is `top`, -1 without any."""
+    local, radius, closed = arrays["local"], arrays["radius"], arrays["size"][:, 0]
+    root, probes = np.full(len(objects), -1, dtype=np.int64), np.zeros((len(objects), 2), dtype=np.int64)
+    checked = set(pairs.ravel().tolist())
+    triangles = {k: placed_triangles(objects[k]) for k in np.flatnonzero(arrays["kind"] == SURFACE).tolist() if k in checked}
+    facing = {each for pair in pairs.tolist() for each in pair if set(pair) <= triangles.keys() and closed[pair].any()}
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
+    probe = [np.zeros((0, 3))]
+    first, count, ordered = arrays["first"].copy(), arrays["count"].copy(), [np.zeros((0, 3, 3))]
+    free = begin = held = 0
     boxes = local[still]
-    free = begin = 0
-    for row, k in enumerate(still.tolist()):
-        if k in triangles:
-            corners = triangles[k]
-            box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
-            root[k] = free
-            free = _grow(tree, box, np.arange(begin, begin + len(corners)), free, node_box, node)
-            begin += len(corners)
-            boxes[row] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
+    for k, corners in triangles.items():
+        box = np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
+        root[k], first[k], count[k] = free, begin, len(corners)
+        order = np.arange(len(corners))
+        free = _grow(tree, box, begin + order, free, node_box, node, order)
+        _number_leaves(node[root[k] : free], begin, order)
+        ordered.append(corners[order])
+        begin += len(corners)
+        boxes[still == k] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
+        if k in facing:  # a solid is connected, so that one point decides whether it is inside another
+            parts = [corners] if closed[k] > 0 else connected_parts(corners)
+            probe.append(np.array([part[0, 0] for part in parts]))
+            probes[k] = held, len(parts)
+            held += len(parts)
     top = free if len(still) else -1
     if len(still):
-        _grow(tree, boxes, still, free, node_box, node)
-    corners = np.concatenate([each.reshape(-1, 9) for each in triangles.values()] + [np.zeros((1, 9))])
-    return {"node_box": node_box, "node": node, "root": root, "corners": corners, "top": np.array([top])}
+        _grow(tree, boxes, still, free, node_box, node, np.arange(len(still)))
+    leaves = np.concatenate([*ordered, np.zeros((1, 3, 3))])
+    return {
+        "first": first,
+        "count": count,
+        "node_box": node_box,
+        "node": node,
+        "root": root,
+        "corners": leaves.reshape(-1, 9),
+        **{f"leaf_{axis}": leaves[:, :, i].copy() for i, axis in enumerate("xyz")},
+        "top": np.array([top]),
+        "probes": probes,
+        "probe": np.concatenate([*probe, np.zeros((1, 3))]),
+    }
 
 
-def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers) -> int:
-    """Build a tree over boxes (k, 6) from node `root` on; returns the next free node."""
-    box, items, names = np.ascontiguousarray(box), np.arange(len(box)), np.ascontiguousarray(names, dtype=np.int64)
-    given = (box.ctypes.data, items.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
+def placed_triangles(item: pin.GeometryObject) -> Array:
+    """Corners (t, 3, 3) of the triangles of a mesh in the frame of its joint [m]."""
+    return np.asarray(mesh_triangles(item.geometry) @ item.placement.rotation.T + item.placement.translation)
+
+
+def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, node: Numbers, order: Numbers) -> int:
+    """Build a tree over boxes (k, 6) from node `root` on, and sort `order` (k,), the numbers 0 to k - 1, as its leaves follow.
+
+    Returns the next free node.
+    """
+    box, names = np.ascontiguousarray(box), np.ascontiguousarray(names, dtype=np.int64)
+    given = (box.ctypes.data, order.ctypes.data, len(box), names.ctypes.data, root, node_box.ctypes.data, node.ctypes.data)
     return int(tree(*given))
+
+
+def _number_leaves(node: Numbers, begin: int, order: Numbers) -> None:
+    """Give the leaves of a tree (k, 2), which `order` sorts, the numbers from `begin` on as they follow each other."""
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    leaf = node[:, 0] < 0
+    node[leaf, 1] = begin + place[node[leaf, 1] - begin]
 
 
 def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
@@ -175,7 +212,7 @@ def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
     if isinstance(shape, coal.Box):
         half = np.abs(place.rotation) @ shape.halfSide + radius
         return np.concatenate([place.translation - half, place.translation + half])
-    if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase):
+    if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase | coal.BVHModelBase):
         points = core_of(shape)[0] @ place.rotation.T + place.translation
         return np.concatenate([points.min(axis=0) - radius, points.max(axis=0) + radius])
     if ball[3] < ENDLESS:

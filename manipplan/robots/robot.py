@@ -97,11 +97,12 @@ class Robot(Pictured):
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
         meshes: bool = True,
+        collision: str = "collision",
         arguments: Mapping[str, str | float | bool] | None = None,
         trust_file: bool = False,
         **limits: ArrayLike,
     ) -> "Robot":
-        """Read an arm from a URDF, or from a xacro file, whose name ends in .xacro.
+        """Read an arm from a URDF or a xacro file.
 
         Args:
             file: the URDF or xacro file.
@@ -119,6 +120,8 @@ class Robot(Pictured):
             packages: folder of each package by its name in `package://name/...`, where the folder has another name.
             meshes: whether collision meshes are read. Without them only the description's primitives are checked, and the log
                 says so.
+            collision: "visual" checks the visual elements of the links instead of the collision elements, for a description
+                that has no others.
             arguments: values of a xacro file's arguments, by name.
             trust_file: whether a xacro file may run Python code and read any file and environment variable. Otherwise it
                 gets arithmetic, text, lists and mappings, and files of its own and the other packages.
@@ -128,11 +131,11 @@ class Robot(Pictured):
             FileFormatError: a file is missing, not XML, cannot be expanded, or Pinocchio cannot read it.
             UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
             UnsupportedJointError: an active joint is a mimic, floating or planar joint, or another joint mimics it.
-            MissingExtraError: the file is a xacro file, and the package xacro is not installed.
+            MissingExtraError: the file has elements of xacro, and the package xacro is not installed.
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
+        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes, collision=collision)
         files = replace(places, arguments=arguments or {}, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
@@ -174,7 +177,7 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
-        semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]

@@ -15,12 +15,14 @@ import manipplan as mp
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import against_01
 import check_trajectories
+import closed_meshes
 import cold_start
 import control_step
 import demo_timing
 import energy_programs
 import energy_solvers
 import first_paths
+import mesh_pairs
 import motionbenchmaker
 import motions
 import plan_many
@@ -199,6 +201,35 @@ def test_solvers_are_compared_and_failures_told(tmp_path):
     assert abs(second[0].energy - first[0].energy) < energy_solvers.SAME
     assert not any(each.converged for each in missing if not isinstance(each, str)), "MA27 is not in CasADi's wheel"
     assert f"| {methods[0]} | 1 of 1 | 1, 0, 0 |" in (tmp_path / "table.md").read_text()
+
+
+@pytest.mark.slow
+def test_bodies_in_closed_meshes_get_the_judge_s_verdicts(tmp_path):
+    found = closed_meshes.main(["--meshes", "7", "--bodies", "30", "--out", str(tmp_path / "table.md")])
+    assert sum(row.verdicts for row in found.values()) > 400 and sum(row.inside for row in found.values()) > 20
+    assert not any(row.free or row.beyond for row in found.values())
+    assert not any(row.touching for (where, kind), row in found.items() if where == "obstacle" and kind != "tube")
+
+
+def test_the_judge_of_closed_meshes_knows_insides_and_distances():
+    cube = closed_meshes.extruded(np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]), 2.0)
+    ball = closed_meshes.Body(kind="sphere", size=(0.25,), triangles=np.empty((0, 3, 3)))
+    box = closed_meshes.Body(kind="box", size=(0.25,) * 3, triangles=0.25 * cube)
+    for x, distance, place in ((0.0, -0.75, "inside"), (3.0, 1.75, "outside"), (1.1, -0.15, "across")):
+        pose = np.eye(4)
+        pose[0, 3] = x
+        assert ball.signed_distance(pose, cube) == (pytest.approx(distance), place)
+        apart, where = box.signed_distance(pose, cube)
+        assert where == place and (place == "across" or apart == pytest.approx(distance))
+
+
+@pytest.mark.slow
+def test_arms_with_pairs_of_meshes_are_planned_for_without_coal(tmp_path):
+    robots = ["fork around a blade", "window"]
+    found = mesh_pairs.main(["--plans", "2", "--lines", "1", "--robots", *robots, "--out", str(tmp_path / "table.md")])
+    assert [each.plans.statuses for each in found] == [["OPTIMAL", "OPTIMAL"]] * 2
+    assert max(share for each in found for share in each.plans.shares + each.lines.shares) < 0.1
+    assert "| all | 128 | 4 | 4 |" in (tmp_path / "table.md").read_text()
 
 
 @pytest.mark.slow

@@ -49,12 +49,13 @@ def mjcf(tmp_path):
 @pytest.mark.parametrize(
     ("elements", "message"),
     [
-        (collision('<capsule radius="0.1" length="1"/>'), "collision element 1 of link arm: <capsule> is not a shape"),
+        (collision('<cone radius="0.1" length="1"/>'), "collision element 1 of link arm: <cone> is not a shape"),
+        (collision('<capsule radius="0.1"/>'), "<capsule> needs length with a number above zero, not None"),
         (SPHERE + collision('<cylinder radius="0.1"/>'), "element 2 of link arm: <cylinder> needs length with a number"),
         (collision('<cylinder radius="0,04" length="1"/>'), "radius with a number above zero, not '0,04'"),
         (collision('<sphere radius="nan"/>'), "not 'nan'"),
         (collision('<sphere radius="-0.1"/>'), "above zero, not '-0.1'"),
-        (collision('<sphere radius="0"/>'), "above zero, not '0'"),
+        (collision('<box size="0 0 1"/>'), "above zero, not '0 0 1'"),
         (collision('<box size="1 1"/>'), "<box> needs size with 3 numbers"),
         (collision('<mesh filename="a.stl" scale="1"/>'), "scale with 3 numbers other than zero, not '1'"),
         (collision('<mesh filename="a.stl" scale="1 1 0"/>'), "scale with 3 numbers other than zero"),
@@ -64,10 +65,11 @@ def mjcf(tmp_path):
         (collision('<sphere radius="1"/>', "<origin/><origin/>"), "more than one <origin>"),
         (collision('<sphere radius="1"/><sphere radius="2"/>'), "one <geometry> with one shape"),
         ("<collision/>", "one <geometry> with one shape"),
-        # Python reads these two numbers, urdfdom does not; an unreadable visual element takes the link's bodies with it
-        (collision('<sphere radius=" 0.1 "/>'), "collision elements of link arm: 1 in the file, 0 loaded"),
-        (SPHERE + collision('<sphere radius="1_0"/>'), "2 in the file, 0 loaded"),
-        ("<visual><geometry><capsule/></geometry></visual>" + SPHERE, "1 in the file, 0 loaded"),
+        (
+            SPHERE + collision('<sphere radius="1_0"/>'),
+            "element 2 of link arm: <sphere> needs radius with a number .* not '1_0'",
+        ),
+        (SPHERE + collision('<sphere radius="١"/>'), "<sphere> needs radius"),
         ('<inertial><mass value="a"/></inertial>', "inertial element of link arm: <mass> needs a value"),
         ('<inertial><mass value="1"/></inertial>', "it needs an <inertia>"),
         ('<inertial><mass value="1"/><inertia ixx="1"/></inertial>', "<inertia> needs ixy"),
@@ -150,7 +152,7 @@ def test_deep_descriptions(urdf, mjcf):
     file = urdf(SPHERE)
     joints = "".join(
         f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="{f"l{i - 1}" if i else "arm"}"/><child link="l{i}"/></joint>'
-        for i in range(10_000)
+        for i in range(600)
     )
     file.write_text(file.read_text().replace("</robot>", joints + "</robot>"))
     with pytest.raises(mp.FileFormatError, match="at most 500 links in one chain"):
@@ -192,7 +194,11 @@ def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, p
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 nan"/>', "joint turn: <axis> needs xyz with 3 numbers, not '0 0 nan'"),
+        (
+            '<axis xyz="0 0 1"/>',
+            '<axis xyz="0 0 nan"/>',
+            "joint turn: <axis> needs xyz with 3 numbers, not all zero, not '0 0 nan'",
+        ),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1e308"/>', "joint turn: <axis> needs xyz"),
         ("<axis", '<origin xyz="0 0 1e308"/><axis', "joint turn: <origin> needs xyz with 3 numbers"),
         ("<axis", '<origin rpy="0 0"/><axis', "joint turn: <origin> needs rpy with 3 numbers"),

@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import Hull, has_hull, outer_hull
+from manipplan.robots.hulls import Hull, convex_hull, has_hull, outer_hull
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -27,6 +27,8 @@ MOST_SAMPLES = 400
 MOST_POINTS, END = 400, 0.05
 #: Positions of the cuts that are compared, as shares of the width along an axis.
 CUTS = (0.25, 0.5, 0.75)
+#: Many pieces come from cuts across lengths of at least this share of the largest: slices of a ring are as full as the ring.
+LONG = 0.8
 #: A flat or tiny part is thickened by this to a body with a volume [m].
 THICKNESS = 1e-4
 
@@ -47,14 +49,14 @@ class Piece:
     excess: float
 
 
-def convex_pieces(triangles: Array) -> list[Piece]:
-    """At most MOST_PIECES convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
+def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
+    """At most `most` convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
     mesh = _Mesh(triangles)
     open_pieces = [_Part(mesh, triangles, np.empty((0, 3)), ())]
     done: list[_Part] = []
-    while open_pieces and len(open_pieces) + len(done) < MOST_PIECES:
+    while open_pieces and len(open_pieces) + len(done) < most:
         part = open_pieces.pop(int(np.argmax([each.excess for each in open_pieces])))
-        cut = part.best_cut() if part.excess > GOOD else None
+        cut = part.best_cut(LONG if most > MOST_PIECES else 0.0) if part.excess > GOOD else None
         if cut is None:
             done.append(part)
             continue
@@ -64,7 +66,7 @@ def convex_pieces(triangles: Array) -> list[Piece]:
             inner = mesh.inner_corners(cuts)
             if len(side) or len(inner) > 3:
                 open_pieces.append(_Part(mesh, side, inner, cuts))
-    return [Piece(hull=part.hull, excess=part.excess) for part in [*done, *open_pieces]]
+    return [part.piece() for part in [*done, *open_pieces]]
 
 
 class _Part:
@@ -76,20 +78,32 @@ class _Part:
         if not has_hull(points):
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
             points = (points[:, None] + box).reshape(-1, 3)
-        self.hull = outer_hull(points)
+        self.hull, self._mesh = convex_hull(points), mesh
         self.excess, self._worst = mesh.excess(self.hull.triangles, cuts)
 
-    def best_cut(self) -> Plane | None:
-        """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut."""
+    def piece(self) -> Piece:
+        """The part as a body that coal takes."""
+        hull = outer_hull(self.hull)
+        excess = self.excess if hull is self.hull else self._mesh.excess(hull.triangles, self.cuts)[0]
+        return Piece(hull=hull, excess=excess)
+
+    def best_cut(self, long: float) -> Plane | None:
+        """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut.
+
+        Only across axes along which the part is longer than the share `long` of its largest length.
+        """
         points = subdivide(self.triangles).mean(axis=1)
         points = np.concatenate(
             [points[:: 1 + len(points) // MOST_POINTS], self.hull.corners[:: 1 + len(self.hull.corners) // MOST_POINTS]]
         )
         axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
         best, least = None, np.inf
+        longest = np.ptp(points @ np.array([*axes, *np.eye(3)]).T, axis=0).max()
         for axis in [*axes, *np.eye(3)]:
             along = points @ axis
             low, width = along.min(), np.ptp(along)
+            if width < long * longest:
+                continue
             for offset in [*(low + width * np.array(CUTS)), float(self._worst @ axis)]:
                 if not END * width < offset - low < (1 - END) * width:
                     continue

@@ -48,18 +48,19 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     return fitted
 
 
-def find_or_cut(triangles: Array) -> list[pieces.Piece]:
-    """The pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
+def find_or_cut(triangles: Array, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
+    """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
     try:
-        file = private_folder() / "pieces" / _key(triangles)
+        own = "" if most == pieces.MOST_PIECES else f"_{most}"
+        file = private_folder() / "pieces" / f"{_key(triangles)}{own}"
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read_pieces(file)
     except OSError as error:
         log.info("convex pieces are not kept on disk: %s", error)
-        return pieces.convex_pieces(triangles)
+        return pieces.convex_pieces(triangles, most)
     if stored is not None:
         return stored
-    found = pieces.convex_pieces(triangles)
+    found = pieces.convex_pieces(triangles, most)
     plain = b"".join(
         np.array([len(each.hull.corners), len(each.hull.faces), each.excess]).tobytes()
         + each.hull.corners.tobytes()
