@@ -11,8 +11,8 @@ from manipplan.support.errors import FileFormatError
 
 #: Maximum number of active joints: Pinocchio's data hold several numbers for every three of them.
 MOST_ACTIVE = 100
-#: Added to the names of links while joints are locked.
-_LINK = " (link)"
+#: Before the number of a frame while joints are locked. No name in an XML file can have it.
+_NUMBER = "\x1f"
 
 
 def is_revolute(joint: pin.JointModel) -> bool:
@@ -92,24 +92,28 @@ def reduce(
         joint = model.joints[model.getJointId(name)]
         if joint.nq == 1:
             q[joint.idx_q] = value
-    # Pinocchio looks up a locked joint, and the frame below it, by name alone: links of the same name are renamed meanwhile.
-    model = model.copy()
-    taken = {frame.name for frame in model.frames if frame.type != pin.FrameType.BODY} | set(model.names)
-    for frame in model.frames:
-        if frame.type == pin.FrameType.BODY and frame.name in taken:
-            frame.name = frame.name + _LINK
+    # Pinocchio looks up a locked joint, and the frame below it, by name alone: frames are called by numbers meanwhile.
+    model, called = model.copy(), dict[str, str]()
+    for i, frame in enumerate(model.frames):
+        if i > 0 and frame.type != pin.FrameType.JOINT:
+            called[f"{_NUMBER}{i}"] = frame.name
+            frame.name = f"{_NUMBER}{i}"
     reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
     for frame in reduced.frames:
-        frame.name = frame.name.removesuffix(_LINK)
+        frame.name = called.get(frame.name, frame.name)
+    for item in geometry.geometryObjects:
+        if item.parentFrame >= reduced.nframes:  # Pinocchio does not find the frame of the world again
+            item.parentFrame = 0
     if list(reduced.names)[1:] != list(active):
         raise FileFormatError("joints", list(active), f"the order of the description: {list(reduced.names)[1:]}")
     return reduced, geometry
 
 
 def frame_index(model: pin.Model, name: str) -> int:
-    """Index of the frame called `name`; a link takes precedence over a joint of the same name."""
+    """Index of the frame called `name`; a link takes precedence over a site of the same name, and a site over a joint."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]
-    return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+    order = {pin.FrameType.BODY: 0, pin.FrameType.OP_FRAME: 1}
+    return min(found, key=lambda i: order.get(model.frames[i].type, 2))
 
 
 def frame_pose(model: pin.Model, name: str, q: Array) -> Array:
