@@ -111,6 +111,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/mesh_pairs.py
 	$(BIN)/python benchmarks/closed_meshes.py
 	$(BIN)/python benchmarks/catalogue_arms.py
+	$(if $(MUJOCO_MENAGERIE),$(BIN)/python benchmarks/menagerie.py)
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 

@@ -1,24 +1,16 @@
-"""Robot descriptions: read URDF and MJCF files into Pinocchio models with one plain number per joint."""
+"""Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one."""
 
-import xml.etree.ElementTree as ET
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-import coal
-import numpy as np
 import pinocchio as pin
 
-from manipplan.robots import attached
-from manipplan.robots.formats import mjcf_bodies
 from manipplan.robots.formats.urdf_check import check_urdf, joined_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
-from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_sizes, check_visuals, pinocchio_says
-from manipplan.robots.formats.xml_files import read_xml
-from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.mimics import WORLD, Mimic, read_couplings, read_mimics
+from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_sizes, check_visuals
+from manipplan.robots.mimics import Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
-from manipplan.support.errors import FileFormatError
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,32 +65,6 @@ def read_visuals(file: Path, files: UrdfFiles) -> tuple[pin.Model, pin.GeometryM
     return model, build_bodies(file, root, model, files, "visual")
 
 
-def read_mjcf(file: Path) -> Description:
-    """The robot of a MuJoCo MJCF file; unlimited hinges become plain angles."""
-    root = read_xml("file", file, "mujoco")
-    _check_names(file, root)
-    mjcf_bodies.check_bodies(file, root)
-    model = pinocchio_says(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
-    geometry = pinocchio_says(
-        file,
-        "an MJCF file whose meshes can be found",
-        lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
-    )
-    mjcf_bodies.check_loaded(file, root, model, geometry)
-    mimics = read_couplings(file, root, model)
-    model, geometry = attached.move_base(model, geometry, mjcf_bodies.root_pose(root))
-    _check_meshes(file, geometry)
-    joined = {(str(body.get("name")), str(child.get("name"))) for body in root.iter("body") for child in body.findall("body")}
-    return Description(
-        file=file,
-        source="MJCF",
-        model=plain_angles(model),
-        geometry=geometry,
-        mimics=mimics,
-        unchecked=_adjacent_bodies(model, geometry, joined),
-    )
-
-
 def _adjacent_bodies(
     model: pin.Model, geometry: pin.GeometryModel, joined: Collection[tuple[str, str]]
 ) -> dict[frozenset[str], str]:
@@ -110,18 +76,3 @@ def _adjacent_bodies(
         for first, a in bodies[:j]
         if a == b or (a, b) in joined or (b, a) in joined
     }
-
-
-def _check_names(file: Path, root: ET.Element) -> None:
-    if any(joint.get("name") == WORLD for joint in root.iter("joint")):
-        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
-
-
-def _check_meshes(file: Path, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError for a mesh with a vertex that is not finite, or farther away than `FARTHEST`."""
-    for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.BVHModelBase) and not (np.abs(np.array(item.geometry.vertices())) <= FARTHEST).all():
-            wanted = (
-                f"a description whose meshes have finite vertices within {FARTHEST:g} m, unlike {item.meshPath} of {item.name}"
-            )
-            raise FileFormatError("file", str(file), wanted)

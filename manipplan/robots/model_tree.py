@@ -161,9 +161,10 @@ def plain_angles(model: pin.Model) -> pin.Model:
 
 
 def frame_index(model: pin.Model, name: str) -> int:
-    """Index of the frame called `name`; a link takes precedence over a joint of the same name."""
+    """Index of the frame called `name`; a link takes precedence over a site of the same name, and a site over a joint."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]
-    return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+    order = {pin.FrameType.BODY: 0, pin.FrameType.OP_FRAME: 1}
+    return min(found, key=lambda i: order.get(model.frames[i].type, 2))
 
 
 def frame_pose(model: pin.Model, name: str, q: Array) -> Array:

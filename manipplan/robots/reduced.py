@@ -15,8 +15,8 @@ from manipplan.robots.model_tree import joint_names, joint_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
-#: Added to the names of links while joints are locked.
-_LINK = " (link)"
+#: Before the number of a frame while joints are locked. No name in an XML file can have it.
+_NUMBER = "\x1f"
 #: Added to the name of a leader that follows a joint which stands for it.
 _ITSELF = " (itself)"
 
@@ -57,15 +57,18 @@ def _locked(model: pin.Model, geometry: pin.GeometryModel, held: Mapping[str, fl
         joint = model.joints[model.getJointId(name)]
         if joint.nq == 1:
             q[joint.idx_q] = value
-    # Pinocchio looks up a locked joint, and the frame below it, by name alone: links of the same name are renamed meanwhile.
-    model = model.copy()
-    taken = {frame.name for frame in model.frames if frame.type != pin.FrameType.BODY} | set(model.names)
-    for frame in model.frames:
-        if frame.type == pin.FrameType.BODY and frame.name in taken:
-            frame.name = frame.name + _LINK
+    # Pinocchio looks up a locked joint, and the frame below it, by name alone: frames are called by numbers meanwhile.
+    model, called = model.copy(), dict[str, str]()
+    for i, frame in enumerate(model.frames):
+        if i > 0 and frame.type != pin.FrameType.JOINT:
+            called[f"{_NUMBER}{i}"] = frame.name
+            frame.name = f"{_NUMBER}{i}"
     reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
     for frame in reduced.frames:
-        frame.name = frame.name.removesuffix(_LINK)
+        frame.name = called.get(frame.name, frame.name)
+    for item in geometry.geometryObjects:
+        if item.parentFrame >= reduced.nframes:  # Pinocchio does not find the frame of the world again
+            item.parentFrame = 0
     return reduced, geometry
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import attached, description, model_tree, reduced
+from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
 from manipplan.robots.attached import AddedFrame, Part, Solid
@@ -159,7 +159,7 @@ class Robot(Pictured):
 
         MJCF states no velocity limits: they are infinite unless `velocity` is given.
         """
-        read = description.read_mjcf(existing_file("file", file))
+        read = mjcf.read_mjcf(existing_file("file", file))
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
 
     @classmethod
@@ -369,7 +369,7 @@ class Robot(Pictured):
     def at(self, pose: ArrayLike | pin.SE3) -> "Robot":
         """The arm with its base at `pose`, (4, 4) or pin.SE3, in the world; poses and obstacles are given in the world.
 
-        The floor of an MJCF stays where it is.
+        Geoms of the world in an MJCF, such as its floor, stay where they are.
 
         Raises InvalidInputError when the pose is no pose, or takes a planar arm out of the x-y plane.
         """
@@ -417,7 +417,7 @@ class Robot(Pictured):
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 
     def link_of(self, body: pin.GeometryObject) -> str:
-        """The name of the part or link to which a body of `geometry` belongs; "" for the floor of an MJCF.
+        """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own.
 
         Raises InvalidInputError when `body` is no pin.GeometryObject.
         """
@@ -425,7 +425,12 @@ class Robot(Pictured):
         part = next((name for name, part in self.carried.items() if body.name in part.bodies), None)
         if part is not None:
             return part
-        return str(self.model.frames[body.parentFrame].name) if body.parentFrame < self.model.nframes else ""
+        return str(self.model.frames[body.parentFrame].name if body.parentFrame > 0 else body.name)
+
+    @property
+    def world_geoms(self) -> frozenset[str]:
+        """Names of the bodies that an MJCF gives to the world itself, such as its floor: like obstacles, they stay put."""
+        return frozenset(item.name for item in self.geometry.geometryObjects if item.parentFrame == 0)
 
     def to_srdf(self, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
         """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.

@@ -248,8 +248,8 @@ def test_couplings_of_mujoco(mjcf, equality, refs):
     ("equality", "message"),
     [
         ('<joint joint1="b" joint2="a" polycoef="0 1 0.5 0 0"/>', "straight line, .* that of b is '0 1 0.5 0 0'"),
-        ('<joint joint1="b" joint2="a" polycoef="0 x"/>', "straight line"),
-        ('<joint joint1="bb" joint2="a"/>', "<equality> between joints; .*'bb'"),
+        ('<joint joint1="b" joint2="a" polycoef="0 x"/>', "bad format in attribute 'polycoef'"),
+        ('<joint joint1="bb" joint2="a"/>', "unknown element 'bb' in equality"),
         ('<joint joint1="b" joint2="a"/><joint joint1="a" joint2="b"/>', "joints that do not mimic themselves"),
     ],
 )

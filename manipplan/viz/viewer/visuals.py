@@ -2,10 +2,8 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, reduced
+from manipplan.robots import attached, mjcf, reduced
 from manipplan.robots.description import read_visuals
-from manipplan.robots.formats import mjcf_bodies
-from manipplan.robots.formats.xml_files import read_xml
 from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError, ManipplanError
@@ -23,9 +21,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         return None, f"{file} does not exist any more"
     try:
         if source.kind == "mjcf":
-            whole = pin.buildModelFromMJCF(str(file))
-            geometry = pin.buildGeomFromMJCF(whole, str(file), pin.GeometryType.VISUAL)
-            whole, geometry = attached.move_base(whole, geometry, mjcf_bodies.root_pose(read_xml("file", file, "mujoco")))
+            whole, geometry = mjcf.read_visuals(file)
         else:
             whole, geometry = read_visuals(file, source.urdf_files)
         parts = plain_angles(whole), geometry
