@@ -114,11 +114,12 @@ def _states(file: Path, root: ET.Element, model: pin.Model) -> tuple[tuple[str, 
         values: dict[str, float] = {}
         for joint in state.findall("joint"):
             name, text = str(joint.get("name")), joint.get("value")
-            if name in values:
-                raise FileFormatError("srdf", str(file), f"each joint of a state once; {name} of {called} is there twice")
+            value = numbers(text, 1)
+            if name in values and value != (values[name],):
+                wanted = f"one value per joint of a state; {name} of {called} is {values[name]:g} and {text!r}"
+                raise FileFormatError("srdf", str(file), wanted)
             if name not in known:
                 unknown.add(name)
-            value = numbers(text, 1)
             several = numbers(text, len(str(text).split())) is not None and sizes.get(name, 0) != 1
             if value is not None:
                 values[name] = value[0]
