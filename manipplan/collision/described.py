@@ -18,7 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
 #: How finely a mesh is taken: by its triangles, or by so many convex pieces.
-MESH, FINE = 0, (12, 24)
+MESH, FINE = 0, (12, 24, 48)
 #: Distances above this need not be known to tell whether a pair touches [m].
 TOUCHING = 1e-6
 #: Two meshes of at most so many triangles in all are compared as fast as pieces of them.
