@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 enum { ASKING = -1, MORE_ROOM = -2 };   /* what `manipplan_look` returns when it is not done */
+enum { GUESS = 22 };                    /* as in distances.c */
 
 typedef struct {
     double low, middle, high;   /* places s on the curve */
@@ -21,20 +22,17 @@ typedef struct {
     long (*curve_at)(const void *curve, const double *s, long m, double spacing, double *out);  /* manipplan_curve */
     double spacing;             /* of the grid of configurations [rad or m] */
     const void *world;
-    void (*distance)(const void *world, const double *q, long m, const long *bodies, const double *reach, double *out,
-                     long *leaf);                                                               /* manipplan_pairs */
+    double (*distance)(const void *world, const double *q, const long *bodies, double *guess);  /* manipplan_pair */
     double grid;                /* spacing of the grid of distances [m] */
     double enough;              /* width at which a bracket is narrow enough */
     long most_steps;
 } Dips;
 
-/* The distance at s, rounded to the grid; NaN where the kernel cannot tell. */
-static double distance_at(const Dips *d, double s, const long *bodies) {
-    double q[d->n], reach = INFINITY, out;
-    long leaf;
+/* The distance at s, rounded to the grid; NaN where the kernel cannot tell. `guess` (GUESS): from a place nearby, or zeros. */
+static double distance_at(const Dips *d, double s, const long *bodies, double *guess) {
+    double q[d->n];
     if (d->curve_at(d->curve, &s, 1, d->spacing, q)) return NAN;
-    d->distance(d->world, q, 1, bodies, &reach, &out, &leaf);
-    return rint(out / d->grid) * d->grid;
+    return rint(d->distance(d->world, q, bodies, guess) / d->grid) * d->grid;
 }
 
 static int is_done(const Dips *d, const Bracket *b) {
@@ -67,12 +65,13 @@ static long find_bottoms(const Dips *d, const long *bodies, long m, Bracket *bra
     long waiting = 0;
     for (long k = 0; k < m; k++) {
         Bracket *b = bracket + k;
+        double guess[GUESS] = {0};
         if (!isnan(b->next)) {
             narrow(b, b->next, b->found);
             b->next = NAN;
         }
         while (!is_done(d, b)) {
-            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k);
+            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k, guess);
             if (isnan(value)) {
                 b->next = place, waiting++;
                 break;
@@ -169,9 +168,10 @@ static double beside(const Look *l, long *start, long end, long wanted, double m
 
 /* Measure the distances of a bracket that are NaN. Returns whether the kernel could tell them. */
 static int complete(const Dips *d, Bracket *b, const long *bodies) {
-    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies);
-    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies);
-    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies);
+    double guess[GUESS] = {0};
+    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies, guess);
+    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies, guess);
+    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies, guess);
     return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
 }
 

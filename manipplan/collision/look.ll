@@ -1,4 +1,4 @@
-; look.c 4188b8ffc43031a4d4aaf3585d716ae427abf0fdba723a8be67e3b3f921d2293: written by make kernel
+; look.c 79be4886feb12e9bc59562c910414c2a7242bf30e52b26aab0b331c463eeec45: written by make kernel
 
 %struct.Look = type { i64, i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, i64, ptr, ptr }
 %struct.Dips = type { i64, ptr, ptr, double, ptr, ptr, double, double, i64 }
@@ -6,949 +6,957 @@
 %struct.Found = type { double, double, i64, i64 }
 
 define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noundef %1, double noundef %2, ptr noundef %3) local_unnamed_addr #0 {
-  %5 = load i64, ptr %1, align 8
-  switch i64 %5, label %6 [
-    i64 0, label %12
-    i64 1, label %9
+  %5 = alloca [22 x double], align 16
+  %6 = alloca [22 x double], align 16
+  %7 = load i64, ptr %1, align 8
+  switch i64 %7, label %8 [
+    i64 0, label %14
+    i64 1, label %11
   ]
 
-6:                                                ; preds = %4
-  %7 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  %8 = load i64, ptr %7, align 8
-  br label %446
+8:                                                ; preds = %4
+  %9 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %10 = load i64, ptr %9, align 8
+  br label %448
 
-9:                                                ; preds = %4
-  %10 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %11 = load i64, ptr %10, align 8
-  br label %87
+11:                                               ; preds = %4
+  %12 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %13 = load i64, ptr %12, align 8
+  br label %89
 
-12:                                               ; preds = %4
-  %13 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
-  %14 = load i64, ptr %13, align 8
-  %15 = icmp sgt i64 %14, 0
-  br i1 %15, label %16, label %23
+14:                                               ; preds = %4
+  %15 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
+  %16 = load i64, ptr %15, align 8
+  %17 = icmp sgt i64 %16, 0
+  br i1 %17, label %18, label %25
 
-16:                                               ; preds = %12
-  %17 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
-  %18 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
-  %19 = load i64, ptr %18, align 8
-  %20 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
-  %21 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
-  %22 = load ptr, ptr %21, align 8
-  br label %57
+18:                                               ; preds = %14
+  %19 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %20 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
+  %23 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+  %24 = load ptr, ptr %23, align 8
+  br label %59
 
-23:                                               ; preds = %57, %12
-  %24 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
-  %25 = load ptr, ptr %24, align 8
-  %26 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
+25:                                               ; preds = %59, %14
+  %26 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
   %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  %28 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
   %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
-  %31 = load double, ptr %30, align 8
-  %32 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 15
-  %33 = load ptr, ptr %32, align 8
-  %34 = tail call i64 %25(ptr noundef %27, ptr noundef %29, i64 noundef %14, double noundef %31, ptr noundef %33) #6
-  %35 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 4
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
+  %30 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
+  %33 = load double, ptr %32, align 8
+  %34 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 15
+  %35 = load ptr, ptr %34, align 8
+  %36 = tail call i64 %27(ptr noundef %29, ptr noundef %31, i64 noundef %16, double noundef %33, ptr noundef %35) #6
+  %37 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 4
   %38 = load ptr, ptr %37, align 8
-  %39 = load ptr, ptr %32, align 8
-  %40 = load i64, ptr %13, align 8
-  %41 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 17
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
-  %46 = load ptr, ptr %45, align 8
-  %47 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %39 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
+  %40 = load ptr, ptr %39, align 8
+  %41 = load ptr, ptr %34, align 8
+  %42 = load i64, ptr %15, align 8
+  %43 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 17
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
   %48 = load ptr, ptr %47, align 8
-  %49 = tail call i64 %36(ptr noundef %38, ptr noundef %39, i64 noundef %40, ptr noundef %42, i64 noundef %44, ptr noundef %46, ptr noundef %48) #6
-  %50 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  store i64 %49, ptr %50, align 8
-  %51 = icmp slt i64 %49, 1
-  %52 = load i64, ptr %43, align 8
-  %53 = icmp sgt i64 %49, %52
-  %54 = select i1 %51, i1 true, i1 %53
-  br i1 %54, label %82, label %55
+  %49 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %50 = load ptr, ptr %49, align 8
+  %51 = tail call i64 %38(ptr noundef %40, ptr noundef %41, i64 noundef %42, ptr noundef %44, i64 noundef %46, ptr noundef %48, ptr noundef %50) #6
+  %52 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  store i64 %51, ptr %52, align 8
+  %53 = icmp slt i64 %51, 1
+  %54 = load i64, ptr %45, align 8
+  %55 = icmp sgt i64 %51, %54
+  %56 = select i1 %53, i1 true, i1 %55
+  br i1 %56, label %84, label %57
 
-55:                                               ; preds = %23
-  %56 = load ptr, ptr %47, align 8
-  br label %72
+57:                                               ; preds = %25
+  %58 = load ptr, ptr %49, align 8
+  br label %74
 
-57:                                               ; preds = %57, %16
-  %58 = phi i64 [ 0, %16 ], [ %70, %57 ]
-  %59 = load double, ptr %17, align 8
-  %60 = srem i64 %58, %19
-  %61 = icmp eq i64 %60, 0
-  %62 = load double, ptr %20, align 8
-  %63 = fcmp olt double %62, %2
-  %64 = select i1 %61, i1 %63, i1 false
-  %65 = select i1 %64, double %2, double %62
-  %66 = fadd double %59, %65
-  %67 = fcmp ogt double %66, 0.000000e+00
-  %68 = select i1 %67, double %66, double 0.000000e+00
-  %69 = getelementptr inbounds double, ptr %22, i64 %58
-  store double %68, ptr %69, align 8
-  %70 = add nuw nsw i64 %58, 1
-  %71 = icmp eq i64 %70, %14
-  br i1 %71, label %23, label %57
+59:                                               ; preds = %59, %18
+  %60 = phi i64 [ 0, %18 ], [ %72, %59 ]
+  %61 = load double, ptr %19, align 8
+  %62 = srem i64 %60, %21
+  %63 = icmp eq i64 %62, 0
+  %64 = load double, ptr %22, align 8
+  %65 = fcmp olt double %64, %2
+  %66 = select i1 %63, i1 %65, i1 false
+  %67 = select i1 %66, double %2, double %64
+  %68 = fadd double %61, %67
+  %69 = fcmp ogt double %68, 0.000000e+00
+  %70 = select i1 %69, double %68, double 0.000000e+00
+  %71 = getelementptr inbounds double, ptr %24, i64 %60
+  store double %70, ptr %71, align 8
+  %72 = add nuw nsw i64 %60, 1
+  %73 = icmp eq i64 %72, %16
+  br i1 %73, label %25, label %59
 
-72:                                               ; preds = %72, %55
-  %73 = phi i64 [ 0, %55 ], [ %80, %72 ]
-  %74 = phi i32 [ 1, %55 ], [ %79, %72 ]
-  %75 = getelementptr inbounds double, ptr %56, i64 %73
-  %76 = load double, ptr %75, align 8
-  %77 = fcmp ord double %76, 0.000000e+00
-  %78 = zext i1 %77 to i32
-  %79 = and i32 %74, %78
-  %80 = add nuw nsw i64 %73, 1
-  %81 = icmp eq i64 %80, %49
-  br i1 %81, label %82, label %72
+74:                                               ; preds = %74, %57
+  %75 = phi i64 [ 0, %57 ], [ %82, %74 ]
+  %76 = phi i32 [ 1, %57 ], [ %81, %74 ]
+  %77 = getelementptr inbounds double, ptr %58, i64 %75
+  %78 = load double, ptr %77, align 8
+  %79 = fcmp ord double %78, 0.000000e+00
+  %80 = zext i1 %79 to i32
+  %81 = and i32 %76, %80
+  %82 = add nuw nsw i64 %75, 1
+  %83 = icmp eq i64 %82, %51
+  br i1 %83, label %84, label %74
 
-82:                                               ; preds = %72, %23
-  %83 = phi i32 [ 1, %23 ], [ %79, %72 ]
-  %84 = icmp sgt i64 %49, %52
-  br i1 %84, label %665, label %85
+84:                                               ; preds = %74, %25
+  %85 = phi i32 [ 1, %25 ], [ %81, %74 ]
+  %86 = icmp sgt i64 %51, %54
+  br i1 %86, label %667, label %87
 
-85:                                               ; preds = %82
+87:                                               ; preds = %84
   store i64 1, ptr %1, align 8
-  %86 = icmp eq i32 %83, 0
-  br i1 %86, label %665, label %87
+  %88 = icmp eq i32 %85, 0
+  br i1 %88, label %667, label %89
 
-87:                                               ; preds = %9, %85
-  %88 = phi i64 [ %11, %9 ], [ %49, %85 ]
-  %89 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %90 = icmp sgt i64 %88, 0
-  br i1 %90, label %92, label %91
+89:                                               ; preds = %11, %87
+  %90 = phi i64 [ %13, %11 ], [ %51, %87 ]
+  %91 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %92 = icmp sgt i64 %90, 0
+  br i1 %92, label %94, label %93
 
-91:                                               ; preds = %87
-  store i64 0, ptr %89, align 8
-  br label %180
+93:                                               ; preds = %89
+  store i64 0, ptr %91, align 8
+  br label %182
 
-92:                                               ; preds = %87
-  %93 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %94 = load ptr, ptr %93, align 8
-  %95 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
+94:                                               ; preds = %89
+  %95 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
   %96 = load ptr, ptr %95, align 8
-  %97 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %97 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 16
   %98 = load ptr, ptr %97, align 8
-  %99 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
-  %100 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
-  br label %103
+  %99 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %100 = load ptr, ptr %99, align 8
+  %101 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %102 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
+  br label %105
 
-101:                                              ; preds = %125
-  store i64 %127, ptr %89, align 8
-  %102 = icmp sgt i64 %127, 0
-  br i1 %102, label %130, label %180
+103:                                              ; preds = %127
+  store i64 %129, ptr %91, align 8
+  %104 = icmp sgt i64 %129, 0
+  br i1 %104, label %132, label %182
 
-103:                                              ; preds = %125, %92
-  %104 = phi i64 [ %88, %92 ], [ %126, %125 ]
-  %105 = phi i64 [ 0, %92 ], [ %127, %125 ]
-  %106 = phi i64 [ 0, %92 ], [ %128, %125 ]
-  %107 = getelementptr inbounds double, ptr %94, i64 %106
-  %108 = load double, ptr %107, align 8
-  %109 = getelementptr inbounds i64, ptr %98, i64 %106
-  %110 = load i64, ptr %109, align 8
-  %111 = load i64, ptr %99, align 8
-  %112 = sdiv i64 %110, %111
-  %113 = getelementptr inbounds double, ptr %96, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = fcmp ult double %108, %114
-  br i1 %115, label %116, label %125
+105:                                              ; preds = %127, %94
+  %106 = phi i64 [ %90, %94 ], [ %128, %127 ]
+  %107 = phi i64 [ 0, %94 ], [ %129, %127 ]
+  %108 = phi i64 [ 0, %94 ], [ %130, %127 ]
+  %109 = getelementptr inbounds double, ptr %96, i64 %108
+  %110 = load double, ptr %109, align 8
+  %111 = getelementptr inbounds i64, ptr %100, i64 %108
+  %112 = load i64, ptr %111, align 8
+  %113 = load i64, ptr %101, align 8
+  %114 = sdiv i64 %112, %113
+  %115 = getelementptr inbounds double, ptr %98, i64 %114
+  %116 = load double, ptr %115, align 8
+  %117 = fcmp ult double %110, %116
+  br i1 %117, label %118, label %127
 
-116:                                              ; preds = %103
-  %117 = getelementptr inbounds i64, ptr %98, i64 %105
-  store i64 %110, ptr %117, align 8
-  %118 = load double, ptr %100, align 8
-  %119 = fdiv double %108, %118
-  %120 = tail call double @llvm.rint.f64(double %119)
-  %121 = fmul double %118, %120
-  %122 = add nsw i64 %105, 1
-  %123 = getelementptr inbounds double, ptr %94, i64 %105
-  store double %121, ptr %123, align 8
-  %124 = load i64, ptr %89, align 8
-  br label %125
+118:                                              ; preds = %105
+  %119 = getelementptr inbounds i64, ptr %100, i64 %107
+  store i64 %112, ptr %119, align 8
+  %120 = load double, ptr %102, align 8
+  %121 = fdiv double %110, %120
+  %122 = tail call double @llvm.rint.f64(double %121)
+  %123 = fmul double %120, %122
+  %124 = add nsw i64 %107, 1
+  %125 = getelementptr inbounds double, ptr %96, i64 %107
+  store double %123, ptr %125, align 8
+  %126 = load i64, ptr %91, align 8
+  br label %127
 
-125:                                              ; preds = %116, %103
-  %126 = phi i64 [ %104, %103 ], [ %124, %116 ]
-  %127 = phi i64 [ %105, %103 ], [ %122, %116 ]
-  %128 = add nuw nsw i64 %106, 1
-  %129 = icmp slt i64 %128, %126
-  br i1 %129, label %103, label %101
+127:                                              ; preds = %118, %105
+  %128 = phi i64 [ %106, %105 ], [ %126, %118 ]
+  %129 = phi i64 [ %107, %105 ], [ %124, %118 ]
+  %130 = add nuw nsw i64 %108, 1
+  %131 = icmp slt i64 %130, %128
+  br i1 %131, label %105, label %103
 
-130:                                              ; preds = %101, %175
-  %131 = phi i64 [ %176, %175 ], [ 0, %101 ]
-  %132 = getelementptr inbounds i64, ptr %98, i64 %131
-  %133 = load i64, ptr %132, align 8
-  %134 = load i64, ptr %99, align 8
-  %135 = sdiv i64 %133, %134
-  %136 = icmp slt i64 %131, %127
-  br i1 %136, label %137, label %175
+132:                                              ; preds = %103, %177
+  %133 = phi i64 [ %178, %177 ], [ 0, %103 ]
+  %134 = getelementptr inbounds i64, ptr %100, i64 %133
+  %135 = load i64, ptr %134, align 8
+  %136 = load i64, ptr %101, align 8
+  %137 = sdiv i64 %135, %136
+  %138 = icmp slt i64 %133, %129
+  br i1 %138, label %139, label %177
 
-137:                                              ; preds = %130, %143
-  %138 = phi i64 [ %144, %143 ], [ %131, %130 ]
-  %139 = getelementptr inbounds i64, ptr %98, i64 %138
-  %140 = load i64, ptr %139, align 8
-  %141 = sdiv i64 %140, %134
-  %142 = icmp eq i64 %141, %135
-  br i1 %142, label %143, label %146
+139:                                              ; preds = %132, %145
+  %140 = phi i64 [ %146, %145 ], [ %133, %132 ]
+  %141 = getelementptr inbounds i64, ptr %100, i64 %140
+  %142 = load i64, ptr %141, align 8
+  %143 = sdiv i64 %142, %136
+  %144 = icmp eq i64 %143, %137
+  br i1 %144, label %145, label %148
 
-143:                                              ; preds = %137
-  %144 = add i64 %138, 1
-  %145 = icmp eq i64 %144, %127
-  br i1 %145, label %146, label %137
+145:                                              ; preds = %139
+  %146 = add i64 %140, 1
+  %147 = icmp eq i64 %146, %129
+  br i1 %147, label %148, label %139
 
-146:                                              ; preds = %143, %137
-  %147 = phi i64 [ %138, %137 ], [ %127, %143 ]
-  %148 = add nsw i64 %131, 1
-  %149 = icmp slt i64 %148, %147
-  br i1 %149, label %150, label %175
+148:                                              ; preds = %145, %139
+  %149 = phi i64 [ %140, %139 ], [ %129, %145 ]
+  %150 = add nsw i64 %133, 1
+  %151 = icmp slt i64 %150, %149
+  br i1 %151, label %152, label %177
 
-150:                                              ; preds = %146, %169
-  %151 = phi i64 [ %173, %169 ], [ %148, %146 ]
-  %152 = getelementptr inbounds i64, ptr %98, i64 %151
-  %153 = load i64, ptr %152, align 8
-  %154 = getelementptr inbounds double, ptr %94, i64 %151
-  %155 = load double, ptr %154, align 8
-  %156 = icmp sgt i64 %151, %131
-  br i1 %156, label %157, label %169
+152:                                              ; preds = %148, %171
+  %153 = phi i64 [ %175, %171 ], [ %150, %148 ]
+  %154 = getelementptr inbounds i64, ptr %100, i64 %153
+  %155 = load i64, ptr %154, align 8
+  %156 = getelementptr inbounds double, ptr %96, i64 %153
+  %157 = load double, ptr %156, align 8
+  %158 = icmp sgt i64 %153, %133
+  br i1 %158, label %159, label %171
 
-157:                                              ; preds = %150, %163
-  %158 = phi i64 [ %159, %163 ], [ %151, %150 ]
-  %159 = add nsw i64 %158, -1
-  %160 = getelementptr inbounds i64, ptr %98, i64 %159
-  %161 = load i64, ptr %160, align 8
-  %162 = icmp sgt i64 %161, %153
-  br i1 %162, label %163, label %169
+159:                                              ; preds = %152, %165
+  %160 = phi i64 [ %161, %165 ], [ %153, %152 ]
+  %161 = add nsw i64 %160, -1
+  %162 = getelementptr inbounds i64, ptr %100, i64 %161
+  %163 = load i64, ptr %162, align 8
+  %164 = icmp sgt i64 %163, %155
+  br i1 %164, label %165, label %171
 
-163:                                              ; preds = %157
-  %164 = getelementptr inbounds i64, ptr %98, i64 %158
-  store i64 %161, ptr %164, align 8
-  %165 = getelementptr inbounds double, ptr %94, i64 %159
-  %166 = load double, ptr %165, align 8
-  %167 = getelementptr inbounds double, ptr %94, i64 %158
-  store double %166, ptr %167, align 8
-  %168 = icmp sgt i64 %159, %131
-  br i1 %168, label %157, label %169
+165:                                              ; preds = %159
+  %166 = getelementptr inbounds i64, ptr %100, i64 %160
+  store i64 %163, ptr %166, align 8
+  %167 = getelementptr inbounds double, ptr %96, i64 %161
+  %168 = load double, ptr %167, align 8
+  %169 = getelementptr inbounds double, ptr %96, i64 %160
+  store double %168, ptr %169, align 8
+  %170 = icmp sgt i64 %161, %133
+  br i1 %170, label %159, label %171
 
-169:                                              ; preds = %163, %157, %150
-  %170 = phi i64 [ %151, %150 ], [ %131, %163 ], [ %158, %157 ]
-  %171 = getelementptr inbounds i64, ptr %98, i64 %170
-  store i64 %153, ptr %171, align 8
-  %172 = getelementptr inbounds double, ptr %94, i64 %170
-  store double %155, ptr %172, align 8
-  %173 = add nsw i64 %151, 1
-  %174 = icmp eq i64 %173, %147
-  br i1 %174, label %175, label %150
+171:                                              ; preds = %165, %159, %152
+  %172 = phi i64 [ %153, %152 ], [ %133, %165 ], [ %160, %159 ]
+  %173 = getelementptr inbounds i64, ptr %100, i64 %172
+  store i64 %155, ptr %173, align 8
+  %174 = getelementptr inbounds double, ptr %96, i64 %172
+  store double %157, ptr %174, align 8
+  %175 = add nsw i64 %153, 1
+  %176 = icmp eq i64 %175, %149
+  br i1 %176, label %177, label %152
 
-175:                                              ; preds = %169, %146, %130
-  %176 = phi i64 [ %147, %146 ], [ %131, %130 ], [ %147, %169 ]
-  %177 = icmp slt i64 %176, %127
-  br i1 %177, label %130, label %178
+177:                                              ; preds = %171, %148, %132
+  %178 = phi i64 [ %149, %148 ], [ %133, %132 ], [ %149, %171 ]
+  %179 = icmp slt i64 %178, %129
+  br i1 %179, label %132, label %180
 
-178:                                              ; preds = %175
-  %179 = load i64, ptr %89, align 8
-  br label %180
+180:                                              ; preds = %177
+  %181 = load i64, ptr %91, align 8
+  br label %182
 
-180:                                              ; preds = %178, %91, %101
-  %181 = phi i64 [ %179, %178 ], [ 0, %91 ], [ %127, %101 ]
-  %182 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
-  %183 = load double, ptr %182, align 8
-  %184 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
+182:                                              ; preds = %180, %93, %103
+  %183 = phi i64 [ %181, %180 ], [ 0, %93 ], [ %129, %103 ]
+  %184 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
   %185 = load double, ptr %184, align 8
-  %186 = fadd double %183, %185
-  %187 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
-  %188 = load i64, ptr %187, align 8
-  %189 = add nsw i64 %188, -1
-  %190 = sitofp i64 %189 to double
-  %191 = fdiv double 1.000000e+00, %190
-  %192 = icmp sgt i64 %181, 0
-  br i1 %192, label %193, label %202
+  %186 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 11
+  %187 = load double, ptr %186, align 8
+  %188 = fadd double %185, %187
+  %189 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 5
+  %190 = load i64, ptr %189, align 8
+  %191 = add nsw i64 %190, -1
+  %192 = sitofp i64 %191 to double
+  %193 = fdiv double 1.000000e+00, %192
+  %194 = icmp sgt i64 %183, 0
+  br i1 %194, label %195, label %204
 
-193:                                              ; preds = %180
-  %194 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
-  %195 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
-  %196 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %197 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
-  %198 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  %199 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %200 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
-  %201 = load ptr, ptr %194, align 8
-  br label %212
+195:                                              ; preds = %182
+  %196 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %197 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %198 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %199 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
+  %200 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  %201 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %202 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  %203 = load ptr, ptr %196, align 8
+  br label %214
 
-202:                                              ; preds = %325, %180
-  %203 = phi i64 [ 0, %180 ], [ %328, %325 ]
-  %204 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
-  %205 = load i64, ptr %204, align 8
-  %206 = icmp sgt i64 %205, 0
-  br i1 %206, label %207, label %331
+204:                                              ; preds = %327, %182
+  %205 = phi i64 [ 0, %182 ], [ %330, %327 ]
+  %206 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
+  %207 = load i64, ptr %206, align 8
+  %208 = icmp sgt i64 %207, 0
+  br i1 %208, label %209, label %333
 
-207:                                              ; preds = %202
-  %208 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
-  %209 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %210 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
-  %211 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
-  br label %343
+209:                                              ; preds = %204
+  %210 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
+  %211 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %212 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
+  %213 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  br label %345
 
-212:                                              ; preds = %325, %193
-  %213 = phi i64 [ %181, %193 ], [ %326, %325 ]
-  %214 = phi ptr [ %201, %193 ], [ %327, %325 ]
-  %215 = phi i64 [ 0, %193 ], [ %328, %325 ]
-  %216 = phi i64 [ 0, %193 ], [ %329, %325 ]
-  %217 = phi i64 [ 0, %193 ], [ %274, %325 ]
-  %218 = phi i64 [ 0, %193 ], [ %248, %325 ]
-  %219 = getelementptr inbounds i64, ptr %214, i64 %216
-  %220 = load i64, ptr %219, align 8
-  %221 = load i64, ptr %195, align 8
-  %222 = sdiv i64 %220, %221
-  %223 = load i64, ptr %187, align 8
-  %224 = add nsw i64 %223, -1
-  %225 = load ptr, ptr %196, align 8
-  %226 = getelementptr inbounds double, ptr %225, i64 %216
-  %227 = load double, ptr %226, align 8
-  %228 = tail call double @llvm.minnum.f64(double %227, double %186)
-  %229 = icmp sgt i64 %222, 0
-  br i1 %229, label %230, label %247
+214:                                              ; preds = %327, %195
+  %215 = phi i64 [ %183, %195 ], [ %328, %327 ]
+  %216 = phi ptr [ %203, %195 ], [ %329, %327 ]
+  %217 = phi i64 [ 0, %195 ], [ %330, %327 ]
+  %218 = phi i64 [ 0, %195 ], [ %331, %327 ]
+  %219 = phi i64 [ 0, %195 ], [ %276, %327 ]
+  %220 = phi i64 [ 0, %195 ], [ %250, %327 ]
+  %221 = getelementptr inbounds i64, ptr %216, i64 %218
+  %222 = load i64, ptr %221, align 8
+  %223 = load i64, ptr %197, align 8
+  %224 = sdiv i64 %222, %223
+  %225 = load i64, ptr %189, align 8
+  %226 = add nsw i64 %225, -1
+  %227 = load ptr, ptr %198, align 8
+  %228 = getelementptr inbounds double, ptr %227, i64 %218
+  %229 = load double, ptr %228, align 8
+  %230 = tail call double @llvm.minnum.f64(double %229, double %188)
+  %231 = icmp sgt i64 %224, 0
+  br i1 %231, label %232, label %249
 
-230:                                              ; preds = %212
-  %231 = sub nsw i64 %220, %221
-  %232 = icmp slt i64 %218, %216
-  br i1 %232, label %233, label %247
+232:                                              ; preds = %214
+  %233 = sub nsw i64 %222, %223
+  %234 = icmp slt i64 %220, %218
+  br i1 %234, label %235, label %249
 
-233:                                              ; preds = %230, %238
-  %234 = phi i64 [ %239, %238 ], [ %218, %230 ]
-  %235 = getelementptr inbounds i64, ptr %214, i64 %234
-  %236 = load i64, ptr %235, align 8
-  %237 = icmp slt i64 %236, %231
-  br i1 %237, label %238, label %241
+235:                                              ; preds = %232, %240
+  %236 = phi i64 [ %241, %240 ], [ %220, %232 ]
+  %237 = getelementptr inbounds i64, ptr %216, i64 %236
+  %238 = load i64, ptr %237, align 8
+  %239 = icmp slt i64 %238, %233
+  br i1 %239, label %240, label %243
 
-238:                                              ; preds = %233
-  %239 = add i64 %234, 1
-  %240 = icmp eq i64 %239, %216
-  br i1 %240, label %247, label %233
+240:                                              ; preds = %235
+  %241 = add i64 %236, 1
+  %242 = icmp eq i64 %241, %218
+  br i1 %242, label %249, label %235
 
-241:                                              ; preds = %233
-  %242 = icmp eq i64 %236, %231
-  br i1 %242, label %243, label %247
+243:                                              ; preds = %235
+  %244 = icmp eq i64 %238, %233
+  br i1 %244, label %245, label %249
 
-243:                                              ; preds = %241
-  %244 = getelementptr inbounds double, ptr %225, i64 %234
-  %245 = load double, ptr %244, align 8
-  %246 = tail call double @llvm.minnum.f64(double %245, double %186)
-  br label %247
+245:                                              ; preds = %243
+  %246 = getelementptr inbounds double, ptr %227, i64 %236
+  %247 = load double, ptr %246, align 8
+  %248 = tail call double @llvm.minnum.f64(double %247, double %188)
+  br label %249
 
-247:                                              ; preds = %238, %243, %241, %230, %212
-  %248 = phi i64 [ %218, %212 ], [ %234, %243 ], [ %234, %241 ], [ %218, %230 ], [ %216, %238 ]
-  %249 = phi double [ 0xFFF0000000000000, %212 ], [ %246, %243 ], [ %186, %241 ], [ %186, %230 ], [ %186, %238 ]
-  %250 = phi double [ 0x7FF0000000000000, %212 ], [ %246, %243 ], [ %186, %241 ], [ %186, %230 ], [ %186, %238 ]
-  %251 = icmp slt i64 %222, %224
-  br i1 %251, label %252, label %273
+249:                                              ; preds = %240, %245, %243, %232, %214
+  %250 = phi i64 [ %220, %214 ], [ %236, %245 ], [ %236, %243 ], [ %220, %232 ], [ %218, %240 ]
+  %251 = phi double [ 0xFFF0000000000000, %214 ], [ %248, %245 ], [ %188, %243 ], [ %188, %232 ], [ %188, %240 ]
+  %252 = phi double [ 0x7FF0000000000000, %214 ], [ %248, %245 ], [ %188, %243 ], [ %188, %232 ], [ %188, %240 ]
+  %253 = icmp slt i64 %224, %226
+  br i1 %253, label %254, label %275
 
-252:                                              ; preds = %247
-  %253 = add nsw i64 %221, %220
-  %254 = icmp slt i64 %217, %213
-  br i1 %254, label %255, label %269
+254:                                              ; preds = %249
+  %255 = add nsw i64 %223, %222
+  %256 = icmp slt i64 %219, %215
+  br i1 %256, label %257, label %271
 
-255:                                              ; preds = %252, %260
-  %256 = phi i64 [ %261, %260 ], [ %217, %252 ]
-  %257 = getelementptr inbounds i64, ptr %214, i64 %256
-  %258 = load i64, ptr %257, align 8
-  %259 = icmp slt i64 %258, %253
-  br i1 %259, label %260, label %263
+257:                                              ; preds = %254, %262
+  %258 = phi i64 [ %263, %262 ], [ %219, %254 ]
+  %259 = getelementptr inbounds i64, ptr %216, i64 %258
+  %260 = load i64, ptr %259, align 8
+  %261 = icmp slt i64 %260, %255
+  br i1 %261, label %262, label %265
 
-260:                                              ; preds = %255
-  %261 = add i64 %256, 1
-  %262 = icmp eq i64 %261, %213
-  br i1 %262, label %269, label %255
+262:                                              ; preds = %257
+  %263 = add i64 %258, 1
+  %264 = icmp eq i64 %263, %215
+  br i1 %264, label %271, label %257
 
-263:                                              ; preds = %255
-  %264 = icmp eq i64 %258, %253
-  br i1 %264, label %265, label %269
+265:                                              ; preds = %257
+  %266 = icmp eq i64 %260, %255
+  br i1 %266, label %267, label %271
 
-265:                                              ; preds = %263
-  %266 = getelementptr inbounds double, ptr %225, i64 %256
-  %267 = load double, ptr %266, align 8
-  %268 = tail call double @llvm.minnum.f64(double %267, double %186)
-  br label %269
+267:                                              ; preds = %265
+  %268 = getelementptr inbounds double, ptr %227, i64 %258
+  %269 = load double, ptr %268, align 8
+  %270 = tail call double @llvm.minnum.f64(double %269, double %188)
+  br label %271
 
-269:                                              ; preds = %260, %265, %263, %252
-  %270 = phi i64 [ %256, %265 ], [ %256, %263 ], [ %217, %252 ], [ %213, %260 ]
-  %271 = phi double [ %268, %265 ], [ %186, %263 ], [ %186, %252 ], [ %186, %260 ]
-  %272 = tail call double @llvm.maxnum.f64(double %249, double %271)
-  br label %273
+271:                                              ; preds = %262, %267, %265, %254
+  %272 = phi i64 [ %258, %267 ], [ %258, %265 ], [ %219, %254 ], [ %215, %262 ]
+  %273 = phi double [ %270, %267 ], [ %188, %265 ], [ %188, %254 ], [ %188, %262 ]
+  %274 = tail call double @llvm.maxnum.f64(double %251, double %273)
+  br label %275
 
-273:                                              ; preds = %269, %247
-  %274 = phi i64 [ %270, %269 ], [ %217, %247 ]
-  %275 = phi double [ %272, %269 ], [ %249, %247 ]
-  %276 = phi double [ %271, %269 ], [ 0x7FF0000000000000, %247 ]
-  %277 = fcmp oge double %250, %228
-  %278 = fcmp ogt double %276, %228
-  %279 = select i1 %277, i1 %278, i1 false
-  br i1 %279, label %280, label %325
+275:                                              ; preds = %271, %249
+  %276 = phi i64 [ %272, %271 ], [ %219, %249 ]
+  %277 = phi double [ %274, %271 ], [ %251, %249 ]
+  %278 = phi double [ %273, %271 ], [ 0x7FF0000000000000, %249 ]
+  %279 = fcmp oge double %252, %230
+  %280 = fcmp ogt double %278, %230
+  %281 = select i1 %279, i1 %280, i1 false
+  br i1 %281, label %282, label %327
 
-280:                                              ; preds = %273
-  %281 = fsub double %275, %228
-  %282 = fsub double %228, %281
-  %283 = load double, ptr %182, align 8
-  %284 = load double, ptr %197, align 8
-  %285 = fadd double %283, %284
-  %286 = fcmp olt double %282, %285
-  br i1 %286, label %287, label %325
+282:                                              ; preds = %275
+  %283 = fsub double %277, %230
+  %284 = fsub double %230, %283
+  %285 = load double, ptr %184, align 8
+  %286 = load double, ptr %199, align 8
+  %287 = fadd double %285, %286
+  %288 = fcmp olt double %284, %287
+  br i1 %288, label %289, label %327
 
-287:                                              ; preds = %280
-  %288 = load ptr, ptr %198, align 8
-  %289 = add nsw i64 %222, -1
-  %290 = select i1 %229, i64 %289, i64 0
-  %291 = getelementptr inbounds double, ptr %288, i64 %290
-  %292 = load double, ptr %291, align 8
-  %293 = getelementptr inbounds double, ptr %288, i64 %222
+289:                                              ; preds = %282
+  %290 = load ptr, ptr %200, align 8
+  %291 = add nsw i64 %224, -1
+  %292 = select i1 %231, i64 %291, i64 0
+  %293 = getelementptr inbounds double, ptr %290, i64 %292
   %294 = load double, ptr %293, align 8
-  %295 = add nsw i64 %222, 1
-  %296 = select i1 %251, i64 %295, i64 %224
-  %297 = getelementptr inbounds double, ptr %288, i64 %296
-  %298 = load double, ptr %297, align 8
-  %299 = icmp eq i64 %222, 0
-  %300 = fcmp olt double %250, %186
-  %301 = select i1 %300, double %250, double 0x7FF8000000000000
-  %302 = select i1 %299, double %228, double %301
-  %303 = icmp eq i64 %222, %224
-  %304 = fcmp olt double %276, %186
-  %305 = select i1 %304, double %276, double 0x7FF8000000000000
-  %306 = select i1 %303, double %228, double %305
-  %307 = load ptr, ptr %199, align 8
-  %308 = getelementptr inbounds %struct.Bracket, ptr %307, i64 %215
-  store double %292, ptr %308, align 8
-  %309 = getelementptr inbounds i8, ptr %308, i64 8
-  store double %294, ptr %309, align 8
-  %310 = getelementptr inbounds i8, ptr %308, i64 16
-  store double %298, ptr %310, align 8
-  %311 = getelementptr inbounds i8, ptr %308, i64 24
-  store double %302, ptr %311, align 8
-  %312 = getelementptr inbounds i8, ptr %308, i64 32
-  store double %228, ptr %312, align 8
-  %313 = getelementptr inbounds i8, ptr %308, i64 40
-  store double %306, ptr %313, align 8
-  %314 = getelementptr inbounds i8, ptr %308, i64 48
-  store double 0x7FF8000000000000, ptr %314, align 8
-  %315 = getelementptr inbounds i8, ptr %308, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %315, i8 0, i64 16, i1 false)
-  %316 = load ptr, ptr %194, align 8
-  %317 = getelementptr inbounds i64, ptr %316, i64 %216
-  %318 = load i64, ptr %317, align 8
-  %319 = load i64, ptr %195, align 8
-  %320 = srem i64 %318, %319
-  %321 = load ptr, ptr %200, align 8
-  %322 = add nsw i64 %215, 1
-  %323 = getelementptr inbounds i64, ptr %321, i64 %215
-  store i64 %320, ptr %323, align 8
-  %324 = load i64, ptr %89, align 8
-  br label %325
+  %295 = getelementptr inbounds double, ptr %290, i64 %224
+  %296 = load double, ptr %295, align 8
+  %297 = add nsw i64 %224, 1
+  %298 = select i1 %253, i64 %297, i64 %226
+  %299 = getelementptr inbounds double, ptr %290, i64 %298
+  %300 = load double, ptr %299, align 8
+  %301 = icmp eq i64 %224, 0
+  %302 = fcmp olt double %252, %188
+  %303 = select i1 %302, double %252, double 0x7FF8000000000000
+  %304 = select i1 %301, double %230, double %303
+  %305 = icmp eq i64 %224, %226
+  %306 = fcmp olt double %278, %188
+  %307 = select i1 %306, double %278, double 0x7FF8000000000000
+  %308 = select i1 %305, double %230, double %307
+  %309 = load ptr, ptr %201, align 8
+  %310 = getelementptr inbounds %struct.Bracket, ptr %309, i64 %217
+  store double %294, ptr %310, align 8
+  %311 = getelementptr inbounds i8, ptr %310, i64 8
+  store double %296, ptr %311, align 8
+  %312 = getelementptr inbounds i8, ptr %310, i64 16
+  store double %300, ptr %312, align 8
+  %313 = getelementptr inbounds i8, ptr %310, i64 24
+  store double %304, ptr %313, align 8
+  %314 = getelementptr inbounds i8, ptr %310, i64 32
+  store double %230, ptr %314, align 8
+  %315 = getelementptr inbounds i8, ptr %310, i64 40
+  store double %308, ptr %315, align 8
+  %316 = getelementptr inbounds i8, ptr %310, i64 48
+  store double 0x7FF8000000000000, ptr %316, align 8
+  %317 = getelementptr inbounds i8, ptr %310, i64 56
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %317, i8 0, i64 16, i1 false)
+  %318 = load ptr, ptr %196, align 8
+  %319 = getelementptr inbounds i64, ptr %318, i64 %218
+  %320 = load i64, ptr %319, align 8
+  %321 = load i64, ptr %197, align 8
+  %322 = srem i64 %320, %321
+  %323 = load ptr, ptr %202, align 8
+  %324 = add nsw i64 %217, 1
+  %325 = getelementptr inbounds i64, ptr %323, i64 %217
+  store i64 %322, ptr %325, align 8
+  %326 = load i64, ptr %91, align 8
+  br label %327
 
-325:                                              ; preds = %287, %280, %273
-  %326 = phi i64 [ %324, %287 ], [ %213, %280 ], [ %213, %273 ]
-  %327 = phi ptr [ %316, %287 ], [ %214, %280 ], [ %214, %273 ]
-  %328 = phi i64 [ %322, %287 ], [ %215, %280 ], [ %215, %273 ]
-  %329 = add nuw nsw i64 %216, 1
-  %330 = icmp slt i64 %329, %326
-  br i1 %330, label %212, label %202
+327:                                              ; preds = %289, %282, %275
+  %328 = phi i64 [ %326, %289 ], [ %215, %282 ], [ %215, %275 ]
+  %329 = phi ptr [ %318, %289 ], [ %216, %282 ], [ %216, %275 ]
+  %330 = phi i64 [ %324, %289 ], [ %217, %282 ], [ %217, %275 ]
+  %331 = add nuw nsw i64 %218, 1
+  %332 = icmp slt i64 %331, %328
+  br i1 %332, label %214, label %204
 
-331:                                              ; preds = %343, %202
-  %332 = phi i64 [ %203, %202 ], [ %366, %343 ]
-  %333 = icmp sgt i64 %332, 0
-  br i1 %333, label %336, label %334
+333:                                              ; preds = %345, %204
+  %334 = phi i64 [ %205, %204 ], [ %368, %345 ]
+  %335 = icmp sgt i64 %334, 0
+  br i1 %335, label %338, label %336
 
-334:                                              ; preds = %331
-  %335 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  store i64 %332, ptr %335, align 8
+336:                                              ; preds = %333
+  %337 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  store i64 %334, ptr %337, align 8
   store i64 2, ptr %1, align 8
-  br label %394
+  br label %396
 
-336:                                              ; preds = %331
-  %337 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 3
-  %338 = load ptr, ptr %337, align 8
-  %339 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+338:                                              ; preds = %333
+  %339 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 3
   %340 = load ptr, ptr %339, align 8
-  %341 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  %341 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
   %342 = load ptr, ptr %341, align 8
-  br label %371
+  %343 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  %344 = load ptr, ptr %343, align 8
+  br label %373
 
-343:                                              ; preds = %343, %207
-  %344 = phi i64 [ %203, %207 ], [ %366, %343 ]
-  %345 = phi i64 [ 0, %207 ], [ %368, %343 ]
-  %346 = load ptr, ptr %208, align 8
-  %347 = getelementptr inbounds double, ptr %346, i64 %345
-  %348 = load double, ptr %347, align 8
-  %349 = fsub double %348, %191
-  %350 = tail call double @llvm.maxnum.f64(double %349, double 0.000000e+00)
-  %351 = fadd double %191, %348
-  %352 = tail call double @llvm.minnum.f64(double %351, double 1.000000e+00)
-  %353 = load ptr, ptr %209, align 8
-  %354 = getelementptr inbounds %struct.Bracket, ptr %353, i64 %344
-  store double %350, ptr %354, align 8
-  %355 = getelementptr inbounds i8, ptr %354, i64 8
-  store double %348, ptr %355, align 8
-  %356 = getelementptr inbounds i8, ptr %354, i64 16
+345:                                              ; preds = %345, %209
+  %346 = phi i64 [ %205, %209 ], [ %368, %345 ]
+  %347 = phi i64 [ 0, %209 ], [ %370, %345 ]
+  %348 = load ptr, ptr %210, align 8
+  %349 = getelementptr inbounds double, ptr %348, i64 %347
+  %350 = load double, ptr %349, align 8
+  %351 = fsub double %350, %193
+  %352 = tail call double @llvm.maxnum.f64(double %351, double 0.000000e+00)
+  %353 = fadd double %193, %350
+  %354 = tail call double @llvm.minnum.f64(double %353, double 1.000000e+00)
+  %355 = load ptr, ptr %211, align 8
+  %356 = getelementptr inbounds %struct.Bracket, ptr %355, i64 %346
   store double %352, ptr %356, align 8
-  %357 = getelementptr inbounds i8, ptr %354, i64 24
-  store double 0x7FF8000000000000, ptr %357, align 8
-  %358 = getelementptr inbounds i8, ptr %354, i64 32
-  store double 0x7FF8000000000000, ptr %358, align 8
-  %359 = getelementptr inbounds i8, ptr %354, i64 40
+  %357 = getelementptr inbounds i8, ptr %356, i64 8
+  store double %350, ptr %357, align 8
+  %358 = getelementptr inbounds i8, ptr %356, i64 16
+  store double %354, ptr %358, align 8
+  %359 = getelementptr inbounds i8, ptr %356, i64 24
   store double 0x7FF8000000000000, ptr %359, align 8
-  %360 = getelementptr inbounds i8, ptr %354, i64 48
+  %360 = getelementptr inbounds i8, ptr %356, i64 32
   store double 0x7FF8000000000000, ptr %360, align 8
-  %361 = getelementptr inbounds i8, ptr %354, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %361, i8 0, i64 16, i1 false)
-  %362 = load ptr, ptr %210, align 8
-  %363 = getelementptr inbounds i64, ptr %362, i64 %345
-  %364 = load i64, ptr %363, align 8
-  %365 = load ptr, ptr %211, align 8
-  %366 = add nsw i64 %344, 1
-  %367 = getelementptr inbounds i64, ptr %365, i64 %344
-  store i64 %364, ptr %367, align 8
-  %368 = add nuw nsw i64 %345, 1
-  %369 = load i64, ptr %204, align 8
-  %370 = icmp slt i64 %368, %369
-  br i1 %370, label %343, label %331
+  %361 = getelementptr inbounds i8, ptr %356, i64 40
+  store double 0x7FF8000000000000, ptr %361, align 8
+  %362 = getelementptr inbounds i8, ptr %356, i64 48
+  store double 0x7FF8000000000000, ptr %362, align 8
+  %363 = getelementptr inbounds i8, ptr %356, i64 56
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %363, i8 0, i64 16, i1 false)
+  %364 = load ptr, ptr %212, align 8
+  %365 = getelementptr inbounds i64, ptr %364, i64 %347
+  %366 = load i64, ptr %365, align 8
+  %367 = load ptr, ptr %213, align 8
+  %368 = add nsw i64 %346, 1
+  %369 = getelementptr inbounds i64, ptr %367, i64 %346
+  store i64 %366, ptr %369, align 8
+  %370 = add nuw nsw i64 %347, 1
+  %371 = load i64, ptr %206, align 8
+  %372 = icmp slt i64 %370, %371
+  br i1 %372, label %345, label %333
 
-371:                                              ; preds = %371, %336
-  %372 = phi i64 [ 0, %336 ], [ %387, %371 ]
-  %373 = getelementptr inbounds i64, ptr %340, i64 %372
-  %374 = shl nuw nsw i64 %372, 1
-  %375 = load i64, ptr %373, align 8
-  %376 = shl nsw i64 %375, 1
-  %377 = getelementptr inbounds i64, ptr %338, i64 %376
-  %378 = load i64, ptr %377, align 8
-  %379 = getelementptr inbounds i64, ptr %342, i64 %374
-  store i64 %378, ptr %379, align 8
-  %380 = load i64, ptr %373, align 8
-  %381 = shl nsw i64 %380, 1
-  %382 = or i64 %381, 1
-  %383 = getelementptr inbounds i64, ptr %338, i64 %382
-  %384 = load i64, ptr %383, align 8
-  %385 = or i64 %374, 1
-  %386 = getelementptr inbounds i64, ptr %342, i64 %385
-  store i64 %384, ptr %386, align 8
-  %387 = add nuw nsw i64 %372, 1
-  %388 = icmp eq i64 %387, %332
-  br i1 %388, label %389, label %371
+373:                                              ; preds = %373, %338
+  %374 = phi i64 [ 0, %338 ], [ %389, %373 ]
+  %375 = getelementptr inbounds i64, ptr %342, i64 %374
+  %376 = shl nuw nsw i64 %374, 1
+  %377 = load i64, ptr %375, align 8
+  %378 = shl nsw i64 %377, 1
+  %379 = getelementptr inbounds i64, ptr %340, i64 %378
+  %380 = load i64, ptr %379, align 8
+  %381 = getelementptr inbounds i64, ptr %344, i64 %376
+  store i64 %380, ptr %381, align 8
+  %382 = load i64, ptr %375, align 8
+  %383 = shl nsw i64 %382, 1
+  %384 = or i64 %383, 1
+  %385 = getelementptr inbounds i64, ptr %340, i64 %384
+  %386 = load i64, ptr %385, align 8
+  %387 = or i64 %376, 1
+  %388 = getelementptr inbounds i64, ptr %344, i64 %387
+  store i64 %386, ptr %388, align 8
+  %389 = add nuw nsw i64 %374, 1
+  %390 = icmp eq i64 %389, %334
+  br i1 %390, label %391, label %373
 
-389:                                              ; preds = %371
-  %390 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  store i64 %332, ptr %390, align 8
+391:                                              ; preds = %373
+  %392 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  store i64 %334, ptr %392, align 8
   store i64 2, ptr %1, align 8
-  br i1 %333, label %391, label %394
+  br i1 %335, label %393, label %396
 
-391:                                              ; preds = %389
-  %392 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %393 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
-  br label %398
+393:                                              ; preds = %391
+  %394 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %395 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  br label %400
 
-394:                                              ; preds = %334, %389
-  %395 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  br label %585
+396:                                              ; preds = %336, %391
+  %397 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  br label %587
 
-396:                                              ; preds = %438
-  %397 = icmp eq i64 %442, 0
-  br i1 %397, label %446, label %665
+398:                                              ; preds = %440
+  %399 = icmp eq i64 %444, 0
+  br i1 %399, label %448, label %667
 
-398:                                              ; preds = %391, %438
-  %399 = phi i64 [ 0, %391 ], [ %442, %438 ]
-  %400 = phi i64 [ 0, %391 ], [ %443, %438 ]
-  %401 = load ptr, ptr %392, align 8
-  %402 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400
-  %403 = load ptr, ptr %393, align 8
-  %404 = shl nuw nsw i64 %400, 1
-  %405 = getelementptr inbounds i64, ptr %403, i64 %404
-  %406 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 4
-  %407 = load double, ptr %406, align 8
-  %408 = fcmp uno double %407, 0.000000e+00
-  br i1 %408, label %409, label %413
+400:                                              ; preds = %393, %440
+  %401 = phi i64 [ 0, %393 ], [ %444, %440 ]
+  %402 = phi i64 [ 0, %393 ], [ %445, %440 ]
+  %403 = load ptr, ptr %394, align 8
+  %404 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402
+  %405 = load ptr, ptr %395, align 8
+  %406 = shl nuw nsw i64 %402, 1
+  %407 = getelementptr inbounds i64, ptr %405, i64 %406
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %6) #6
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %6, i8 0, i64 176, i1 false)
+  %408 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 4
+  %409 = load double, ptr %408, align 8
+  %410 = fcmp uno double %409, 0.000000e+00
+  br i1 %410, label %411, label %415
 
-409:                                              ; preds = %398
-  %410 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 1
-  %411 = load double, ptr %410, align 8
-  %412 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %411, ptr noundef %405)
-  store double %412, ptr %406, align 8
-  br label %413
+411:                                              ; preds = %400
+  %412 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 1
+  %413 = load double, ptr %412, align 8
+  %414 = call fastcc double @distance_at(ptr noundef %0, double noundef %413, ptr noundef %407, ptr noundef nonnull %6)
+  store double %414, ptr %408, align 8
+  br label %415
 
-413:                                              ; preds = %409, %398
-  %414 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 3
-  %415 = load double, ptr %414, align 8
-  %416 = fcmp uno double %415, 0.000000e+00
-  br i1 %416, label %417, label %420
+415:                                              ; preds = %411, %400
+  %416 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 3
+  %417 = load double, ptr %416, align 8
+  %418 = fcmp uno double %417, 0.000000e+00
+  br i1 %418, label %419, label %422
 
-417:                                              ; preds = %413
-  %418 = load double, ptr %402, align 8
-  %419 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %418, ptr noundef %405)
-  store double %419, ptr %414, align 8
-  br label %420
+419:                                              ; preds = %415
+  %420 = load double, ptr %404, align 8
+  %421 = call fastcc double @distance_at(ptr noundef %0, double noundef %420, ptr noundef %407, ptr noundef nonnull %6)
+  store double %421, ptr %416, align 8
+  br label %422
 
-420:                                              ; preds = %417, %413
-  %421 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 5
-  %422 = load double, ptr %421, align 8
-  %423 = fcmp uno double %422, 0.000000e+00
-  br i1 %423, label %424, label %428
+422:                                              ; preds = %419, %415
+  %423 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 5
+  %424 = load double, ptr %423, align 8
+  %425 = fcmp uno double %424, 0.000000e+00
+  br i1 %425, label %426, label %430
 
-424:                                              ; preds = %420
-  %425 = getelementptr inbounds %struct.Bracket, ptr %401, i64 %400, i32 2
-  %426 = load double, ptr %425, align 8
-  %427 = tail call fastcc double @distance_at(ptr noundef %0, double noundef %426, ptr noundef %405)
-  store double %427, ptr %421, align 8
-  br label %428
+426:                                              ; preds = %422
+  %427 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 2
+  %428 = load double, ptr %427, align 8
+  %429 = call fastcc double @distance_at(ptr noundef %0, double noundef %428, ptr noundef %407, ptr noundef nonnull %6)
+  store double %429, ptr %423, align 8
+  br label %430
 
-428:                                              ; preds = %424, %420
-  %429 = phi double [ %427, %424 ], [ %422, %420 ]
-  %430 = load double, ptr %406, align 8
-  %431 = fcmp uno double %430, 0.000000e+00
-  br i1 %431, label %438, label %432
+430:                                              ; preds = %426, %422
+  %431 = phi double [ %429, %426 ], [ %424, %422 ]
+  %432 = load double, ptr %408, align 8
+  %433 = fcmp uno double %432, 0.000000e+00
+  br i1 %433, label %440, label %434
 
-432:                                              ; preds = %428
-  %433 = load double, ptr %414, align 8
-  %434 = fcmp uno double %433, 0.000000e+00
-  br i1 %434, label %438, label %435
+434:                                              ; preds = %430
+  %435 = load double, ptr %416, align 8
+  %436 = fcmp uno double %435, 0.000000e+00
+  br i1 %436, label %440, label %437
 
-435:                                              ; preds = %432
-  %436 = fcmp ord double %429, 0.000000e+00
-  %437 = zext i1 %436 to i32
-  br label %438
+437:                                              ; preds = %434
+  %438 = fcmp ord double %431, 0.000000e+00
+  %439 = zext i1 %438 to i32
+  br label %440
 
-438:                                              ; preds = %428, %432, %435
-  %439 = phi i32 [ 0, %432 ], [ 0, %428 ], [ %437, %435 ]
-  %440 = icmp eq i32 %439, 0
-  %441 = zext i1 %440 to i64
-  %442 = add nuw nsw i64 %399, %441
-  %443 = add nuw nsw i64 %400, 1
-  %444 = load i64, ptr %390, align 8
-  %445 = icmp slt i64 %443, %444
-  br i1 %445, label %398, label %396
+440:                                              ; preds = %430, %434, %437
+  %441 = phi i32 [ 0, %434 ], [ 0, %430 ], [ %439, %437 ]
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %6) #6
+  %442 = icmp eq i32 %441, 0
+  %443 = zext i1 %442 to i64
+  %444 = add nuw nsw i64 %401, %443
+  %445 = add nuw nsw i64 %402, 1
+  %446 = load i64, ptr %392, align 8
+  %447 = icmp slt i64 %445, %446
+  br i1 %447, label %400, label %398
 
-446:                                              ; preds = %6, %396
-  %447 = phi i64 [ %8, %6 ], [ %444, %396 ]
-  %448 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
-  %449 = load ptr, ptr %448, align 8
-  %450 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+448:                                              ; preds = %8, %398
+  %449 = phi i64 [ %10, %8 ], [ %446, %398 ]
+  %450 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
   %451 = load ptr, ptr %450, align 8
-  %452 = icmp sgt i64 %447, 0
-  br i1 %452, label %453, label %585
+  %452 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %453 = load ptr, ptr %452, align 8
+  %454 = icmp sgt i64 %449, 0
+  br i1 %454, label %455, label %587
 
-453:                                              ; preds = %446
-  %454 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 8
-  %455 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
-  br label %456
+455:                                              ; preds = %448
+  %456 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 8
+  %457 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
+  br label %458
 
-456:                                              ; preds = %579, %453
-  %457 = phi i64 [ 0, %453 ], [ %580, %579 ]
-  %458 = phi i64 [ 0, %453 ], [ %581, %579 ]
-  %459 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458
-  %460 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 6
-  %461 = load double, ptr %460, align 8
-  %462 = fcmp uno double %461, 0.000000e+00
-  br i1 %462, label %463, label %466
+458:                                              ; preds = %581, %455
+  %459 = phi i64 [ 0, %455 ], [ %582, %581 ]
+  %460 = phi i64 [ 0, %455 ], [ %583, %581 ]
+  %461 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %5) #6
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %5, i8 0, i64 176, i1 false)
+  %462 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 6
+  %463 = load double, ptr %462, align 8
+  %464 = fcmp uno double %463, 0.000000e+00
+  br i1 %464, label %465, label %468
 
-463:                                              ; preds = %456
-  %464 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
-  %465 = load i64, ptr %464, align 8
-  br label %491
+465:                                              ; preds = %458
+  %466 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
+  %467 = load i64, ptr %466, align 8
+  br label %493
 
-466:                                              ; preds = %456
-  %467 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 7
-  %468 = load double, ptr %467, align 8
-  %469 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 4
+468:                                              ; preds = %458
+  %469 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 7
   %470 = load double, ptr %469, align 8
-  %471 = fcmp ogt double %470, %468
-  %472 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 1
-  %473 = load double, ptr %472, align 8
-  %474 = fcmp olt double %473, %461
-  %475 = select i1 %471, double %473, double %461
-  br i1 %471, label %477, label %476
+  %471 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 4
+  %472 = load double, ptr %471, align 8
+  %473 = fcmp ogt double %472, %470
+  %474 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 1
+  %475 = load double, ptr %474, align 8
+  %476 = fcmp olt double %475, %463
+  %477 = select i1 %473, double %475, double %463
+  br i1 %473, label %479, label %478
 
-476:                                              ; preds = %466
-  br i1 %474, label %481, label %478
+478:                                              ; preds = %468
+  br i1 %476, label %483, label %480
 
-477:                                              ; preds = %466
-  br i1 %474, label %478, label %481
+479:                                              ; preds = %468
+  br i1 %476, label %480, label %483
 
-478:                                              ; preds = %477, %476
-  %479 = phi double [ %468, %476 ], [ %470, %477 ]
-  store double %475, ptr %459, align 8
-  %480 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 3
-  store double %479, ptr %480, align 8
-  br label %485
-
-481:                                              ; preds = %477, %476
-  %482 = phi double [ %468, %476 ], [ %470, %477 ]
-  %483 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 2
-  store double %475, ptr %483, align 8
-  %484 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 5
-  store double %482, ptr %484, align 8
-  br label %485
-
-485:                                              ; preds = %481, %478
-  br i1 %471, label %486, label %487
-
-486:                                              ; preds = %485
-  store double %461, ptr %472, align 8
-  store double %468, ptr %469, align 8
+480:                                              ; preds = %479, %478
+  %481 = phi double [ %470, %478 ], [ %472, %479 ]
+  store double %477, ptr %461, align 8
+  %482 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 3
+  store double %481, ptr %482, align 8
   br label %487
 
-487:                                              ; preds = %486, %485
-  %488 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
-  %489 = load i64, ptr %488, align 8
-  %490 = add nsw i64 %489, 1
-  store i64 %490, ptr %488, align 8
-  store double 0x7FF8000000000000, ptr %460, align 8
-  br label %491
+483:                                              ; preds = %479, %478
+  %484 = phi double [ %470, %478 ], [ %472, %479 ]
+  %485 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 2
+  store double %477, ptr %485, align 8
+  %486 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 5
+  store double %484, ptr %486, align 8
+  br label %487
 
-491:                                              ; preds = %487, %463
-  %492 = phi i64 [ %465, %463 ], [ %490, %487 ]
-  %493 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 8
-  %494 = load i64, ptr %454, align 8
-  %495 = icmp slt i64 %492, %494
-  br i1 %495, label %496, label %579
+487:                                              ; preds = %483, %480
+  br i1 %473, label %488, label %489
 
-496:                                              ; preds = %491
-  %497 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 2
-  %498 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 1
-  %499 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 3
-  %500 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 4
-  %501 = getelementptr inbounds %struct.Bracket, ptr %451, i64 %458, i32 5
-  %502 = shl nuw nsw i64 %458, 1
-  %503 = getelementptr inbounds i64, ptr %449, i64 %502
-  br label %504
+488:                                              ; preds = %487
+  store double %463, ptr %474, align 8
+  store double %470, ptr %471, align 8
+  br label %489
 
-504:                                              ; preds = %574, %496
-  %505 = phi i64 [ %492, %496 ], [ %576, %574 ]
-  %506 = load double, ptr %497, align 8
-  %507 = load double, ptr %459, align 8
-  %508 = fsub double %506, %507
-  %509 = load double, ptr %455, align 8
-  %510 = fcmp ult double %508, %509
-  br i1 %510, label %579, label %511
+489:                                              ; preds = %488, %487
+  %490 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
+  %491 = load i64, ptr %490, align 8
+  %492 = add nsw i64 %491, 1
+  store i64 %492, ptr %490, align 8
+  store double 0x7FF8000000000000, ptr %462, align 8
+  br label %493
 
-511:                                              ; preds = %504
-  %512 = load double, ptr %498, align 8
-  %513 = fsub double %512, %507
-  %514 = fsub double %506, %512
-  %515 = fcmp ogt double %513, %514
-  %516 = fmul double %513, -5.000000e-01
-  %517 = fmul double %514, 5.000000e-01
-  %518 = select i1 %515, double %516, double %517
-  %519 = load double, ptr %499, align 8
-  %520 = load double, ptr %500, align 8
-  %521 = fsub double %519, %520
-  %522 = fdiv double %521, %513
-  %523 = load double, ptr %501, align 8
-  %524 = fsub double %523, %520
-  %525 = fdiv double %524, %514
-  %526 = fmul double %514, %522
-  %527 = fmul double %513, %525
-  %528 = fsub double %526, %527
-  %529 = fadd double %522, %525
-  %530 = fmul double %529, 2.000000e+00
-  %531 = fdiv double %528, %530
-  %532 = tail call double @llvm.fabs.f64(double %531) #7
-  %533 = fcmp one double %532, 0x7FF0000000000000
-  %534 = fneg double %513
-  %535 = fcmp ogt double %531, %534
-  %536 = select i1 %533, i1 %535, i1 false
-  %537 = fcmp olt double %531, %514
-  %538 = select i1 %536, i1 %537, i1 false
-  br i1 %538, label %539, label %543
+493:                                              ; preds = %489, %465
+  %494 = phi i64 [ %467, %465 ], [ %492, %489 ]
+  %495 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
+  %496 = load i64, ptr %456, align 8
+  %497 = icmp slt i64 %494, %496
+  br i1 %497, label %498, label %581
 
-539:                                              ; preds = %511
-  %540 = srem i64 %505, 3
-  %541 = icmp slt i64 %540, 2
-  %542 = select i1 %541, double %531, double %518
-  br label %543
+498:                                              ; preds = %493
+  %499 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 2
+  %500 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 1
+  %501 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 3
+  %502 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 4
+  %503 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 5
+  %504 = shl nuw nsw i64 %460, 1
+  %505 = getelementptr inbounds i64, ptr %451, i64 %504
+  br label %506
 
-543:                                              ; preds = %539, %511
-  %544 = phi double [ %518, %511 ], [ %542, %539 ]
-  %545 = fadd double %513, %514
-  %546 = fmul double %545, 2.000000e-02
-  %547 = fmul double %509, 2.500000e-01
-  %548 = tail call double @llvm.maxnum.f64(double %546, double %547)
-  %549 = tail call double @llvm.fabs.f64(double %544)
-  %550 = fcmp olt double %549, %548
-  %551 = tail call double @llvm.copysign.f64(double %548, double %518)
-  %552 = select i1 %550, double %551, double %544
-  %553 = fadd double %512, %552
-  %554 = tail call double @llvm.maxnum.f64(double %553, double %507)
-  %555 = tail call double @llvm.minnum.f64(double %554, double %506)
-  %556 = tail call fastcc double @distance_at(ptr noundef nonnull %0, double noundef %555, ptr noundef %503)
-  %557 = fcmp uno double %556, 0.000000e+00
-  br i1 %557, label %558, label %560
+506:                                              ; preds = %576, %498
+  %507 = phi i64 [ %494, %498 ], [ %578, %576 ]
+  %508 = load double, ptr %499, align 8
+  %509 = load double, ptr %461, align 8
+  %510 = fsub double %508, %509
+  %511 = load double, ptr %457, align 8
+  %512 = fcmp ult double %510, %511
+  br i1 %512, label %581, label %513
 
-558:                                              ; preds = %543
-  store double %555, ptr %460, align 8
-  %559 = add nsw i64 %457, 1
-  br label %579
+513:                                              ; preds = %506
+  %514 = load double, ptr %500, align 8
+  %515 = fsub double %514, %509
+  %516 = fsub double %508, %514
+  %517 = fcmp ogt double %515, %516
+  %518 = fmul double %515, -5.000000e-01
+  %519 = fmul double %516, 5.000000e-01
+  %520 = select i1 %517, double %518, double %519
+  %521 = load double, ptr %501, align 8
+  %522 = load double, ptr %502, align 8
+  %523 = fsub double %521, %522
+  %524 = fdiv double %523, %515
+  %525 = load double, ptr %503, align 8
+  %526 = fsub double %525, %522
+  %527 = fdiv double %526, %516
+  %528 = fmul double %516, %524
+  %529 = fmul double %515, %527
+  %530 = fsub double %528, %529
+  %531 = fadd double %524, %527
+  %532 = fmul double %531, 2.000000e+00
+  %533 = fdiv double %530, %532
+  %534 = call double @llvm.fabs.f64(double %533) #7
+  %535 = fcmp one double %534, 0x7FF0000000000000
+  %536 = fneg double %515
+  %537 = fcmp ogt double %533, %536
+  %538 = select i1 %535, i1 %537, i1 false
+  %539 = fcmp olt double %533, %516
+  %540 = select i1 %538, i1 %539, i1 false
+  br i1 %540, label %541, label %545
 
-560:                                              ; preds = %543
-  %561 = load double, ptr %500, align 8
-  %562 = fcmp ogt double %561, %556
-  %563 = load double, ptr %498, align 8
-  %564 = fcmp olt double %563, %555
-  %565 = select i1 %562, double %563, double %555
-  br i1 %562, label %567, label %566
+541:                                              ; preds = %513
+  %542 = srem i64 %507, 3
+  %543 = icmp slt i64 %542, 2
+  %544 = select i1 %543, double %533, double %520
+  br label %545
 
-566:                                              ; preds = %560
-  br i1 %564, label %570, label %568
+545:                                              ; preds = %541, %513
+  %546 = phi double [ %520, %513 ], [ %544, %541 ]
+  %547 = fadd double %515, %516
+  %548 = fmul double %547, 2.000000e-02
+  %549 = fmul double %511, 2.500000e-01
+  %550 = call double @llvm.maxnum.f64(double %548, double %549)
+  %551 = call double @llvm.fabs.f64(double %546)
+  %552 = fcmp olt double %551, %550
+  %553 = call double @llvm.copysign.f64(double %550, double %520)
+  %554 = select i1 %552, double %553, double %546
+  %555 = fadd double %514, %554
+  %556 = call double @llvm.maxnum.f64(double %555, double %509)
+  %557 = call double @llvm.minnum.f64(double %556, double %508)
+  %558 = call fastcc double @distance_at(ptr noundef nonnull %0, double noundef %557, ptr noundef %505, ptr noundef nonnull %5)
+  %559 = fcmp uno double %558, 0.000000e+00
+  br i1 %559, label %560, label %562
 
-567:                                              ; preds = %560
-  br i1 %564, label %568, label %570
+560:                                              ; preds = %545
+  store double %557, ptr %462, align 8
+  %561 = add nsw i64 %459, 1
+  br label %581
 
-568:                                              ; preds = %567, %566
-  %569 = phi double [ %556, %566 ], [ %561, %567 ]
-  store double %565, ptr %459, align 8
-  store double %569, ptr %499, align 8
-  br label %572
+562:                                              ; preds = %545
+  %563 = load double, ptr %502, align 8
+  %564 = fcmp ogt double %563, %558
+  %565 = load double, ptr %500, align 8
+  %566 = fcmp olt double %565, %557
+  %567 = select i1 %564, double %565, double %557
+  br i1 %564, label %569, label %568
 
-570:                                              ; preds = %567, %566
-  %571 = phi double [ %556, %566 ], [ %561, %567 ]
-  store double %565, ptr %497, align 8
+568:                                              ; preds = %562
+  br i1 %566, label %572, label %570
+
+569:                                              ; preds = %562
+  br i1 %566, label %570, label %572
+
+570:                                              ; preds = %569, %568
+  %571 = phi double [ %558, %568 ], [ %563, %569 ]
+  store double %567, ptr %461, align 8
   store double %571, ptr %501, align 8
-  br label %572
-
-572:                                              ; preds = %570, %568
-  br i1 %562, label %573, label %574
-
-573:                                              ; preds = %572
-  store double %555, ptr %498, align 8
-  store double %556, ptr %500, align 8
   br label %574
 
-574:                                              ; preds = %573, %572
-  %575 = load i64, ptr %493, align 8
-  %576 = add nsw i64 %575, 1
-  store i64 %576, ptr %493, align 8
-  %577 = load i64, ptr %454, align 8
-  %578 = icmp slt i64 %576, %577
-  br i1 %578, label %504, label %579
+572:                                              ; preds = %569, %568
+  %573 = phi double [ %558, %568 ], [ %563, %569 ]
+  store double %567, ptr %499, align 8
+  store double %573, ptr %503, align 8
+  br label %574
 
-579:                                              ; preds = %574, %504, %558, %491
-  %580 = phi i64 [ %559, %558 ], [ %457, %491 ], [ %457, %504 ], [ %457, %574 ]
-  %581 = add nuw nsw i64 %458, 1
-  %582 = icmp eq i64 %581, %447
-  br i1 %582, label %583, label %456
+574:                                              ; preds = %572, %570
+  br i1 %564, label %575, label %576
 
-583:                                              ; preds = %579
-  %584 = icmp eq i64 %580, 0
-  br i1 %584, label %585, label %665
+575:                                              ; preds = %574
+  store double %557, ptr %500, align 8
+  store double %558, ptr %502, align 8
+  br label %576
 
-585:                                              ; preds = %394, %446, %583
-  %586 = phi ptr [ %450, %583 ], [ %395, %394 ], [ %450, %446 ]
-  %587 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  %588 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %589 = load i64, ptr %588, align 8
-  %590 = icmp sgt i64 %589, 0
-  br i1 %590, label %591, label %599
+576:                                              ; preds = %575, %574
+  %577 = load i64, ptr %495, align 8
+  %578 = add nsw i64 %577, 1
+  store i64 %578, ptr %495, align 8
+  %579 = load i64, ptr %456, align 8
+  %580 = icmp slt i64 %578, %579
+  br i1 %580, label %506, label %581
 
-591:                                              ; preds = %585
-  %592 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
-  %593 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
-  %594 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %595 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
-  %596 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
-  %597 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
-  %598 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  br label %605
+581:                                              ; preds = %576, %506, %560, %493
+  %582 = phi i64 [ %561, %560 ], [ %459, %493 ], [ %459, %506 ], [ %459, %576 ]
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %5) #6
+  %583 = add nuw nsw i64 %460, 1
+  %584 = icmp eq i64 %583, %449
+  br i1 %584, label %585, label %458
 
-599:                                              ; preds = %639, %585
-  %600 = phi i64 [ 0, %585 ], [ %641, %639 ]
-  %601 = load i64, ptr %587, align 8
-  %602 = icmp sgt i64 %601, 0
-  br i1 %602, label %603, label %644
+585:                                              ; preds = %581
+  %586 = icmp eq i64 %582, 0
+  br i1 %586, label %587, label %667
 
-603:                                              ; preds = %599
-  %604 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
-  br label %646
+587:                                              ; preds = %396, %448, %585
+  %588 = phi ptr [ %452, %585 ], [ %397, %396 ], [ %452, %448 ]
+  %589 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %590 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %591 = load i64, ptr %590, align 8
+  %592 = icmp sgt i64 %591, 0
+  br i1 %592, label %593, label %601
 
-605:                                              ; preds = %591, %639
-  %606 = phi i64 [ %589, %591 ], [ %640, %639 ]
-  %607 = phi i64 [ 0, %591 ], [ %641, %639 ]
-  %608 = phi i64 [ 0, %591 ], [ %642, %639 ]
-  %609 = load ptr, ptr %592, align 8
-  %610 = getelementptr inbounds i64, ptr %609, i64 %608
-  %611 = load i64, ptr %610, align 8
-  %612 = load i64, ptr %593, align 8
-  %613 = sdiv i64 %611, %612
-  %614 = srem i64 %611, %612
-  %615 = load ptr, ptr %594, align 8
-  %616 = getelementptr inbounds double, ptr %615, i64 %608
-  %617 = load double, ptr %616, align 8
-  %618 = load double, ptr %595, align 8
-  %619 = load double, ptr %596, align 8
-  %620 = fadd double %618, %619
-  %621 = fcmp olt double %617, %620
-  br i1 %621, label %629, label %622
+593:                                              ; preds = %587
+  %594 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %595 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %596 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %597 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %598 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
+  %599 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
+  %600 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  br label %607
 
-622:                                              ; preds = %605
-  %623 = load i64, ptr %597, align 8
-  %624 = srem i64 %613, %623
-  %625 = icmp eq i64 %624, 0
-  %626 = fadd double %618, %2
-  %627 = fcmp olt double %617, %626
-  %628 = select i1 %625, i1 %627, i1 false
-  br i1 %628, label %629, label %639
+601:                                              ; preds = %641, %587
+  %602 = phi i64 [ 0, %587 ], [ %643, %641 ]
+  %603 = load i64, ptr %589, align 8
+  %604 = icmp sgt i64 %603, 0
+  br i1 %604, label %605, label %646
 
-629:                                              ; preds = %622, %605
-  %630 = load ptr, ptr %598, align 8
-  %631 = getelementptr inbounds double, ptr %630, i64 %613
-  %632 = load double, ptr %631, align 8
-  %633 = add nsw i64 %607, 1
-  %634 = getelementptr inbounds %struct.Found, ptr %3, i64 %607
-  store double %617, ptr %634, align 8
-  %635 = getelementptr inbounds i8, ptr %634, i64 8
-  store double %632, ptr %635, align 8
-  %636 = getelementptr inbounds i8, ptr %634, i64 16
-  store i64 %614, ptr %636, align 8
-  %637 = getelementptr inbounds i8, ptr %634, i64 24
-  store i64 0, ptr %637, align 8
-  %638 = load i64, ptr %588, align 8
-  br label %639
+605:                                              ; preds = %601
+  %606 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  br label %648
 
-639:                                              ; preds = %622, %629
-  %640 = phi i64 [ %638, %629 ], [ %606, %622 ]
-  %641 = phi i64 [ %633, %629 ], [ %607, %622 ]
-  %642 = add nuw nsw i64 %608, 1
-  %643 = icmp slt i64 %642, %640
-  br i1 %643, label %605, label %599
+607:                                              ; preds = %593, %641
+  %608 = phi i64 [ %591, %593 ], [ %642, %641 ]
+  %609 = phi i64 [ 0, %593 ], [ %643, %641 ]
+  %610 = phi i64 [ 0, %593 ], [ %644, %641 ]
+  %611 = load ptr, ptr %594, align 8
+  %612 = getelementptr inbounds i64, ptr %611, i64 %610
+  %613 = load i64, ptr %612, align 8
+  %614 = load i64, ptr %595, align 8
+  %615 = sdiv i64 %613, %614
+  %616 = srem i64 %613, %614
+  %617 = load ptr, ptr %596, align 8
+  %618 = getelementptr inbounds double, ptr %617, i64 %610
+  %619 = load double, ptr %618, align 8
+  %620 = load double, ptr %597, align 8
+  %621 = load double, ptr %598, align 8
+  %622 = fadd double %620, %621
+  %623 = fcmp olt double %619, %622
+  br i1 %623, label %631, label %624
 
-644:                                              ; preds = %646, %599
-  %645 = phi i64 [ %600, %599 ], [ %657, %646 ]
-  tail call void @qsort(ptr noundef %3, i64 noundef %645, i64 noundef 32, ptr noundef nonnull @order) #6
-  br label %665
+624:                                              ; preds = %607
+  %625 = load i64, ptr %599, align 8
+  %626 = srem i64 %615, %625
+  %627 = icmp eq i64 %626, 0
+  %628 = fadd double %620, %2
+  %629 = fcmp olt double %619, %628
+  %630 = select i1 %627, i1 %629, i1 false
+  br i1 %630, label %631, label %641
 
-646:                                              ; preds = %603, %646
-  %647 = phi i64 [ %600, %603 ], [ %657, %646 ]
-  %648 = phi i64 [ 0, %603 ], [ %662, %646 ]
-  %649 = load ptr, ptr %586, align 8
-  %650 = getelementptr inbounds %struct.Bracket, ptr %649, i64 %648, i32 4
-  %651 = load double, ptr %650, align 8
-  %652 = getelementptr inbounds %struct.Bracket, ptr %649, i64 %648, i32 1
+631:                                              ; preds = %624, %607
+  %632 = load ptr, ptr %600, align 8
+  %633 = getelementptr inbounds double, ptr %632, i64 %615
+  %634 = load double, ptr %633, align 8
+  %635 = add nsw i64 %609, 1
+  %636 = getelementptr inbounds %struct.Found, ptr %3, i64 %609
+  store double %619, ptr %636, align 8
+  %637 = getelementptr inbounds i8, ptr %636, i64 8
+  store double %634, ptr %637, align 8
+  %638 = getelementptr inbounds i8, ptr %636, i64 16
+  store i64 %616, ptr %638, align 8
+  %639 = getelementptr inbounds i8, ptr %636, i64 24
+  store i64 0, ptr %639, align 8
+  %640 = load i64, ptr %590, align 8
+  br label %641
+
+641:                                              ; preds = %624, %631
+  %642 = phi i64 [ %640, %631 ], [ %608, %624 ]
+  %643 = phi i64 [ %635, %631 ], [ %609, %624 ]
+  %644 = add nuw nsw i64 %610, 1
+  %645 = icmp slt i64 %644, %642
+  br i1 %645, label %607, label %601
+
+646:                                              ; preds = %648, %601
+  %647 = phi i64 [ %602, %601 ], [ %659, %648 ]
+  call void @qsort(ptr noundef %3, i64 noundef %647, i64 noundef 32, ptr noundef nonnull @order) #6
+  br label %667
+
+648:                                              ; preds = %605, %648
+  %649 = phi i64 [ %602, %605 ], [ %659, %648 ]
+  %650 = phi i64 [ 0, %605 ], [ %664, %648 ]
+  %651 = load ptr, ptr %588, align 8
+  %652 = getelementptr inbounds %struct.Bracket, ptr %651, i64 %650, i32 4
   %653 = load double, ptr %652, align 8
-  %654 = load ptr, ptr %604, align 8
-  %655 = getelementptr inbounds i64, ptr %654, i64 %648
-  %656 = load i64, ptr %655, align 8
-  %657 = add nsw i64 %647, 1
-  %658 = getelementptr inbounds %struct.Found, ptr %3, i64 %647
-  store double %651, ptr %658, align 8
-  %659 = getelementptr inbounds i8, ptr %658, i64 8
-  store double %653, ptr %659, align 8
-  %660 = getelementptr inbounds i8, ptr %658, i64 16
-  store i64 %656, ptr %660, align 8
-  %661 = getelementptr inbounds i8, ptr %658, i64 24
-  store i64 1, ptr %661, align 8
-  %662 = add nuw nsw i64 %648, 1
-  %663 = load i64, ptr %587, align 8
-  %664 = icmp slt i64 %662, %663
-  br i1 %664, label %646, label %644
+  %654 = getelementptr inbounds %struct.Bracket, ptr %651, i64 %650, i32 1
+  %655 = load double, ptr %654, align 8
+  %656 = load ptr, ptr %606, align 8
+  %657 = getelementptr inbounds i64, ptr %656, i64 %650
+  %658 = load i64, ptr %657, align 8
+  %659 = add nsw i64 %649, 1
+  %660 = getelementptr inbounds %struct.Found, ptr %3, i64 %649
+  store double %653, ptr %660, align 8
+  %661 = getelementptr inbounds i8, ptr %660, i64 8
+  store double %655, ptr %661, align 8
+  %662 = getelementptr inbounds i8, ptr %660, i64 16
+  store i64 %658, ptr %662, align 8
+  %663 = getelementptr inbounds i8, ptr %660, i64 24
+  store i64 1, ptr %663, align 8
+  %664 = add nuw nsw i64 %650, 1
+  %665 = load i64, ptr %589, align 8
+  %666 = icmp slt i64 %664, %665
+  br i1 %666, label %648, label %646
 
-665:                                              ; preds = %82, %583, %396, %85, %644
-  %666 = phi i64 [ %645, %644 ], [ -1, %85 ], [ -1, %396 ], [ -1, %583 ], [ -2, %82 ]
-  ret i64 %666
+667:                                              ; preds = %84, %585, %398, %87, %646
+  %668 = phi i64 [ %647, %646 ], [ -1, %87 ], [ -1, %398 ], [ -1, %585 ], [ -2, %84 ]
+  ret i64 %668
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -1014,62 +1022,51 @@ declare double @llvm.minnum.f64(double, double) #4
 
 declare double @llvm.maxnum.f64(double, double) #4
 
-define internal fastcc double @distance_at(ptr nocapture noundef readonly %0, double noundef %1, ptr noundef %2) unnamed_addr #0 {
-  %4 = alloca double, align 8
+declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
+
+define internal fastcc double @distance_at(ptr nocapture noundef readonly %0, double noundef %1, ptr noundef %2, ptr noundef %3) unnamed_addr #0 {
   %5 = alloca double, align 8
-  %6 = alloca double, align 8
-  %7 = alloca i64, align 8
-  store double %1, ptr %4, align 8
-  %8 = load i64, ptr %0, align 8
-  %9 = alloca double, i64 %8, align 16
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #6
-  store double 0x7FF0000000000000, ptr %5, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #6
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %7) #6
-  %10 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
+  store double %1, ptr %5, align 8
+  %6 = load i64, ptr %0, align 8
+  %7 = alloca double, i64 %6, align 16
+  %8 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 2
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
   %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 1
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
-  %15 = load double, ptr %14, align 8
-  %16 = call i64 %11(ptr noundef %13, ptr noundef nonnull %4, i64 noundef 1, double noundef %15, ptr noundef nonnull %9) #6
-  %17 = icmp eq i64 %16, 0
-  br i1 %17, label %18, label %29
+  %12 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 3
+  %13 = load double, ptr %12, align 8
+  %14 = call i64 %9(ptr noundef %11, ptr noundef nonnull %5, i64 noundef 1, double noundef %13, ptr noundef nonnull %7) #6
+  %15 = icmp eq i64 %14, 0
+  br i1 %15, label %16, label %27
 
-18:                                               ; preds = %3
-  %19 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
+16:                                               ; preds = %4
+  %17 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 5
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
   %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 4
-  %22 = load ptr, ptr %21, align 8
-  call void %20(ptr noundef %22, ptr noundef nonnull %9, i64 noundef 1, ptr noundef %2, ptr noundef nonnull %5, ptr noundef nonnull %6, ptr noundef nonnull %7) #6
-  %23 = load double, ptr %6, align 8
-  %24 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
-  %25 = load double, ptr %24, align 8
-  %26 = fdiv double %23, %25
-  %27 = call double @llvm.rint.f64(double %26)
-  %28 = fmul double %25, %27
-  br label %29
+  %21 = call double %18(ptr noundef %20, ptr noundef nonnull %7, ptr noundef %2, ptr noundef %3) #6
+  %22 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 6
+  %23 = load double, ptr %22, align 8
+  %24 = fdiv double %21, %23
+  %25 = call double @llvm.rint.f64(double %24)
+  %26 = fmul double %23, %25
+  br label %27
 
-29:                                               ; preds = %3, %18
-  %30 = phi double [ %28, %18 ], [ 0x7FF8000000000000, %3 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %7) #6
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #6
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #6
-  ret double %30
+27:                                               ; preds = %4, %16
+  %28 = phi double [ %26, %16 ], [ 0x7FF8000000000000, %4 ]
+  ret double %28
 }
 
 declare double @llvm.fabs.f64(double) #4
 
 declare double @llvm.copysign.f64(double, double) #4
 
-declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
-
 attributes #0 = { nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #1 = { mustprogress nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 attributes #2 = { nofree "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #3 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #4 = { mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #5 = { nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #5 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
 attributes #6 = { nounwind }
 attributes #7 = { memory(none) }
 

@@ -132,7 +132,7 @@ class DistanceSearch:
             curve_at=curves.address("manipplan_curve"),
             spacing=FINE,
             world=kernel.world,
-            distance=kernel.address("pairs"),
+            distance=kernel.address("pair"),
             grid=FINE_DISTANCE,
             enough=BOTTOM,
             most_steps=BOTTOM_STEPS,
