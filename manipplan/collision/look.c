@@ -14,6 +14,7 @@ typedef struct {
     double left, least, right;  /* the distances there [m] */
     double next, found;         /* the place of which the distance is asked, and the answer; NaN: nothing is asked, or known */
     long steps;                 /* number of steps taken */
+    long pair;
 } Bracket;
 
 typedef struct {
@@ -102,8 +103,8 @@ typedef struct {
     long *where;                /* work: (room) */
     double *distance;           /* work: (room) */
     Bracket *bracket;           /* work: (room + known) */
+    long most_dips;             /* maximum number of brackets apart from those around known places: the lowest */
     long dips;                  /* number of brackets */
-    long *bracket_pair;         /* work: (room + known) */
     long *bracket_bodies;       /* work: (room + known, 2) */
 } Look;
 
@@ -175,7 +176,14 @@ static int complete(const Dips *d, Bracket *b, const long *bodies) {
     return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
 }
 
-/* Brackets around all dips that may be near the target, and around the known places. */
+static int lower(const void *one, const void *two) {
+    const Bracket *a = one, *b = two;
+    if (a->least != b->least) return a->least < b->least ? -1 : 1;
+    if (a->middle != b->middle) return a->middle < b->middle ? -1 : 1;
+    return a->pair < b->pair ? -1 : 1;
+}
+
+/* Brackets around the dips that may be near the target, and around the known places. */
 static void place_brackets(Look *l) {
     double most = l->target + l->farthest, step = 1.0 / (double)(l->places - 1);
     long found = 0, before = 0, after = 0;
@@ -189,17 +197,21 @@ static void place_brackets(Look *l) {
         /* what is cut off is measured; at an end of the curve the bracket ends at the dip itself */
         Bracket new = {.low = l->s[row > 0 ? row - 1 : 0], .middle = l->s[row], .high = l->s[row < last ? row + 1 : last],
                        .left = row == 0 ? here : left < most ? left : NAN, .least = here,
-                       .right = row == last ? here : right < most ? right : NAN, .next = NAN};
-        l->bracket[found] = new, l->bracket_pair[found++] = l->where[k] % l->pairs;
+                       .right = row == last ? here : right < most ? right : NAN, .next = NAN, .pair = l->where[k] % l->pairs};
+        l->bracket[found++] = new;
+    }
+    if (found > l->most_dips) {
+        qsort(l->bracket, (size_t)found, sizeof *l->bracket, lower);
+        found = l->most_dips;
     }
     for (long k = 0; k < l->known; k++) {
         double at = l->known_s[k];
         Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
-                       .right = NAN, .next = NAN};
-        l->bracket[found] = new, l->bracket_pair[found++] = l->known_pair[k];
+                       .right = NAN, .next = NAN, .pair = l->known_pair[k]};
+        l->bracket[found++] = new;
     }
     for (long k = 0; k < found; k++)
-        for (int i = 0; i < 2; i++) l->bracket_bodies[2 * k + i] = l->bodies[2 * l->bracket_pair[k] + i];
+        for (int i = 0; i < 2; i++) l->bracket_bodies[2 * k + i] = l->bodies[2 * l->bracket[k].pair + i];
     l->dips = found;
 }
 
@@ -230,7 +242,7 @@ long manipplan_look(const Dips *d, Look *l, double band, Found *out) {
         out[all++] = near;
     }
     for (long k = 0; k < l->dips; k++) {
-        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket_pair[k], 1};
+        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket[k].pair, 1};
         out[all++] = bottom;
     }
     qsort(out, (size_t)all, sizeof *out, order);

@@ -1,8 +1,8 @@
-; look.c 79be4886feb12e9bc59562c910414c2a7242bf30e52b26aab0b331c463eeec45: written by make kernel
+; look.c efc1a33b70bf2dc8d5c3f2413b5dcc37a8f31fa7730e3c8d26fef6067c0ef97c: written by make kernel
 
-%struct.Look = type { i64, i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, i64, ptr, ptr }
+%struct.Look = type { i64, i64, i64, ptr, ptr, i64, i64, ptr, double, double, double, double, i64, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, i64, i64, ptr }
 %struct.Dips = type { i64, ptr, ptr, double, ptr, ptr, double, double, i64 }
-%struct.Bracket = type { double, double, double, double, double, double, double, double, i64 }
+%struct.Bracket = type { double, double, double, double, double, double, double, double, i64, i64 }
 %struct.Found = type { double, double, i64, i64 }
 
 define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noundef %1, double noundef %2, ptr noundef %3) local_unnamed_addr #0 {
@@ -15,9 +15,9 @@ define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noun
   ]
 
 8:                                                ; preds = %4
-  %9 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %9 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
   %10 = load i64, ptr %9, align 8
-  br label %448
+  br label %447
 
 11:                                               ; preds = %4
   %12 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
@@ -111,12 +111,12 @@ define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noun
 84:                                               ; preds = %74, %25
   %85 = phi i32 [ 1, %25 ], [ %81, %74 ]
   %86 = icmp sgt i64 %51, %54
-  br i1 %86, label %667, label %87
+  br i1 %86, label %663, label %87
 
 87:                                               ; preds = %84
   store i64 1, ptr %1, align 8
   %88 = icmp eq i32 %85, 0
-  br i1 %88, label %667, label %89
+  br i1 %88, label %663, label %89
 
 89:                                               ; preds = %11, %87
   %90 = phi i64 [ %13, %11 ], [ %51, %87 ]
@@ -266,7 +266,7 @@ define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noun
   %192 = sitofp i64 %191 to double
   %193 = fdiv double 1.000000e+00, %192
   %194 = icmp sgt i64 %183, 0
-  br i1 %194, label %195, label %204
+  br i1 %194, label %195, label %202
 
 195:                                              ; preds = %182
   %196 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
@@ -275,688 +275,687 @@ define dso_local i64 @manipplan_look(ptr nocapture noundef readonly %0, ptr noun
   %199 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 10
   %200 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
   %201 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %202 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
-  %203 = load ptr, ptr %196, align 8
-  br label %214
+  br label %207
 
-204:                                              ; preds = %327, %182
-  %205 = phi i64 [ 0, %182 ], [ %330, %327 ]
-  %206 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
-  %207 = load i64, ptr %206, align 8
-  %208 = icmp sgt i64 %207, 0
-  br i1 %208, label %209, label %333
+202:                                              ; preds = %315, %182
+  %203 = phi i64 [ 0, %182 ], [ %317, %315 ]
+  %204 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %205 = load i64, ptr %204, align 8
+  %206 = icmp sgt i64 %203, %205
+  br i1 %206, label %320, label %324
 
-209:                                              ; preds = %204
-  %210 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
-  %211 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %212 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
-  %213 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+207:                                              ; preds = %315, %195
+  %208 = phi i64 [ %183, %195 ], [ %316, %315 ]
+  %209 = phi i64 [ 0, %195 ], [ %317, %315 ]
+  %210 = phi i64 [ 0, %195 ], [ %318, %315 ]
+  %211 = phi i64 [ 0, %195 ], [ %270, %315 ]
+  %212 = phi i64 [ 0, %195 ], [ %244, %315 ]
+  %213 = load ptr, ptr %196, align 8
+  %214 = getelementptr inbounds i64, ptr %213, i64 %210
+  %215 = load i64, ptr %214, align 8
+  %216 = load i64, ptr %197, align 8
+  %217 = sdiv i64 %215, %216
+  %218 = srem i64 %215, %216
+  %219 = load i64, ptr %189, align 8
+  %220 = add nsw i64 %219, -1
+  %221 = load ptr, ptr %198, align 8
+  %222 = getelementptr inbounds double, ptr %221, i64 %210
+  %223 = load double, ptr %222, align 8
+  %224 = tail call double @llvm.minnum.f64(double %223, double %188)
+  %225 = icmp sgt i64 %217, 0
+  br i1 %225, label %226, label %243
+
+226:                                              ; preds = %207
+  %227 = sub nsw i64 %215, %216
+  %228 = icmp slt i64 %212, %210
+  br i1 %228, label %229, label %243
+
+229:                                              ; preds = %226, %234
+  %230 = phi i64 [ %235, %234 ], [ %212, %226 ]
+  %231 = getelementptr inbounds i64, ptr %213, i64 %230
+  %232 = load i64, ptr %231, align 8
+  %233 = icmp slt i64 %232, %227
+  br i1 %233, label %234, label %237
+
+234:                                              ; preds = %229
+  %235 = add i64 %230, 1
+  %236 = icmp eq i64 %235, %210
+  br i1 %236, label %243, label %229
+
+237:                                              ; preds = %229
+  %238 = icmp eq i64 %232, %227
+  br i1 %238, label %239, label %243
+
+239:                                              ; preds = %237
+  %240 = getelementptr inbounds double, ptr %221, i64 %230
+  %241 = load double, ptr %240, align 8
+  %242 = tail call double @llvm.minnum.f64(double %241, double %188)
+  br label %243
+
+243:                                              ; preds = %234, %239, %237, %226, %207
+  %244 = phi i64 [ %212, %207 ], [ %230, %239 ], [ %230, %237 ], [ %212, %226 ], [ %210, %234 ]
+  %245 = phi double [ 0xFFF0000000000000, %207 ], [ %242, %239 ], [ %188, %237 ], [ %188, %226 ], [ %188, %234 ]
+  %246 = phi double [ 0x7FF0000000000000, %207 ], [ %242, %239 ], [ %188, %237 ], [ %188, %226 ], [ %188, %234 ]
+  %247 = icmp slt i64 %217, %220
+  br i1 %247, label %248, label %269
+
+248:                                              ; preds = %243
+  %249 = add nsw i64 %216, %215
+  %250 = icmp slt i64 %211, %208
+  br i1 %250, label %251, label %265
+
+251:                                              ; preds = %248, %256
+  %252 = phi i64 [ %257, %256 ], [ %211, %248 ]
+  %253 = getelementptr inbounds i64, ptr %213, i64 %252
+  %254 = load i64, ptr %253, align 8
+  %255 = icmp slt i64 %254, %249
+  br i1 %255, label %256, label %259
+
+256:                                              ; preds = %251
+  %257 = add i64 %252, 1
+  %258 = icmp eq i64 %257, %208
+  br i1 %258, label %265, label %251
+
+259:                                              ; preds = %251
+  %260 = icmp eq i64 %254, %249
+  br i1 %260, label %261, label %265
+
+261:                                              ; preds = %259
+  %262 = getelementptr inbounds double, ptr %221, i64 %252
+  %263 = load double, ptr %262, align 8
+  %264 = tail call double @llvm.minnum.f64(double %263, double %188)
+  br label %265
+
+265:                                              ; preds = %256, %261, %259, %248
+  %266 = phi i64 [ %252, %261 ], [ %252, %259 ], [ %211, %248 ], [ %208, %256 ]
+  %267 = phi double [ %264, %261 ], [ %188, %259 ], [ %188, %248 ], [ %188, %256 ]
+  %268 = tail call double @llvm.maxnum.f64(double %245, double %267)
+  br label %269
+
+269:                                              ; preds = %265, %243
+  %270 = phi i64 [ %266, %265 ], [ %211, %243 ]
+  %271 = phi double [ %268, %265 ], [ %245, %243 ]
+  %272 = phi double [ %267, %265 ], [ 0x7FF0000000000000, %243 ]
+  %273 = fcmp oge double %246, %224
+  %274 = fcmp ogt double %272, %224
+  %275 = select i1 %273, i1 %274, i1 false
+  br i1 %275, label %276, label %315
+
+276:                                              ; preds = %269
+  %277 = fsub double %271, %224
+  %278 = fsub double %224, %277
+  %279 = load double, ptr %184, align 8
+  %280 = load double, ptr %199, align 8
+  %281 = fadd double %279, %280
+  %282 = fcmp olt double %278, %281
+  br i1 %282, label %283, label %315
+
+283:                                              ; preds = %276
+  %284 = load ptr, ptr %200, align 8
+  %285 = add nsw i64 %217, -1
+  %286 = select i1 %225, i64 %285, i64 0
+  %287 = getelementptr inbounds double, ptr %284, i64 %286
+  %288 = load double, ptr %287, align 8
+  %289 = getelementptr inbounds double, ptr %284, i64 %217
+  %290 = load double, ptr %289, align 8
+  %291 = add nsw i64 %217, 1
+  %292 = select i1 %247, i64 %291, i64 %220
+  %293 = getelementptr inbounds double, ptr %284, i64 %292
+  %294 = load double, ptr %293, align 8
+  %295 = icmp eq i64 %217, 0
+  %296 = fcmp olt double %246, %188
+  %297 = select i1 %296, double %246, double 0x7FF8000000000000
+  %298 = select i1 %295, double %224, double %297
+  %299 = icmp eq i64 %217, %220
+  %300 = fcmp olt double %272, %188
+  %301 = select i1 %300, double %272, double 0x7FF8000000000000
+  %302 = select i1 %299, double %224, double %301
+  %303 = load ptr, ptr %201, align 8
+  %304 = add nsw i64 %209, 1
+  %305 = getelementptr inbounds %struct.Bracket, ptr %303, i64 %209
+  store double %288, ptr %305, align 8
+  %306 = getelementptr inbounds i8, ptr %305, i64 8
+  store double %290, ptr %306, align 8
+  %307 = getelementptr inbounds i8, ptr %305, i64 16
+  store double %294, ptr %307, align 8
+  %308 = getelementptr inbounds i8, ptr %305, i64 24
+  store double %298, ptr %308, align 8
+  %309 = getelementptr inbounds i8, ptr %305, i64 32
+  store double %224, ptr %309, align 8
+  %310 = getelementptr inbounds i8, ptr %305, i64 40
+  store double %302, ptr %310, align 8
+  %311 = getelementptr inbounds i8, ptr %305, i64 48
+  store double 0x7FF8000000000000, ptr %311, align 8
+  %312 = getelementptr inbounds i8, ptr %305, i64 56
+  %313 = getelementptr inbounds i8, ptr %305, i64 72
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %312, i8 0, i64 16, i1 false)
+  store i64 %218, ptr %313, align 8
+  %314 = load i64, ptr %91, align 8
+  br label %315
+
+315:                                              ; preds = %283, %276, %269
+  %316 = phi i64 [ %314, %283 ], [ %208, %276 ], [ %208, %269 ]
+  %317 = phi i64 [ %304, %283 ], [ %209, %276 ], [ %209, %269 ]
+  %318 = add nuw nsw i64 %210, 1
+  %319 = icmp slt i64 %318, %316
+  br i1 %319, label %207, label %202
+
+320:                                              ; preds = %202
+  %321 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %322 = load ptr, ptr %321, align 8
+  tail call void @qsort(ptr noundef %322, i64 noundef %203, i64 noundef 80, ptr noundef nonnull @lower) #6
+  %323 = load i64, ptr %204, align 8
+  br label %324
+
+324:                                              ; preds = %320, %202
+  %325 = phi i64 [ %323, %320 ], [ %203, %202 ]
+  %326 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 12
+  %327 = load i64, ptr %326, align 8
+  %328 = icmp sgt i64 %327, 0
+  br i1 %328, label %329, label %333
+
+329:                                              ; preds = %324
+  %330 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 13
+  %331 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 14
+  %332 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
   br label %345
 
-214:                                              ; preds = %327, %195
-  %215 = phi i64 [ %183, %195 ], [ %328, %327 ]
-  %216 = phi ptr [ %203, %195 ], [ %329, %327 ]
-  %217 = phi i64 [ 0, %195 ], [ %330, %327 ]
-  %218 = phi i64 [ 0, %195 ], [ %331, %327 ]
-  %219 = phi i64 [ 0, %195 ], [ %276, %327 ]
-  %220 = phi i64 [ 0, %195 ], [ %250, %327 ]
-  %221 = getelementptr inbounds i64, ptr %216, i64 %218
-  %222 = load i64, ptr %221, align 8
-  %223 = load i64, ptr %197, align 8
-  %224 = sdiv i64 %222, %223
-  %225 = load i64, ptr %189, align 8
-  %226 = add nsw i64 %225, -1
-  %227 = load ptr, ptr %198, align 8
-  %228 = getelementptr inbounds double, ptr %227, i64 %218
-  %229 = load double, ptr %228, align 8
-  %230 = tail call double @llvm.minnum.f64(double %229, double %188)
-  %231 = icmp sgt i64 %224, 0
-  br i1 %231, label %232, label %249
-
-232:                                              ; preds = %214
-  %233 = sub nsw i64 %222, %223
-  %234 = icmp slt i64 %220, %218
-  br i1 %234, label %235, label %249
-
-235:                                              ; preds = %232, %240
-  %236 = phi i64 [ %241, %240 ], [ %220, %232 ]
-  %237 = getelementptr inbounds i64, ptr %216, i64 %236
-  %238 = load i64, ptr %237, align 8
-  %239 = icmp slt i64 %238, %233
-  br i1 %239, label %240, label %243
-
-240:                                              ; preds = %235
-  %241 = add i64 %236, 1
-  %242 = icmp eq i64 %241, %218
-  br i1 %242, label %249, label %235
-
-243:                                              ; preds = %235
-  %244 = icmp eq i64 %238, %233
-  br i1 %244, label %245, label %249
-
-245:                                              ; preds = %243
-  %246 = getelementptr inbounds double, ptr %227, i64 %236
-  %247 = load double, ptr %246, align 8
-  %248 = tail call double @llvm.minnum.f64(double %247, double %188)
-  br label %249
-
-249:                                              ; preds = %240, %245, %243, %232, %214
-  %250 = phi i64 [ %220, %214 ], [ %236, %245 ], [ %236, %243 ], [ %220, %232 ], [ %218, %240 ]
-  %251 = phi double [ 0xFFF0000000000000, %214 ], [ %248, %245 ], [ %188, %243 ], [ %188, %232 ], [ %188, %240 ]
-  %252 = phi double [ 0x7FF0000000000000, %214 ], [ %248, %245 ], [ %188, %243 ], [ %188, %232 ], [ %188, %240 ]
-  %253 = icmp slt i64 %224, %226
-  br i1 %253, label %254, label %275
-
-254:                                              ; preds = %249
-  %255 = add nsw i64 %223, %222
-  %256 = icmp slt i64 %219, %215
-  br i1 %256, label %257, label %271
-
-257:                                              ; preds = %254, %262
-  %258 = phi i64 [ %263, %262 ], [ %219, %254 ]
-  %259 = getelementptr inbounds i64, ptr %216, i64 %258
-  %260 = load i64, ptr %259, align 8
-  %261 = icmp slt i64 %260, %255
-  br i1 %261, label %262, label %265
-
-262:                                              ; preds = %257
-  %263 = add i64 %258, 1
-  %264 = icmp eq i64 %263, %215
-  br i1 %264, label %271, label %257
-
-265:                                              ; preds = %257
-  %266 = icmp eq i64 %260, %255
-  br i1 %266, label %267, label %271
-
-267:                                              ; preds = %265
-  %268 = getelementptr inbounds double, ptr %227, i64 %258
-  %269 = load double, ptr %268, align 8
-  %270 = tail call double @llvm.minnum.f64(double %269, double %188)
-  br label %271
-
-271:                                              ; preds = %262, %267, %265, %254
-  %272 = phi i64 [ %258, %267 ], [ %258, %265 ], [ %219, %254 ], [ %215, %262 ]
-  %273 = phi double [ %270, %267 ], [ %188, %265 ], [ %188, %254 ], [ %188, %262 ]
-  %274 = tail call double @llvm.maxnum.f64(double %251, double %273)
-  br label %275
-
-275:                                              ; preds = %271, %249
-  %276 = phi i64 [ %272, %271 ], [ %219, %249 ]
-  %277 = phi double [ %274, %271 ], [ %251, %249 ]
-  %278 = phi double [ %273, %271 ], [ 0x7FF0000000000000, %249 ]
-  %279 = fcmp oge double %252, %230
-  %280 = fcmp ogt double %278, %230
-  %281 = select i1 %279, i1 %280, i1 false
-  br i1 %281, label %282, label %327
-
-282:                                              ; preds = %275
-  %283 = fsub double %277, %230
-  %284 = fsub double %230, %283
-  %285 = load double, ptr %184, align 8
-  %286 = load double, ptr %199, align 8
-  %287 = fadd double %285, %286
-  %288 = fcmp olt double %284, %287
-  br i1 %288, label %289, label %327
-
-289:                                              ; preds = %282
-  %290 = load ptr, ptr %200, align 8
-  %291 = add nsw i64 %224, -1
-  %292 = select i1 %231, i64 %291, i64 0
-  %293 = getelementptr inbounds double, ptr %290, i64 %292
-  %294 = load double, ptr %293, align 8
-  %295 = getelementptr inbounds double, ptr %290, i64 %224
-  %296 = load double, ptr %295, align 8
-  %297 = add nsw i64 %224, 1
-  %298 = select i1 %253, i64 %297, i64 %226
-  %299 = getelementptr inbounds double, ptr %290, i64 %298
-  %300 = load double, ptr %299, align 8
-  %301 = icmp eq i64 %224, 0
-  %302 = fcmp olt double %252, %188
-  %303 = select i1 %302, double %252, double 0x7FF8000000000000
-  %304 = select i1 %301, double %230, double %303
-  %305 = icmp eq i64 %224, %226
-  %306 = fcmp olt double %278, %188
-  %307 = select i1 %306, double %278, double 0x7FF8000000000000
-  %308 = select i1 %305, double %230, double %307
-  %309 = load ptr, ptr %201, align 8
-  %310 = getelementptr inbounds %struct.Bracket, ptr %309, i64 %217
-  store double %294, ptr %310, align 8
-  %311 = getelementptr inbounds i8, ptr %310, i64 8
-  store double %296, ptr %311, align 8
-  %312 = getelementptr inbounds i8, ptr %310, i64 16
-  store double %300, ptr %312, align 8
-  %313 = getelementptr inbounds i8, ptr %310, i64 24
-  store double %304, ptr %313, align 8
-  %314 = getelementptr inbounds i8, ptr %310, i64 32
-  store double %230, ptr %314, align 8
-  %315 = getelementptr inbounds i8, ptr %310, i64 40
-  store double %308, ptr %315, align 8
-  %316 = getelementptr inbounds i8, ptr %310, i64 48
-  store double 0x7FF8000000000000, ptr %316, align 8
-  %317 = getelementptr inbounds i8, ptr %310, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %317, i8 0, i64 16, i1 false)
-  %318 = load ptr, ptr %196, align 8
-  %319 = getelementptr inbounds i64, ptr %318, i64 %218
-  %320 = load i64, ptr %319, align 8
-  %321 = load i64, ptr %197, align 8
-  %322 = srem i64 %320, %321
-  %323 = load ptr, ptr %202, align 8
-  %324 = add nsw i64 %217, 1
-  %325 = getelementptr inbounds i64, ptr %323, i64 %217
-  store i64 %322, ptr %325, align 8
-  %326 = load i64, ptr %91, align 8
-  br label %327
-
-327:                                              ; preds = %289, %282, %275
-  %328 = phi i64 [ %326, %289 ], [ %215, %282 ], [ %215, %275 ]
-  %329 = phi ptr [ %318, %289 ], [ %216, %282 ], [ %216, %275 ]
-  %330 = phi i64 [ %324, %289 ], [ %217, %282 ], [ %217, %275 ]
-  %331 = add nuw nsw i64 %218, 1
-  %332 = icmp slt i64 %331, %328
-  br i1 %332, label %214, label %204
-
-333:                                              ; preds = %345, %204
-  %334 = phi i64 [ %205, %204 ], [ %368, %345 ]
+333:                                              ; preds = %345, %324
+  %334 = phi i64 [ %325, %324 ], [ %359, %345 ]
   %335 = icmp sgt i64 %334, 0
   br i1 %335, label %338, label %336
 
 336:                                              ; preds = %333
-  %337 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
+  %337 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
   store i64 %334, ptr %337, align 8
   store i64 2, ptr %1, align 8
-  br label %396
+  br label %395
 
 338:                                              ; preds = %333
   %339 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 3
   %340 = load ptr, ptr %339, align 8
-  %341 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  %341 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
   %342 = load ptr, ptr %341, align 8
   %343 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
   %344 = load ptr, ptr %343, align 8
-  br label %373
+  br label %372
 
-345:                                              ; preds = %345, %209
-  %346 = phi i64 [ %205, %209 ], [ %368, %345 ]
-  %347 = phi i64 [ 0, %209 ], [ %370, %345 ]
-  %348 = load ptr, ptr %210, align 8
+345:                                              ; preds = %345, %329
+  %346 = phi i64 [ %325, %329 ], [ %359, %345 ]
+  %347 = phi i64 [ 0, %329 ], [ %369, %345 ]
+  %348 = load ptr, ptr %330, align 8
   %349 = getelementptr inbounds double, ptr %348, i64 %347
   %350 = load double, ptr %349, align 8
   %351 = fsub double %350, %193
   %352 = tail call double @llvm.maxnum.f64(double %351, double 0.000000e+00)
   %353 = fadd double %193, %350
   %354 = tail call double @llvm.minnum.f64(double %353, double 1.000000e+00)
-  %355 = load ptr, ptr %211, align 8
-  %356 = getelementptr inbounds %struct.Bracket, ptr %355, i64 %346
-  store double %352, ptr %356, align 8
-  %357 = getelementptr inbounds i8, ptr %356, i64 8
-  store double %350, ptr %357, align 8
-  %358 = getelementptr inbounds i8, ptr %356, i64 16
-  store double %354, ptr %358, align 8
-  %359 = getelementptr inbounds i8, ptr %356, i64 24
-  store double 0x7FF8000000000000, ptr %359, align 8
-  %360 = getelementptr inbounds i8, ptr %356, i64 32
-  store double 0x7FF8000000000000, ptr %360, align 8
-  %361 = getelementptr inbounds i8, ptr %356, i64 40
-  store double 0x7FF8000000000000, ptr %361, align 8
-  %362 = getelementptr inbounds i8, ptr %356, i64 48
-  store double 0x7FF8000000000000, ptr %362, align 8
-  %363 = getelementptr inbounds i8, ptr %356, i64 56
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %363, i8 0, i64 16, i1 false)
-  %364 = load ptr, ptr %212, align 8
-  %365 = getelementptr inbounds i64, ptr %364, i64 %347
-  %366 = load i64, ptr %365, align 8
-  %367 = load ptr, ptr %213, align 8
-  %368 = add nsw i64 %346, 1
-  %369 = getelementptr inbounds i64, ptr %367, i64 %346
-  store i64 %366, ptr %369, align 8
-  %370 = add nuw nsw i64 %347, 1
-  %371 = load i64, ptr %206, align 8
-  %372 = icmp slt i64 %370, %371
-  br i1 %372, label %345, label %333
+  %355 = load ptr, ptr %331, align 8
+  %356 = getelementptr inbounds i64, ptr %355, i64 %347
+  %357 = load i64, ptr %356, align 8
+  %358 = load ptr, ptr %332, align 8
+  %359 = add nsw i64 %346, 1
+  %360 = getelementptr inbounds %struct.Bracket, ptr %358, i64 %346
+  store double %352, ptr %360, align 8
+  %361 = getelementptr inbounds i8, ptr %360, i64 8
+  store double %350, ptr %361, align 8
+  %362 = getelementptr inbounds i8, ptr %360, i64 16
+  store double %354, ptr %362, align 8
+  %363 = getelementptr inbounds i8, ptr %360, i64 24
+  store double 0x7FF8000000000000, ptr %363, align 8
+  %364 = getelementptr inbounds i8, ptr %360, i64 32
+  store double 0x7FF8000000000000, ptr %364, align 8
+  %365 = getelementptr inbounds i8, ptr %360, i64 40
+  store double 0x7FF8000000000000, ptr %365, align 8
+  %366 = getelementptr inbounds i8, ptr %360, i64 48
+  store double 0x7FF8000000000000, ptr %366, align 8
+  %367 = getelementptr inbounds i8, ptr %360, i64 56
+  %368 = getelementptr inbounds i8, ptr %360, i64 72
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %367, i8 0, i64 16, i1 false)
+  store i64 %357, ptr %368, align 8
+  %369 = add nuw nsw i64 %347, 1
+  %370 = load i64, ptr %326, align 8
+  %371 = icmp slt i64 %369, %370
+  br i1 %371, label %345, label %333
 
-373:                                              ; preds = %373, %338
-  %374 = phi i64 [ 0, %338 ], [ %389, %373 ]
-  %375 = getelementptr inbounds i64, ptr %342, i64 %374
-  %376 = shl nuw nsw i64 %374, 1
-  %377 = load i64, ptr %375, align 8
-  %378 = shl nsw i64 %377, 1
-  %379 = getelementptr inbounds i64, ptr %340, i64 %378
-  %380 = load i64, ptr %379, align 8
-  %381 = getelementptr inbounds i64, ptr %344, i64 %376
-  store i64 %380, ptr %381, align 8
-  %382 = load i64, ptr %375, align 8
-  %383 = shl nsw i64 %382, 1
-  %384 = or i64 %383, 1
-  %385 = getelementptr inbounds i64, ptr %340, i64 %384
-  %386 = load i64, ptr %385, align 8
-  %387 = or i64 %376, 1
-  %388 = getelementptr inbounds i64, ptr %344, i64 %387
-  store i64 %386, ptr %388, align 8
-  %389 = add nuw nsw i64 %374, 1
-  %390 = icmp eq i64 %389, %334
-  br i1 %390, label %391, label %373
+372:                                              ; preds = %372, %338
+  %373 = phi i64 [ 0, %338 ], [ %388, %372 ]
+  %374 = getelementptr inbounds %struct.Bracket, ptr %342, i64 %373, i32 9
+  %375 = shl nuw nsw i64 %373, 1
+  %376 = load i64, ptr %374, align 8
+  %377 = shl nsw i64 %376, 1
+  %378 = getelementptr inbounds i64, ptr %340, i64 %377
+  %379 = load i64, ptr %378, align 8
+  %380 = getelementptr inbounds i64, ptr %344, i64 %375
+  store i64 %379, ptr %380, align 8
+  %381 = load i64, ptr %374, align 8
+  %382 = shl nsw i64 %381, 1
+  %383 = or i64 %382, 1
+  %384 = getelementptr inbounds i64, ptr %340, i64 %383
+  %385 = load i64, ptr %384, align 8
+  %386 = or i64 %375, 1
+  %387 = getelementptr inbounds i64, ptr %344, i64 %386
+  store i64 %385, ptr %387, align 8
+  %388 = add nuw nsw i64 %373, 1
+  %389 = icmp eq i64 %388, %334
+  br i1 %389, label %390, label %372
 
-391:                                              ; preds = %373
-  %392 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  store i64 %334, ptr %392, align 8
+390:                                              ; preds = %372
+  %391 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  store i64 %334, ptr %391, align 8
   store i64 2, ptr %1, align 8
-  br i1 %335, label %393, label %396
+  br i1 %335, label %392, label %395
 
-393:                                              ; preds = %391
-  %394 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %395 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
-  br label %400
+392:                                              ; preds = %390
+  %393 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %394 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  br label %399
 
-396:                                              ; preds = %336, %391
-  %397 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  br label %587
+395:                                              ; preds = %336, %390
+  %396 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  br label %586
 
-398:                                              ; preds = %440
-  %399 = icmp eq i64 %444, 0
-  br i1 %399, label %448, label %667
+397:                                              ; preds = %439
+  %398 = icmp eq i64 %443, 0
+  br i1 %398, label %447, label %663
 
-400:                                              ; preds = %393, %440
-  %401 = phi i64 [ 0, %393 ], [ %444, %440 ]
-  %402 = phi i64 [ 0, %393 ], [ %445, %440 ]
-  %403 = load ptr, ptr %394, align 8
-  %404 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402
-  %405 = load ptr, ptr %395, align 8
-  %406 = shl nuw nsw i64 %402, 1
-  %407 = getelementptr inbounds i64, ptr %405, i64 %406
+399:                                              ; preds = %392, %439
+  %400 = phi i64 [ 0, %392 ], [ %443, %439 ]
+  %401 = phi i64 [ 0, %392 ], [ %444, %439 ]
+  %402 = load ptr, ptr %393, align 8
+  %403 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401
+  %404 = load ptr, ptr %394, align 8
+  %405 = shl nuw nsw i64 %401, 1
+  %406 = getelementptr inbounds i64, ptr %404, i64 %405
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %6) #6
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %6, i8 0, i64 176, i1 false)
-  %408 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 4
-  %409 = load double, ptr %408, align 8
-  %410 = fcmp uno double %409, 0.000000e+00
-  br i1 %410, label %411, label %415
+  %407 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401, i32 4
+  %408 = load double, ptr %407, align 8
+  %409 = fcmp uno double %408, 0.000000e+00
+  br i1 %409, label %410, label %414
 
-411:                                              ; preds = %400
-  %412 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 1
-  %413 = load double, ptr %412, align 8
-  %414 = call fastcc double @distance_at(ptr noundef %0, double noundef %413, ptr noundef %407, ptr noundef nonnull %6)
-  store double %414, ptr %408, align 8
-  br label %415
+410:                                              ; preds = %399
+  %411 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401, i32 1
+  %412 = load double, ptr %411, align 8
+  %413 = call fastcc double @distance_at(ptr noundef %0, double noundef %412, ptr noundef %406, ptr noundef nonnull %6)
+  store double %413, ptr %407, align 8
+  br label %414
 
-415:                                              ; preds = %411, %400
-  %416 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 3
-  %417 = load double, ptr %416, align 8
-  %418 = fcmp uno double %417, 0.000000e+00
-  br i1 %418, label %419, label %422
+414:                                              ; preds = %410, %399
+  %415 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401, i32 3
+  %416 = load double, ptr %415, align 8
+  %417 = fcmp uno double %416, 0.000000e+00
+  br i1 %417, label %418, label %421
 
-419:                                              ; preds = %415
-  %420 = load double, ptr %404, align 8
-  %421 = call fastcc double @distance_at(ptr noundef %0, double noundef %420, ptr noundef %407, ptr noundef nonnull %6)
-  store double %421, ptr %416, align 8
-  br label %422
+418:                                              ; preds = %414
+  %419 = load double, ptr %403, align 8
+  %420 = call fastcc double @distance_at(ptr noundef %0, double noundef %419, ptr noundef %406, ptr noundef nonnull %6)
+  store double %420, ptr %415, align 8
+  br label %421
 
-422:                                              ; preds = %419, %415
-  %423 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 5
-  %424 = load double, ptr %423, align 8
-  %425 = fcmp uno double %424, 0.000000e+00
-  br i1 %425, label %426, label %430
+421:                                              ; preds = %418, %414
+  %422 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401, i32 5
+  %423 = load double, ptr %422, align 8
+  %424 = fcmp uno double %423, 0.000000e+00
+  br i1 %424, label %425, label %429
 
-426:                                              ; preds = %422
-  %427 = getelementptr inbounds %struct.Bracket, ptr %403, i64 %402, i32 2
-  %428 = load double, ptr %427, align 8
-  %429 = call fastcc double @distance_at(ptr noundef %0, double noundef %428, ptr noundef %407, ptr noundef nonnull %6)
-  store double %429, ptr %423, align 8
-  br label %430
+425:                                              ; preds = %421
+  %426 = getelementptr inbounds %struct.Bracket, ptr %402, i64 %401, i32 2
+  %427 = load double, ptr %426, align 8
+  %428 = call fastcc double @distance_at(ptr noundef %0, double noundef %427, ptr noundef %406, ptr noundef nonnull %6)
+  store double %428, ptr %422, align 8
+  br label %429
 
-430:                                              ; preds = %426, %422
-  %431 = phi double [ %429, %426 ], [ %424, %422 ]
-  %432 = load double, ptr %408, align 8
-  %433 = fcmp uno double %432, 0.000000e+00
-  br i1 %433, label %440, label %434
+429:                                              ; preds = %425, %421
+  %430 = phi double [ %428, %425 ], [ %423, %421 ]
+  %431 = load double, ptr %407, align 8
+  %432 = fcmp uno double %431, 0.000000e+00
+  br i1 %432, label %439, label %433
 
-434:                                              ; preds = %430
-  %435 = load double, ptr %416, align 8
-  %436 = fcmp uno double %435, 0.000000e+00
-  br i1 %436, label %440, label %437
+433:                                              ; preds = %429
+  %434 = load double, ptr %415, align 8
+  %435 = fcmp uno double %434, 0.000000e+00
+  br i1 %435, label %439, label %436
 
-437:                                              ; preds = %434
-  %438 = fcmp ord double %431, 0.000000e+00
-  %439 = zext i1 %438 to i32
-  br label %440
+436:                                              ; preds = %433
+  %437 = fcmp ord double %430, 0.000000e+00
+  %438 = zext i1 %437 to i32
+  br label %439
 
-440:                                              ; preds = %430, %434, %437
-  %441 = phi i32 [ 0, %434 ], [ 0, %430 ], [ %439, %437 ]
+439:                                              ; preds = %429, %433, %436
+  %440 = phi i32 [ 0, %433 ], [ 0, %429 ], [ %438, %436 ]
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %6) #6
-  %442 = icmp eq i32 %441, 0
-  %443 = zext i1 %442 to i64
-  %444 = add nuw nsw i64 %401, %443
-  %445 = add nuw nsw i64 %402, 1
-  %446 = load i64, ptr %392, align 8
-  %447 = icmp slt i64 %445, %446
-  br i1 %447, label %400, label %398
+  %441 = icmp eq i32 %440, 0
+  %442 = zext i1 %441 to i64
+  %443 = add nuw nsw i64 %400, %442
+  %444 = add nuw nsw i64 %401, 1
+  %445 = load i64, ptr %391, align 8
+  %446 = icmp slt i64 %444, %445
+  br i1 %446, label %399, label %397
 
-448:                                              ; preds = %8, %398
-  %449 = phi i64 [ %10, %8 ], [ %446, %398 ]
-  %450 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
-  %451 = load ptr, ptr %450, align 8
-  %452 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
-  %453 = load ptr, ptr %452, align 8
-  %454 = icmp sgt i64 %449, 0
-  br i1 %454, label %455, label %587
+447:                                              ; preds = %8, %397
+  %448 = phi i64 [ %10, %8 ], [ %445, %397 ]
+  %449 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 23
+  %450 = load ptr, ptr %449, align 8
+  %451 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 20
+  %452 = load ptr, ptr %451, align 8
+  %453 = icmp sgt i64 %448, 0
+  br i1 %453, label %454, label %586
 
-455:                                              ; preds = %448
-  %456 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 8
-  %457 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
-  br label %458
+454:                                              ; preds = %447
+  %455 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 8
+  %456 = getelementptr inbounds %struct.Dips, ptr %0, i64 0, i32 7
+  br label %457
 
-458:                                              ; preds = %581, %455
-  %459 = phi i64 [ 0, %455 ], [ %582, %581 ]
-  %460 = phi i64 [ 0, %455 ], [ %583, %581 ]
-  %461 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460
+457:                                              ; preds = %580, %454
+  %458 = phi i64 [ 0, %454 ], [ %581, %580 ]
+  %459 = phi i64 [ 0, %454 ], [ %582, %580 ]
+  %460 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %5) #6
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %5, i8 0, i64 176, i1 false)
-  %462 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 6
-  %463 = load double, ptr %462, align 8
-  %464 = fcmp uno double %463, 0.000000e+00
-  br i1 %464, label %465, label %468
+  %461 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 6
+  %462 = load double, ptr %461, align 8
+  %463 = fcmp uno double %462, 0.000000e+00
+  br i1 %463, label %464, label %467
 
-465:                                              ; preds = %458
-  %466 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
-  %467 = load i64, ptr %466, align 8
-  br label %493
+464:                                              ; preds = %457
+  %465 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 8
+  %466 = load i64, ptr %465, align 8
+  br label %492
 
-468:                                              ; preds = %458
-  %469 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 7
-  %470 = load double, ptr %469, align 8
-  %471 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 4
-  %472 = load double, ptr %471, align 8
-  %473 = fcmp ogt double %472, %470
-  %474 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 1
-  %475 = load double, ptr %474, align 8
-  %476 = fcmp olt double %475, %463
-  %477 = select i1 %473, double %475, double %463
-  br i1 %473, label %479, label %478
+467:                                              ; preds = %457
+  %468 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 7
+  %469 = load double, ptr %468, align 8
+  %470 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 4
+  %471 = load double, ptr %470, align 8
+  %472 = fcmp ogt double %471, %469
+  %473 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 1
+  %474 = load double, ptr %473, align 8
+  %475 = fcmp olt double %474, %462
+  %476 = select i1 %472, double %474, double %462
+  br i1 %472, label %478, label %477
 
-478:                                              ; preds = %468
-  br i1 %476, label %483, label %480
+477:                                              ; preds = %467
+  br i1 %475, label %482, label %479
 
-479:                                              ; preds = %468
-  br i1 %476, label %480, label %483
+478:                                              ; preds = %467
+  br i1 %475, label %479, label %482
 
-480:                                              ; preds = %479, %478
-  %481 = phi double [ %470, %478 ], [ %472, %479 ]
-  store double %477, ptr %461, align 8
-  %482 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 3
-  store double %481, ptr %482, align 8
-  br label %487
+479:                                              ; preds = %478, %477
+  %480 = phi double [ %469, %477 ], [ %471, %478 ]
+  store double %476, ptr %460, align 8
+  %481 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 3
+  store double %480, ptr %481, align 8
+  br label %486
 
-483:                                              ; preds = %479, %478
-  %484 = phi double [ %470, %478 ], [ %472, %479 ]
-  %485 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 2
-  store double %477, ptr %485, align 8
-  %486 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 5
-  store double %484, ptr %486, align 8
-  br label %487
+482:                                              ; preds = %478, %477
+  %483 = phi double [ %469, %477 ], [ %471, %478 ]
+  %484 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 2
+  store double %476, ptr %484, align 8
+  %485 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 5
+  store double %483, ptr %485, align 8
+  br label %486
 
-487:                                              ; preds = %483, %480
-  br i1 %473, label %488, label %489
+486:                                              ; preds = %482, %479
+  br i1 %472, label %487, label %488
 
-488:                                              ; preds = %487
-  store double %463, ptr %474, align 8
-  store double %470, ptr %471, align 8
-  br label %489
+487:                                              ; preds = %486
+  store double %462, ptr %473, align 8
+  store double %469, ptr %470, align 8
+  br label %488
 
-489:                                              ; preds = %488, %487
-  %490 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
-  %491 = load i64, ptr %490, align 8
-  %492 = add nsw i64 %491, 1
-  store i64 %492, ptr %490, align 8
-  store double 0x7FF8000000000000, ptr %462, align 8
-  br label %493
+488:                                              ; preds = %487, %486
+  %489 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 8
+  %490 = load i64, ptr %489, align 8
+  %491 = add nsw i64 %490, 1
+  store i64 %491, ptr %489, align 8
+  store double 0x7FF8000000000000, ptr %461, align 8
+  br label %492
 
-493:                                              ; preds = %489, %465
-  %494 = phi i64 [ %467, %465 ], [ %492, %489 ]
-  %495 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 8
-  %496 = load i64, ptr %456, align 8
-  %497 = icmp slt i64 %494, %496
-  br i1 %497, label %498, label %581
+492:                                              ; preds = %488, %464
+  %493 = phi i64 [ %466, %464 ], [ %491, %488 ]
+  %494 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 8
+  %495 = load i64, ptr %455, align 8
+  %496 = icmp slt i64 %493, %495
+  br i1 %496, label %497, label %580
 
-498:                                              ; preds = %493
-  %499 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 2
-  %500 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 1
-  %501 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 3
-  %502 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 4
-  %503 = getelementptr inbounds %struct.Bracket, ptr %453, i64 %460, i32 5
-  %504 = shl nuw nsw i64 %460, 1
-  %505 = getelementptr inbounds i64, ptr %451, i64 %504
-  br label %506
+497:                                              ; preds = %492
+  %498 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 2
+  %499 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 1
+  %500 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 3
+  %501 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 4
+  %502 = getelementptr inbounds %struct.Bracket, ptr %452, i64 %459, i32 5
+  %503 = shl nuw nsw i64 %459, 1
+  %504 = getelementptr inbounds i64, ptr %450, i64 %503
+  br label %505
 
-506:                                              ; preds = %576, %498
-  %507 = phi i64 [ %494, %498 ], [ %578, %576 ]
-  %508 = load double, ptr %499, align 8
-  %509 = load double, ptr %461, align 8
-  %510 = fsub double %508, %509
-  %511 = load double, ptr %457, align 8
-  %512 = fcmp ult double %510, %511
-  br i1 %512, label %581, label %513
+505:                                              ; preds = %575, %497
+  %506 = phi i64 [ %493, %497 ], [ %577, %575 ]
+  %507 = load double, ptr %498, align 8
+  %508 = load double, ptr %460, align 8
+  %509 = fsub double %507, %508
+  %510 = load double, ptr %456, align 8
+  %511 = fcmp ult double %509, %510
+  br i1 %511, label %580, label %512
 
-513:                                              ; preds = %506
-  %514 = load double, ptr %500, align 8
-  %515 = fsub double %514, %509
-  %516 = fsub double %508, %514
-  %517 = fcmp ogt double %515, %516
-  %518 = fmul double %515, -5.000000e-01
-  %519 = fmul double %516, 5.000000e-01
-  %520 = select i1 %517, double %518, double %519
+512:                                              ; preds = %505
+  %513 = load double, ptr %499, align 8
+  %514 = fsub double %513, %508
+  %515 = fsub double %507, %513
+  %516 = fcmp ogt double %514, %515
+  %517 = fmul double %514, -5.000000e-01
+  %518 = fmul double %515, 5.000000e-01
+  %519 = select i1 %516, double %517, double %518
+  %520 = load double, ptr %500, align 8
   %521 = load double, ptr %501, align 8
-  %522 = load double, ptr %502, align 8
-  %523 = fsub double %521, %522
-  %524 = fdiv double %523, %515
-  %525 = load double, ptr %503, align 8
-  %526 = fsub double %525, %522
-  %527 = fdiv double %526, %516
-  %528 = fmul double %516, %524
-  %529 = fmul double %515, %527
-  %530 = fsub double %528, %529
-  %531 = fadd double %524, %527
-  %532 = fmul double %531, 2.000000e+00
-  %533 = fdiv double %530, %532
-  %534 = call double @llvm.fabs.f64(double %533) #7
-  %535 = fcmp one double %534, 0x7FF0000000000000
-  %536 = fneg double %515
-  %537 = fcmp ogt double %533, %536
-  %538 = select i1 %535, i1 %537, i1 false
-  %539 = fcmp olt double %533, %516
-  %540 = select i1 %538, i1 %539, i1 false
-  br i1 %540, label %541, label %545
+  %522 = fsub double %520, %521
+  %523 = fdiv double %522, %514
+  %524 = load double, ptr %502, align 8
+  %525 = fsub double %524, %521
+  %526 = fdiv double %525, %515
+  %527 = fmul double %515, %523
+  %528 = fmul double %514, %526
+  %529 = fsub double %527, %528
+  %530 = fadd double %523, %526
+  %531 = fmul double %530, 2.000000e+00
+  %532 = fdiv double %529, %531
+  %533 = call double @llvm.fabs.f64(double %532) #7
+  %534 = fcmp one double %533, 0x7FF0000000000000
+  %535 = fneg double %514
+  %536 = fcmp ogt double %532, %535
+  %537 = select i1 %534, i1 %536, i1 false
+  %538 = fcmp olt double %532, %515
+  %539 = select i1 %537, i1 %538, i1 false
+  br i1 %539, label %540, label %544
 
-541:                                              ; preds = %513
-  %542 = srem i64 %507, 3
-  %543 = icmp slt i64 %542, 2
-  %544 = select i1 %543, double %533, double %520
-  br label %545
+540:                                              ; preds = %512
+  %541 = srem i64 %506, 3
+  %542 = icmp slt i64 %541, 2
+  %543 = select i1 %542, double %532, double %519
+  br label %544
 
-545:                                              ; preds = %541, %513
-  %546 = phi double [ %520, %513 ], [ %544, %541 ]
-  %547 = fadd double %515, %516
-  %548 = fmul double %547, 2.000000e-02
-  %549 = fmul double %511, 2.500000e-01
-  %550 = call double @llvm.maxnum.f64(double %548, double %549)
-  %551 = call double @llvm.fabs.f64(double %546)
-  %552 = fcmp olt double %551, %550
-  %553 = call double @llvm.copysign.f64(double %550, double %520)
-  %554 = select i1 %552, double %553, double %546
-  %555 = fadd double %514, %554
-  %556 = call double @llvm.maxnum.f64(double %555, double %509)
-  %557 = call double @llvm.minnum.f64(double %556, double %508)
-  %558 = call fastcc double @distance_at(ptr noundef nonnull %0, double noundef %557, ptr noundef %505, ptr noundef nonnull %5)
-  %559 = fcmp uno double %558, 0.000000e+00
-  br i1 %559, label %560, label %562
+544:                                              ; preds = %540, %512
+  %545 = phi double [ %519, %512 ], [ %543, %540 ]
+  %546 = fadd double %514, %515
+  %547 = fmul double %546, 2.000000e-02
+  %548 = fmul double %510, 2.500000e-01
+  %549 = call double @llvm.maxnum.f64(double %547, double %548)
+  %550 = call double @llvm.fabs.f64(double %545)
+  %551 = fcmp olt double %550, %549
+  %552 = call double @llvm.copysign.f64(double %549, double %519)
+  %553 = select i1 %551, double %552, double %545
+  %554 = fadd double %513, %553
+  %555 = call double @llvm.maxnum.f64(double %554, double %508)
+  %556 = call double @llvm.minnum.f64(double %555, double %507)
+  %557 = call fastcc double @distance_at(ptr noundef nonnull %0, double noundef %556, ptr noundef %504, ptr noundef nonnull %5)
+  %558 = fcmp uno double %557, 0.000000e+00
+  br i1 %558, label %559, label %561
 
-560:                                              ; preds = %545
-  store double %557, ptr %462, align 8
-  %561 = add nsw i64 %459, 1
-  br label %581
+559:                                              ; preds = %544
+  store double %556, ptr %461, align 8
+  %560 = add nsw i64 %458, 1
+  br label %580
 
-562:                                              ; preds = %545
-  %563 = load double, ptr %502, align 8
-  %564 = fcmp ogt double %563, %558
-  %565 = load double, ptr %500, align 8
-  %566 = fcmp olt double %565, %557
-  %567 = select i1 %564, double %565, double %557
-  br i1 %564, label %569, label %568
+561:                                              ; preds = %544
+  %562 = load double, ptr %501, align 8
+  %563 = fcmp ogt double %562, %557
+  %564 = load double, ptr %499, align 8
+  %565 = fcmp olt double %564, %556
+  %566 = select i1 %563, double %564, double %556
+  br i1 %563, label %568, label %567
 
-568:                                              ; preds = %562
-  br i1 %566, label %572, label %570
+567:                                              ; preds = %561
+  br i1 %565, label %571, label %569
 
-569:                                              ; preds = %562
-  br i1 %566, label %570, label %572
+568:                                              ; preds = %561
+  br i1 %565, label %569, label %571
 
-570:                                              ; preds = %569, %568
-  %571 = phi double [ %558, %568 ], [ %563, %569 ]
-  store double %567, ptr %461, align 8
-  store double %571, ptr %501, align 8
-  br label %574
+569:                                              ; preds = %568, %567
+  %570 = phi double [ %557, %567 ], [ %562, %568 ]
+  store double %566, ptr %460, align 8
+  store double %570, ptr %500, align 8
+  br label %573
 
-572:                                              ; preds = %569, %568
-  %573 = phi double [ %558, %568 ], [ %563, %569 ]
-  store double %567, ptr %499, align 8
-  store double %573, ptr %503, align 8
-  br label %574
+571:                                              ; preds = %568, %567
+  %572 = phi double [ %557, %567 ], [ %562, %568 ]
+  store double %566, ptr %498, align 8
+  store double %572, ptr %502, align 8
+  br label %573
 
-574:                                              ; preds = %572, %570
-  br i1 %564, label %575, label %576
+573:                                              ; preds = %571, %569
+  br i1 %563, label %574, label %575
 
-575:                                              ; preds = %574
-  store double %557, ptr %500, align 8
-  store double %558, ptr %502, align 8
-  br label %576
+574:                                              ; preds = %573
+  store double %556, ptr %499, align 8
+  store double %557, ptr %501, align 8
+  br label %575
 
-576:                                              ; preds = %575, %574
-  %577 = load i64, ptr %495, align 8
-  %578 = add nsw i64 %577, 1
-  store i64 %578, ptr %495, align 8
-  %579 = load i64, ptr %456, align 8
-  %580 = icmp slt i64 %578, %579
-  br i1 %580, label %506, label %581
+575:                                              ; preds = %574, %573
+  %576 = load i64, ptr %494, align 8
+  %577 = add nsw i64 %576, 1
+  store i64 %577, ptr %494, align 8
+  %578 = load i64, ptr %455, align 8
+  %579 = icmp slt i64 %577, %578
+  br i1 %579, label %505, label %580
 
-581:                                              ; preds = %576, %506, %560, %493
-  %582 = phi i64 [ %561, %560 ], [ %459, %493 ], [ %459, %506 ], [ %459, %576 ]
+580:                                              ; preds = %575, %505, %559, %492
+  %581 = phi i64 [ %560, %559 ], [ %458, %492 ], [ %458, %505 ], [ %458, %575 ]
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %5) #6
-  %583 = add nuw nsw i64 %460, 1
-  %584 = icmp eq i64 %583, %449
-  br i1 %584, label %585, label %458
+  %582 = add nuw nsw i64 %459, 1
+  %583 = icmp eq i64 %582, %448
+  br i1 %583, label %584, label %457
 
-585:                                              ; preds = %581
-  %586 = icmp eq i64 %582, 0
-  br i1 %586, label %587, label %667
+584:                                              ; preds = %580
+  %585 = icmp eq i64 %581, 0
+  br i1 %585, label %586, label %663
 
-587:                                              ; preds = %396, %448, %585
-  %588 = phi ptr [ %452, %585 ], [ %397, %396 ], [ %452, %448 ]
-  %589 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 21
-  %590 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
-  %591 = load i64, ptr %590, align 8
-  %592 = icmp sgt i64 %591, 0
-  br i1 %592, label %593, label %601
+586:                                              ; preds = %395, %447, %584
+  %587 = phi ptr [ %451, %584 ], [ %396, %395 ], [ %451, %447 ]
+  %588 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
+  %589 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 1
+  %590 = load i64, ptr %589, align 8
+  %591 = icmp sgt i64 %590, 0
+  br i1 %591, label %592, label %600
 
-593:                                              ; preds = %587
-  %594 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
-  %595 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
-  %596 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
-  %597 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
-  %598 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
-  %599 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
-  %600 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
-  br label %607
+592:                                              ; preds = %586
+  %593 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 18
+  %594 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 2
+  %595 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 19
+  %596 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 8
+  %597 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 9
+  %598 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 6
+  %599 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 7
+  br label %604
 
-601:                                              ; preds = %641, %587
-  %602 = phi i64 [ 0, %587 ], [ %643, %641 ]
-  %603 = load i64, ptr %589, align 8
-  %604 = icmp sgt i64 %603, 0
-  br i1 %604, label %605, label %646
+600:                                              ; preds = %638, %586
+  %601 = phi i64 [ 0, %586 ], [ %640, %638 ]
+  %602 = load i64, ptr %588, align 8
+  %603 = icmp sgt i64 %602, 0
+  br i1 %603, label %645, label %643
 
-605:                                              ; preds = %601
-  %606 = getelementptr inbounds %struct.Look, ptr %1, i64 0, i32 22
-  br label %648
+604:                                              ; preds = %592, %638
+  %605 = phi i64 [ %590, %592 ], [ %639, %638 ]
+  %606 = phi i64 [ 0, %592 ], [ %640, %638 ]
+  %607 = phi i64 [ 0, %592 ], [ %641, %638 ]
+  %608 = load ptr, ptr %593, align 8
+  %609 = getelementptr inbounds i64, ptr %608, i64 %607
+  %610 = load i64, ptr %609, align 8
+  %611 = load i64, ptr %594, align 8
+  %612 = sdiv i64 %610, %611
+  %613 = srem i64 %610, %611
+  %614 = load ptr, ptr %595, align 8
+  %615 = getelementptr inbounds double, ptr %614, i64 %607
+  %616 = load double, ptr %615, align 8
+  %617 = load double, ptr %596, align 8
+  %618 = load double, ptr %597, align 8
+  %619 = fadd double %617, %618
+  %620 = fcmp olt double %616, %619
+  br i1 %620, label %628, label %621
 
-607:                                              ; preds = %593, %641
-  %608 = phi i64 [ %591, %593 ], [ %642, %641 ]
-  %609 = phi i64 [ 0, %593 ], [ %643, %641 ]
-  %610 = phi i64 [ 0, %593 ], [ %644, %641 ]
-  %611 = load ptr, ptr %594, align 8
-  %612 = getelementptr inbounds i64, ptr %611, i64 %610
-  %613 = load i64, ptr %612, align 8
-  %614 = load i64, ptr %595, align 8
-  %615 = sdiv i64 %613, %614
-  %616 = srem i64 %613, %614
-  %617 = load ptr, ptr %596, align 8
-  %618 = getelementptr inbounds double, ptr %617, i64 %610
-  %619 = load double, ptr %618, align 8
-  %620 = load double, ptr %597, align 8
-  %621 = load double, ptr %598, align 8
-  %622 = fadd double %620, %621
-  %623 = fcmp olt double %619, %622
-  br i1 %623, label %631, label %624
+621:                                              ; preds = %604
+  %622 = load i64, ptr %598, align 8
+  %623 = srem i64 %612, %622
+  %624 = icmp eq i64 %623, 0
+  %625 = fadd double %617, %2
+  %626 = fcmp olt double %616, %625
+  %627 = select i1 %624, i1 %626, i1 false
+  br i1 %627, label %628, label %638
 
-624:                                              ; preds = %607
-  %625 = load i64, ptr %599, align 8
-  %626 = srem i64 %615, %625
-  %627 = icmp eq i64 %626, 0
-  %628 = fadd double %620, %2
-  %629 = fcmp olt double %619, %628
-  %630 = select i1 %627, i1 %629, i1 false
-  br i1 %630, label %631, label %641
+628:                                              ; preds = %621, %604
+  %629 = load ptr, ptr %599, align 8
+  %630 = getelementptr inbounds double, ptr %629, i64 %612
+  %631 = load double, ptr %630, align 8
+  %632 = add nsw i64 %606, 1
+  %633 = getelementptr inbounds %struct.Found, ptr %3, i64 %606
+  store double %616, ptr %633, align 8
+  %634 = getelementptr inbounds i8, ptr %633, i64 8
+  store double %631, ptr %634, align 8
+  %635 = getelementptr inbounds i8, ptr %633, i64 16
+  store i64 %613, ptr %635, align 8
+  %636 = getelementptr inbounds i8, ptr %633, i64 24
+  store i64 0, ptr %636, align 8
+  %637 = load i64, ptr %589, align 8
+  br label %638
 
-631:                                              ; preds = %624, %607
-  %632 = load ptr, ptr %600, align 8
-  %633 = getelementptr inbounds double, ptr %632, i64 %615
-  %634 = load double, ptr %633, align 8
-  %635 = add nsw i64 %609, 1
-  %636 = getelementptr inbounds %struct.Found, ptr %3, i64 %609
-  store double %619, ptr %636, align 8
-  %637 = getelementptr inbounds i8, ptr %636, i64 8
-  store double %634, ptr %637, align 8
-  %638 = getelementptr inbounds i8, ptr %636, i64 16
-  store i64 %616, ptr %638, align 8
-  %639 = getelementptr inbounds i8, ptr %636, i64 24
-  store i64 0, ptr %639, align 8
-  %640 = load i64, ptr %590, align 8
-  br label %641
+638:                                              ; preds = %621, %628
+  %639 = phi i64 [ %637, %628 ], [ %605, %621 ]
+  %640 = phi i64 [ %632, %628 ], [ %606, %621 ]
+  %641 = add nuw nsw i64 %607, 1
+  %642 = icmp slt i64 %641, %639
+  br i1 %642, label %604, label %600
 
-641:                                              ; preds = %624, %631
-  %642 = phi i64 [ %640, %631 ], [ %608, %624 ]
-  %643 = phi i64 [ %635, %631 ], [ %609, %624 ]
-  %644 = add nuw nsw i64 %610, 1
-  %645 = icmp slt i64 %644, %642
-  br i1 %645, label %607, label %601
+643:                                              ; preds = %645, %600
+  %644 = phi i64 [ %601, %600 ], [ %655, %645 ]
+  call void @qsort(ptr noundef %3, i64 noundef %644, i64 noundef 32, ptr noundef nonnull @order) #6
+  br label %663
 
-646:                                              ; preds = %648, %601
-  %647 = phi i64 [ %602, %601 ], [ %659, %648 ]
-  call void @qsort(ptr noundef %3, i64 noundef %647, i64 noundef 32, ptr noundef nonnull @order) #6
-  br label %667
+645:                                              ; preds = %600, %645
+  %646 = phi i64 [ %655, %645 ], [ %601, %600 ]
+  %647 = phi i64 [ %660, %645 ], [ 0, %600 ]
+  %648 = load ptr, ptr %587, align 8
+  %649 = getelementptr inbounds %struct.Bracket, ptr %648, i64 %647, i32 4
+  %650 = load double, ptr %649, align 8
+  %651 = getelementptr inbounds %struct.Bracket, ptr %648, i64 %647, i32 1
+  %652 = load double, ptr %651, align 8
+  %653 = getelementptr inbounds %struct.Bracket, ptr %648, i64 %647, i32 9
+  %654 = load i64, ptr %653, align 8
+  %655 = add nsw i64 %646, 1
+  %656 = getelementptr inbounds %struct.Found, ptr %3, i64 %646
+  store double %650, ptr %656, align 8
+  %657 = getelementptr inbounds i8, ptr %656, i64 8
+  store double %652, ptr %657, align 8
+  %658 = getelementptr inbounds i8, ptr %656, i64 16
+  store i64 %654, ptr %658, align 8
+  %659 = getelementptr inbounds i8, ptr %656, i64 24
+  store i64 1, ptr %659, align 8
+  %660 = add nuw nsw i64 %647, 1
+  %661 = load i64, ptr %588, align 8
+  %662 = icmp slt i64 %660, %661
+  br i1 %662, label %645, label %643
 
-648:                                              ; preds = %605, %648
-  %649 = phi i64 [ %602, %605 ], [ %659, %648 ]
-  %650 = phi i64 [ 0, %605 ], [ %664, %648 ]
-  %651 = load ptr, ptr %588, align 8
-  %652 = getelementptr inbounds %struct.Bracket, ptr %651, i64 %650, i32 4
-  %653 = load double, ptr %652, align 8
-  %654 = getelementptr inbounds %struct.Bracket, ptr %651, i64 %650, i32 1
-  %655 = load double, ptr %654, align 8
-  %656 = load ptr, ptr %606, align 8
-  %657 = getelementptr inbounds i64, ptr %656, i64 %650
-  %658 = load i64, ptr %657, align 8
-  %659 = add nsw i64 %649, 1
-  %660 = getelementptr inbounds %struct.Found, ptr %3, i64 %649
-  store double %653, ptr %660, align 8
-  %661 = getelementptr inbounds i8, ptr %660, i64 8
-  store double %655, ptr %661, align 8
-  %662 = getelementptr inbounds i8, ptr %660, i64 16
-  store i64 %658, ptr %662, align 8
-  %663 = getelementptr inbounds i8, ptr %660, i64 24
-  store i64 1, ptr %663, align 8
-  %664 = add nuw nsw i64 %650, 1
-  %665 = load i64, ptr %589, align 8
-  %666 = icmp slt i64 %664, %665
-  br i1 %666, label %648, label %646
-
-667:                                              ; preds = %84, %585, %398, %87, %646
-  %668 = phi i64 [ %647, %646 ], [ -1, %87 ], [ -1, %398 ], [ -1, %585 ], [ -2, %84 ]
-  ret i64 %668
+663:                                              ; preds = %84, %584, %397, %87, %643
+  %664 = phi i64 [ %644, %643 ], [ -1, %87 ], [ -1, %397 ], [ -1, %584 ], [ -2, %84 ]
+  ret i64 %664
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -1021,6 +1020,44 @@ declare double @llvm.rint.f64(double) #4
 declare double @llvm.minnum.f64(double, double) #4
 
 declare double @llvm.maxnum.f64(double, double) #4
+
+define internal i32 @lower(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) #3 {
+  %3 = getelementptr inbounds %struct.Bracket, ptr %0, i64 0, i32 4
+  %4 = load double, ptr %3, align 8
+  %5 = getelementptr inbounds %struct.Bracket, ptr %1, i64 0, i32 4
+  %6 = load double, ptr %5, align 8
+  %7 = fcmp une double %4, %6
+  br i1 %7, label %8, label %10
+
+8:                                                ; preds = %2
+  %9 = fcmp olt double %4, %6
+  br label %24
+
+10:                                               ; preds = %2
+  %11 = getelementptr inbounds %struct.Bracket, ptr %0, i64 0, i32 1
+  %12 = load double, ptr %11, align 8
+  %13 = getelementptr inbounds %struct.Bracket, ptr %1, i64 0, i32 1
+  %14 = load double, ptr %13, align 8
+  %15 = fcmp une double %12, %14
+  br i1 %15, label %16, label %18
+
+16:                                               ; preds = %10
+  %17 = fcmp olt double %12, %14
+  br label %24
+
+18:                                               ; preds = %10
+  %19 = getelementptr inbounds %struct.Bracket, ptr %0, i64 0, i32 9
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr inbounds %struct.Bracket, ptr %1, i64 0, i32 9
+  %22 = load i64, ptr %21, align 8
+  %23 = icmp slt i64 %20, %22
+  br label %24
+
+24:                                               ; preds = %18, %16, %8
+  %25 = phi i1 [ %23, %18 ], [ %17, %16 ], [ %9, %8 ]
+  %26 = select i1 %25, i32 -1, i32 1
+  ret i32 %26
+}
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #5
 

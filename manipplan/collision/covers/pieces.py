@@ -7,7 +7,7 @@ which three cuts meet.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import coal
 import numpy as np
@@ -91,8 +91,8 @@ def _sectors(mesh: "_Mesh", triangles: Array, count: int) -> list["_Part"]:
     for k in range(3):
         normals = np.zeros((count + 1, 3))
         normals[:, k - 2], normals[:, k - 1] = -np.sin(angles), np.cos(angles)
-        sectors = []
-        for start, end in zip(normals[:-1], normals[1:], strict=True):
+        sectors: list[tuple[Array, tuple[Plane, ...]]] = []
+        for start, end in pairwise(normals):
             cuts = ((-start, float(-start @ middle)), (end, float(end @ middle)))
             side = triangles
             for axis, offset in cuts:
