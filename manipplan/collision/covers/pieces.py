@@ -122,6 +122,8 @@ class _Part:
 
         Only across axes along which the part is longer than the share `long` of its largest length.
         """
+        if not len(self.triangles):
+            return None
         points = subdivide(self.triangles).mean(axis=1)
         points = np.concatenate(
             [points[:: 1 + len(points) // MOST_POINTS], self.hull.corners[:: 1 + len(self.hull.corners) // MOST_POINTS]]
