@@ -106,10 +106,12 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/timing.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/collision_shapes.py
+	$(BIN)/python benchmarks/mesh_readers.py
 	$(BIN)/python benchmarks/fixed_bodies.py
 	$(BIN)/python benchmarks/mesh_pairs.py
 	$(BIN)/python benchmarks/closed_meshes.py
 	$(BIN)/python benchmarks/catalogue_arms.py
+	$(if $(MUJOCO_MENAGERIE),$(BIN)/python benchmarks/menagerie.py)
 	$(BIN)/python benchmarks/gallery.py
 	$(BIN)/python benchmarks/documentation.py
 

@@ -213,11 +213,12 @@ def main(arguments: list[str] | None = None) -> dict[str, Count]:
     options = parser.parse_args(arguments)
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    numbers = range(options.first, options.first + options.count)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     counts, text = dict[str, Count](), ""
     with Progress() as progress:
         for name in options.loader:
+            count = max(1, round(options.count * LOADERS[name].share))
+            numbers = range(options.first, options.first + count)
             counts[name] = run(name, numbers, options.seed, options.faults, progress)
             text = table(counts, options.seed)
             options.out.write_text(text)

@@ -78,6 +78,7 @@ class Loader:
     samples: Callable[[], list[Sample]]
     load: Callable[[Path], None]
     limit: float = 10.0
+    share: float = 1.0
 
 
 def _dumped(rng: random.Random, value: Any) -> bytes:
@@ -164,11 +165,13 @@ LOADERS = {
         about="`Robot.from_mjcf`",
         samples=lambda: [Sample(name="arm.xml", data=samples.MJCF.encode(), beside=WEDGE)],
         load=lambda file: _robot(mp.Robot.from_mjcf(file, tool="c", velocity=1.0)),
+        share=0.1,
     ),
     "mjcf_scene": Loader(
         about="`Scene.from_mjcf`",
         samples=lambda: [Sample(name="cell.xml", data=samples.CELL.encode(), beside=WEDGE)],
         load=lambda file: _scene(mp.Scene.from_mjcf(file)),
+        share=0.1,
     ),
     "mjcf_mesh": Loader(
         about="meshes of `Scene.from_mjcf`",
@@ -179,6 +182,7 @@ LOADERS = {
             for name in ("wedge.stl", "wedge.obj")
         ],
         load=lambda file: _scene(mp.Scene.from_mjcf(file.parent / "cell.xml")),
+        share=0.1,
     ),
     "scene_yaml": Loader(
         about="`Scene.from_yaml`",

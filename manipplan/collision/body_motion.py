@@ -32,7 +32,6 @@ from numpy.typing import NDArray
 from manipplan.collision.covers.fitting import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import core_of
-from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import native_code
@@ -80,7 +79,7 @@ class BodyMotion:
     """Bounds on the motion of the bodies of a collision model."""
 
     def __init__(self, model: CollisionModel) -> None:
-        robot, objects = model.robot.model, model.geometry.geometryObjects
+        tree, objects = model.robot.tree, model.geometry.geometryObjects
         carrier = np.array([item.parentJoint for item in objects])
         pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
         carriers = carrier[pairs]
@@ -96,16 +95,10 @@ class BodyMotion:
         for k in sorted(set(self.body.tolist())):
             points, self.radii[k] = _few_points(model.robot, objects[k])
             self.points[k] = np.concatenate([points, np.repeat(points[:1], MOST_POINTS - len(points), axis=0)])
-        self.slides = np.array([is_prismatic(joint) for joint in robot.joints[1:]])
-        self._axes = [axis_of(joint) for joint in robot.joints[1:]]
-        self._placements = [(np.array(place.rotation), np.array(place.translation)) for place in robot.jointPlacements[1:]]
-        self._before, self._carries = joint_tree(robot)
+        self._tree = tree
         self._arrays = {
-            "before": self._before,
-            "carries": self._carries,
-            "fixed": np.array([np.concatenate([turn.ravel(), origin]) for turn, origin in self._placements]),
-            "axes": np.array(self._axes),
-            "slides": self.slides.astype(np.int64),
+            **{name: getattr(tree, name) for name in ("before", "carries", "fixed", "axes")},
+            "slides": tree.slides.astype(np.int64),
             "joint": self.joint.astype(np.int64),
             "points": self.points,
             "radii": self.radii,
@@ -138,10 +131,13 @@ class BodyMotion:
         self, q: Array, change: Array, rates: tuple[Array, Array] | None, rows: BodyIndices, pairs: BodyIndices
     ) -> tuple[Array, Array] | None:
         """Both bounds by compiled code, the second one only with `rates`; None without it."""
-        call, n, count = _compiled(), q.shape[1], len(self.radii)
+        tree = self._tree
+        call, n, count = _compiled(), len(tree.slides), len(self.radii)
         if call is None or n > MOST_JOINTS:
             return None
-        numbers = [np.ascontiguousarray(each, dtype=float) for each in (q, change, *(rates or ()))]
+        numbers = [
+            np.ascontiguousarray(each, dtype=float) for each in (tree.positions(q), *map(tree.sizes, (change, *(rates or ()))))
+        ]
         rows, pairs = np.ascontiguousarray(rows, dtype=np.int64), np.ascontiguousarray(pairs, dtype=np.int64)
         work = {"moved": np.empty((count, n + 1)), "lever": np.empty((count, n + 1)), "row": np.empty(count, dtype=np.int64)}
         arm = _Arm(n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()})
@@ -153,6 +149,7 @@ class BodyMotion:
 
     def _motion_by_numpy(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
         """As `motion`."""
+        q, change = self._tree.positions(q), self._tree.sizes(change)
         rotations, origins, axes = self._frames(q)
         moved, n = np.zeros(len(rows)), q.shape[1]
         kinds = self.joint[self.body[pairs]] * (n + 1) + self.below[pairs]
@@ -163,7 +160,7 @@ class BodyMotion:
             points = np.einsum("uij,ukj->uki", rotations[row, joint], self.points[body]) + origins[row, joint][:, None]
             for j in self._between(joint, other):
                 step = change[row, j - 1]
-                if not self.slides[j - 1]:
+                if not self._tree.slides[j - 1]:
                     lever = points - origins[row, j][:, None]
                     along = np.einsum("uki,ui->uk", lever, axes[row, j])
                     square = np.einsum("uki,uki->uk", lever, lever) - along**2
@@ -173,7 +170,8 @@ class BodyMotion:
 
     def _between(self, joint: int, other: int) -> list[int]:
         """The joints between two, from `joint` down to the last one that carries both, and from there up to `other`."""
-        only, others = (np.flatnonzero(self._carries[a] > self._carries[b]) for a, b in ((joint, other), (other, joint)))
+        carries = self._tree.carries
+        only, others = (np.flatnonzero(carries[a] > carries[b]) for a, b in ((joint, other), (other, joint)))
         return [*only[::-1].tolist(), *others.tolist()]
 
     def largest(self, q: Array, change: Array) -> Array:
@@ -182,17 +180,17 @@ class BodyMotion:
         return np.asarray(self.motion(q, change, rows, np.tile(self._kinds, len(q))).reshape(len(q), -1).max(axis=1))
 
     def _frames(self, q: Array) -> tuple[Array, Array, Array]:
-        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world and joint frames, in the world."""
-        m, n = q.shape
+        """Rotations (m, n + 1, 3, 3), origins and axes (m, n + 1, 3) of the world and joint frames at positions q (m, n)."""
+        tree, (m, n) = self._tree, q.shape
         rotations, origins, axes = np.empty((m, n + 1, 3, 3)), np.zeros((m, n + 1, 3)), np.zeros((m, n + 1, 3))
         rotations[:, 0] = np.eye(3)
-        for j, (axis, (rotation, origin)) in enumerate(zip(self._axes, self._placements, strict=True), start=1):
-            parent = self._before[j - 1]
+        for j, (axis, fixed) in enumerate(zip(tree.axes, tree.fixed, strict=True), start=1):
+            parent = tree.before[j - 1]
             before = rotations[:, parent]
-            frame = before @ rotation
-            origins[:, j] = origins[:, parent] + before @ origin
+            frame = before @ fixed[:9].reshape(3, 3)
+            origins[:, j] = origins[:, parent] + before @ fixed[9:]
             axes[:, j] = frame @ axis
-            if self.slides[j - 1]:
+            if tree.slides[j - 1]:
                 rotations[:, j] = frame
                 origins[:, j] += q[:, j - 1 : j] * axes[:, j]
             else:

@@ -83,7 +83,7 @@ def check_names(robot: Robot, scene: Scene) -> None:
             wanted = f"a scene without {name!r}, which {robot.name} carries: scene.without({name!r})"
             raise InvalidInputError("scene", repr(scene), wanted)
     links = [frame.name for frame in robot.model.frames if frame.type == pin.FrameType.BODY]
-    known = [*scene.names, *robot.carried, *links]
+    known = [*scene.names, *robot.carried, *links, *robot.world_geoms]
     for name in sorted(frozenset[str]().union(*scene.allowed)):
         if name not in known:
             raise UnknownNameError("allowed", name, known)
@@ -267,7 +267,7 @@ def _drop_always_touching(
     """Drop pairs of links of which any pieces are `touching` (m, k) nearly everywhere: they touch by construction.
 
     Args:
-        robot: parts that it carries are never dropped.
+        robot: parts that it carries, and walls and tables of its MJCF, are never dropped.
         geometry: the pairs.
         links: the link or part of each object of `geometry`.
         left_out: gets the pairs that are dropped.
@@ -277,13 +277,14 @@ def _drop_always_touching(
     """
     pairs = [(pair.first, pair.second) for pair in geometry.collisionPairs]
     anywhere: dict[frozenset[str], NDArray[np.bool_]] = {}
+    never = robot.carried.keys() | robot.world_geoms
     for k in np.flatnonzero(touching.any(axis=0)):
         names = frozenset(links[body] for body in pairs[k])
         anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
     always = {
         names: f"touching at {rows.sum()} of {len(rows)} configurations"
         for names, rows in anywhere.items()
-        if rows.sum() >= ALWAYS * len(rows) and not names & robot.carried.keys()
+        if rows.sum() >= ALWAYS * len(rows) and not names & never
     }
     for first, second in pairs:
         reason = always.get(frozenset((links[first], links[second])))

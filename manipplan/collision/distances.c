@@ -20,6 +20,9 @@ enum { GUESS = 22 };        /* see `guess` */
 
 typedef struct {
     long n;                 /* number of joints */
+    long entries;               /* length of q: joints that follow others have no entry there */
+    const long *leader;     /* (n) the entry of q that moves each joint */
+    const double *ratio, *offset; /* (n) its position is ratio * q[leader] + offset */
     const long *before;     /* (n) the joint before each; 0: the world */
     const long *carries;    /* (n + 1, n + 1) [i, j]: whether joint j carries joint i, or is it */
     const double *fixed;    /* (n, 12) rotation and origin of each joint in the frame of the joint before it, at q = 0 */
@@ -125,12 +128,12 @@ static void place(const World *w, const double *q) {
     memcpy(frames, still, sizeof still);
     for (long j = 0; j < w->n; j++) {
         const double *a = w->axes + 3 * j;
-        double moved[12];
+        double moved[12], at = w->ratio[j] * q[w->leader[j]] + w->offset[j];
         if (w->slides[j]) {
             memcpy(moved, still, sizeof still);
-            for (int i = 0; i < 3; i++) moved[9 + i] = q[j] * a[i];
+            for (int i = 0; i < 3; i++) moved[9 + i] = at * a[i];
         } else {
-            double s = sin(q[j]), c = cos(q[j]), k = 1 - c;
+            double s = sin(at), c = cos(at), k = 1 - c;
             double turn[12] = {c + k * a[0] * a[0],        k * a[0] * a[1] - s * a[2], k * a[0] * a[2] + s * a[1],
                                k * a[1] * a[0] + s * a[2], c + k * a[1] * a[1],        k * a[1] * a[2] - s * a[0],
                                k * a[2] * a[0] - s * a[1], k * a[2] * a[1] + s * a[0], c + k * a[2] * a[2],
@@ -1095,7 +1098,7 @@ static int is_near(const World *w, const double *centre, double square, long nod
    world; 0: none is kept. */
 static int examine(const World *w, const double *q, double reach, long *count, double *guess) {
     int verdict = FREE, finite = 1;
-    for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
+    for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
     if (!finite) {
         for (long k = 0; count && k < w->pairs; k++) w->least[k] = NAN, w->found[(*count)++] = k;
         return UNDECIDED;
@@ -1132,12 +1135,12 @@ static int examine(const World *w, const double *q, double reach, long *count, d
     return verdict;
 }
 
-/* Whether any pair is nearer than `clearance` at q (n): FREE, TOUCHING or UNDECIDED. */
+/* Whether any pair is nearer than `clearance` at q (entries): FREE, TOUCHING or UNDECIDED. */
 int manipplan_check_one(const World *w, const double *q, double clearance) { return examine(w, q, clearance, 0, 0); }
 
-/* Whether any pair is nearer than `clearance` at each of m configurations q (m, n): FREE, TOUCHING or UNDECIDED. */
+/* Whether any pair is nearer than `clearance` at each of m configurations q (m, entries): FREE, TOUCHING or UNDECIDED. */
 void manipplan_check(const World *w, const double *q, long m, double clearance, signed char *verdicts) {
-    for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->n, clearance, 0, 0);
+    for (long k = 0; k < m; k++) verdicts[k] = (signed char)examine(w, q + k * w->entries, clearance, 0, 0);
 }
 
 /* Room for the directions between pairs at m configurations along a path; 0 where one configuration does not need them. */
@@ -1147,12 +1150,12 @@ static double *fresh_guess(const World *w, long m) {
     return w->guess;
 }
 
-/* Distances (m, pairs) at q (m, n), cut off at reach (m); nan where only coal can tell: where the bounds did not converge. */
+/* Distances (m, pairs) at q (m, entries), cut off at reach (m); nan where only coal can tell: where the bounds did not converge. */
 void manipplan_distances(const World *w, const double *q, long m, const double *reach, double *out) {
     double *guess = fresh_guess(w, m);
     for (long k = 0; k < m; k++, out += w->pairs) {
         long count = 0;
-        examine(w, q + k * w->n, reach[k], &count, guess);
+        examine(w, q + k * w->entries, reach[k], &count, guess);
         for (long i = 0; i < w->pairs; i++) out[i] = reach[k];
         for (long i = 0; i < count; i++) out[w->found[i]] = w->least[w->found[i]], w->least[w->found[i]] = INFINITY;
     }
@@ -1165,7 +1168,7 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
     long all = 0;
     for (long k = 0; k < m; k++) {
         long count = 0;
-        examine(w, q + k * w->n, reach[k], &count, guess);
+        examine(w, q + k * w->entries, reach[k], &count, guess);
         for (long i = 0; i < count; i++, all++) {
             long pair = w->found[i];
             if (all < room) where[all] = k * w->pairs + pair, out[all] = w->least[pair];
@@ -1175,7 +1178,7 @@ long manipplan_near(const World *w, const double *q, long m, const double *reach
     return all;
 }
 
-/* The smallest distance of all pairs at m configurations q (m, n), the first row and pair that have it, unless a distance is not
+/* The smallest distance of all pairs at m configurations q (m, entries), the first row and pair that have it, unless a distance is not
    below `reach`: then -1. Every `coarse`-th configuration comes first, since the smallest so far cuts off the others. Returns 0
    where only coal can tell a distance. */
 int manipplan_least(const World *w, const double *q, long m, double reach, long coarse, double *least, long *row, long *nearest) {
@@ -1187,7 +1190,7 @@ int manipplan_least(const World *w, const double *q, long m, double reach, long 
             int known = 1;
             double before = *least;
             /* a little further, so that an equal distance of an earlier row is not cut off */
-            examine(w, q + k * w->n, before + 1e-9, &count, 0);
+            examine(w, q + k * w->entries, before + 1e-9, &count, 0);
             for (long i = 0; i < count; i++) {
                 long pair = w->found[i];
                 double distance = w->least[pair];
@@ -1201,12 +1204,12 @@ int manipplan_least(const World *w, const double *q, long m, double reach, long 
     return 1;
 }
 
-/* The distance of two bodies at q (n), where the arm is placed, cut off at reach. `leaf`: the triangle or point of the second body
+/* The distance of two bodies at q (entries), where the arm is placed, cut off at reach. `leaf`: the triangle or point of the second body
    that is nearest; -1 if that is no surface, or not within reach. */
 static double pair_distance(const World *w, const double *q, long one, long two, double reach, double *guess, long *leaf) {
     double out = reach;
     *leaf = -1;
-    for (long j = 0; j < w->n; j++)
+    for (long j = 0; j < w->entries; j++)
         if (!isfinite(q[j])) return NAN;
     Core core;
     core_of(w, one, &core);
@@ -1223,12 +1226,12 @@ void manipplan_pairs(const World *w, const double *q, long m, const long *bodies
     for (long k = 0; k < m; k++) {
         long one = bodies[2 * k], two = bodies[2 * k + 1];
         if (k > 0 && (one != bodies[2 * k - 2] || two != bodies[2 * k - 1])) memset(guess, 0, sizeof guess);
-        if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
-        out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], guess, leaf + k);
+        if (k == 0 || memcmp(q + k * w->entries, q + (k - 1) * w->entries, (size_t)w->entries * sizeof *q)) place(w, q + k * w->entries);
+        out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], guess, leaf + k);
     }
 }
 
-/* The distance of one pair at q (n), as `manipplan_pairs` says; `guess` (GUESS): as in the world, zeros at first. */
+/* The distance of one pair at q (entries), as `manipplan_pairs` says; `guess` (GUESS): as in the world, zeros at first. */
 double manipplan_pair(const World *w, const double *q, const long *bodies, double *guess) {
     long leaf;
     place(w, q);
@@ -1236,13 +1239,14 @@ double manipplan_pair(const World *w, const double *q, const long *bodies, doubl
 }
 
 /* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
-   speeds (n), in the world: joints that carry only `first` count negative. */
+   speeds (entries) of q, in the world: joints that carry only `first` count negative. */
 static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
     for (int i = 0; i < 3; i++) turning[i] = moving[i] = 0;
     const long *with_first = w->carries + first * (w->n + 1), *with_last = w->carries + last * (w->n + 1);
     for (long j = 1; j <= w->n; j++) {
         if (with_first[j] == with_last[j]) continue;
-        const double *frame = w->frames + 12 * j, own = with_last[j] ? speed[j - 1] : -speed[j - 1];
+        const double *frame = w->frames + 12 * j, fast = w->ratio[j - 1] * speed[w->leader[j - 1]];
+        double own = with_last[j] ? fast : -fast;
         double axis[3], arc[3];
         for (int i = 0; i < 3; i++) axis[i] = own * dot(frame + 3 * i, w->axes + 3 * (j - 1));
         cross(frame + 9, axis, arc);
@@ -1267,22 +1271,22 @@ static double stays_apart(const Core *one, double behind, const double *normal, 
     return least - behind;
 }
 
-/* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, n) with |t| <= 1 and, beyond
+/* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, entries) with |t| <= 1 and, beyond
    that, no point of a body of a pair moves relative to the other by more than bends (m). -INFINITY where there is none: in surfaces,
    where cores meet, and for what is beyond reach. */
 void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
                          const double *bends, double *out, double *bound) {
     double guess[GUESS] = {0};
-    for (long k = 0; k < m; k++, slopes += w->n) {
+    for (long k = 0; k < m; k++, slopes += w->entries) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
         if (!same) memset(guess, 0, sizeof guess);
-        if (k == 0 || memcmp(q + k * w->n, q + (k - 1) * w->n, (size_t)w->n * sizeof *q)) place(w, q + k * w->n);
+        if (k == 0 || memcmp(q + k * w->entries, q + (k - 1) * w->entries, (size_t)w->entries * sizeof *q)) place(w, q + k * w->entries);
         bound[k] = -INFINITY;
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
             double fresh[GUESS] = {0};
             int both = w->kind[one] == SURFACE && w->kind[two] == SURFACE;
-            out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], both ? guess : fresh, &leaf);
+            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], both ? guess : fresh, &leaf);
             continue;
         }
         Core first, second;
@@ -1300,7 +1304,7 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
                 for (int i = 0; i < 3; i++) guess[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
             if (!shape_bounds(w, one, &first, two, &second, guess, reach[k], -INFINITY, &low, &high, &plane, 0)) {
                 double fresh[GUESS] = {0};
-                out[k] = pair_distance(w, q + k * w->n, one, two, reach[k], fresh, &leaf);
+                out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], fresh, &leaf);
                 continue;
             }
             support(&second, plane.normal, p);
@@ -1397,18 +1401,18 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
     return 1;
 }
 
-/* The nearest points of the cores of pairs bodies (m, 2) at q (m, n). out (m, 13 + n): signed distance of the bodies; unit vector
+/* The nearest points of the cores of pairs bodies (m, 2) at q (m, entries). out (m, 13 + entries): signed distance of the bodies; unit vector
    from the second to the first in the frame of the second's joint, and its opposite in that of the first's; the two points in the
    frames of their joints; gradient of the distance by q. nan where only coal can tell. */
 void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, double *out) {
-    for (long k = 0; k < m; k++, q += w->n, out += 13 + w->n) {
+    for (long k = 0; k < m; k++, q += w->entries, out += 13 + w->entries) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], first = w->joint[one], second = w->joint[two];
         double a[3], b[3], distance, normal[3], back[3];
         int finite = 1;
-        for (long j = 0; j < w->n; j++) finite &= isfinite(q[j]) != 0;
+        for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
         if (finite) place(w, q);
         if (!finite || !nearest_points(w, one, two, a, b, &distance, normal)) {
-            for (long i = 0; i < 13 + w->n; i++) out[i] = NAN;
+            for (long i = 0; i < 13 + w->entries; i++) out[i] = NAN;
             continue;
         }
         const double *here = w->frames + 12 * first, *there = w->frames + 12 * second;
@@ -1416,6 +1420,7 @@ void manipplan_witnesses(const World *w, const double *q, long m, const long *bo
         out[0] = distance - w->radius[one] - w->radius[two];
         turn_back(there, normal, out + 1), turn_back(here, back, out + 4);
         place_back(here, a, out + 7), place_back(there, b, out + 10);
+        memset(out + 13, 0, (size_t)w->entries * sizeof *out);
         for (long j = 1; j <= w->n; j++) {
             const double *frame = w->frames + 12 * j, *own = w->axes + 3 * (j - 1);
             double slope = 0, axis[3];
@@ -1428,7 +1433,7 @@ void manipplan_witnesses(const World *w, const double *q, long m, const long *bo
                 cross(axis, lever, moved);
                 slope += (side ? -1 : 1) * dot(normal, w->slides[j - 1] ? axis : moved);
             }
-            out[12 + j] = slope;
+            out[13 + w->leader[j - 1]] += w->ratio[j - 1] * slope;
         }
     }
 }

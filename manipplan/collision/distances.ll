@@ -1,9 +1,9 @@
-; distances.c ff623e7c70a85628e2a9e4c216ec1fba65c3ba6210dab4f18f7ab5a5b366e315: written by make kernel
+; distances.c 7c7ae749d27564113f03160993addfd230d3fb3b542c942587357fa5e4907dfb: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr, i64, i32, i32, ptr, ptr, i32, double }
 %struct.Plane = type { [3 x double], double }
-%struct.World = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.World = type { i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, ptr, i64, ptr, ptr, i64, ptr, ptr, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Simplex = type { [4 x [3 x double]], [4 x [3 x double]], i32, [3 x double] }
 %struct.Two = type { ptr, i64, [12 x double], [9 x double], double, [3 x double] }
 %struct.Face = type { [3 x i32], [3 x double], double }
@@ -31,372 +31,377 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %8 = alloca %struct.Search, align 8
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Search, align 8
-  %11 = load i64, ptr %0, align 8
-  %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %26, label %46
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %27, label %47
 
-13:                                               ; preds = %26
-  %14 = icmp eq i32 %34, 0
-  br i1 %14, label %15, label %46
+14:                                               ; preds = %27
+  %15 = icmp eq i32 %35, 0
+  br i1 %15, label %16, label %47
 
-15:                                               ; preds = %13
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %17 = icmp eq ptr %3, null
-  br i1 %17, label %249, label %18
+16:                                               ; preds = %14
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %18 = icmp eq ptr %3, null
+  br i1 %18, label %250, label %19
 
-18:                                               ; preds = %15
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
-  %21 = load i64, ptr %16, align 8
-  %22 = icmp sgt i64 %21, 0
-  br i1 %22, label %23, label %249
+19:                                               ; preds = %16
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  %22 = load i64, ptr %17, align 8
+  %23 = icmp sgt i64 %22, 0
+  br i1 %23, label %24, label %250
 
-23:                                               ; preds = %18
-  %24 = load ptr, ptr %19, align 8
+24:                                               ; preds = %19
   %25 = load ptr, ptr %20, align 8
-  br label %37
+  %26 = load ptr, ptr %21, align 8
+  br label %38
 
-26:                                               ; preds = %5, %26
-  %27 = phi i32 [ %34, %26 ], [ 1, %5 ]
-  %28 = phi i64 [ %35, %26 ], [ 0, %5 ]
-  %29 = getelementptr inbounds double, ptr %1, i64 %28
-  %30 = load double, ptr %29, align 8
-  %31 = tail call double @llvm.fabs.f64(double %30) #18
-  %32 = fcmp one double %31, 0x7FF0000000000000
-  %33 = zext i1 %32 to i32
-  %34 = and i32 %27, %33
-  %35 = add nuw nsw i64 %28, 1
-  %36 = icmp eq i64 %35, %11
-  br i1 %36, label %13, label %26
+27:                                               ; preds = %5, %27
+  %28 = phi i32 [ %35, %27 ], [ 1, %5 ]
+  %29 = phi i64 [ %36, %27 ], [ 0, %5 ]
+  %30 = getelementptr inbounds double, ptr %1, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = tail call double @llvm.fabs.f64(double %31) #18
+  %33 = fcmp one double %32, 0x7FF0000000000000
+  %34 = zext i1 %33 to i32
+  %35 = and i32 %28, %34
+  %36 = add nuw nsw i64 %29, 1
+  %37 = icmp eq i64 %36, %12
+  br i1 %37, label %14, label %27
 
-37:                                               ; preds = %23, %37
-  %38 = phi i64 [ %43, %37 ], [ 0, %23 ]
-  %39 = getelementptr inbounds double, ptr %24, i64 %38
-  store double 0x7FF8000000000000, ptr %39, align 8
-  %40 = load i64, ptr %3, align 8
-  %41 = add nsw i64 %40, 1
-  store i64 %41, ptr %3, align 8
-  %42 = getelementptr inbounds i64, ptr %25, i64 %40
-  store i64 %38, ptr %42, align 8
-  %43 = add nuw nsw i64 %38, 1
-  %44 = load i64, ptr %16, align 8
-  %45 = icmp slt i64 %43, %44
-  br i1 %45, label %37, label %249
+38:                                               ; preds = %24, %38
+  %39 = phi i64 [ %44, %38 ], [ 0, %24 ]
+  %40 = getelementptr inbounds double, ptr %25, i64 %39
+  store double 0x7FF8000000000000, ptr %40, align 8
+  %41 = load i64, ptr %3, align 8
+  %42 = add nsw i64 %41, 1
+  store i64 %42, ptr %3, align 8
+  %43 = getelementptr inbounds i64, ptr %26, i64 %41
+  store i64 %39, ptr %43, align 8
+  %44 = add nuw nsw i64 %39, 1
+  %45 = load i64, ptr %17, align 8
+  %46 = icmp slt i64 %44, %45
+  br i1 %46, label %38, label %250
 
-46:                                               ; preds = %5, %13
-  %47 = icmp eq ptr %3, null
-  br i1 %47, label %51, label %48
+47:                                               ; preds = %5, %14
+  %48 = icmp eq ptr %3, null
+  br i1 %48, label %52, label %49
 
-48:                                               ; preds = %46
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  %50 = load ptr, ptr %49, align 8
-  br label %51
+49:                                               ; preds = %47
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %51 = load ptr, ptr %50, align 8
+  br label %52
 
-51:                                               ; preds = %46, %48
-  %52 = phi ptr [ %50, %48 ], [ null, %46 ]
+52:                                               ; preds = %47, %49
+  %53 = phi ptr [ %51, %49 ], [ null, %47 ]
   tail call fastcc void @place(ptr noundef nonnull %0, ptr noundef %1)
-  %53 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
-  %54 = load i64, ptr %53, align 8
-  %55 = icmp sgt i64 %54, 0
-  br i1 %55, label %56, label %165
+  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
+  %55 = load i64, ptr %54, align 8
+  %56 = icmp sgt i64 %55, 0
+  br i1 %56, label %57, label %166
 
-56:                                               ; preds = %51
-  %57 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 28
-  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 25
-  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
-  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %61 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
-  %62 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
-  %63 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
-  %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
-  %65 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
-  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %67 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
-  %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
-  %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
-  %70 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 7
-  %71 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 8
-  %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
-  %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
-  %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
-  %75 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 12
-  %76 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 18
-  %77 = icmp ne ptr %52, null
-  br label %78
+57:                                               ; preds = %52
+  %58 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %61 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %62 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 1
+  %63 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 26
+  %64 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 2
+  %65 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 3
+  %66 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %67 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %68 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 4
+  %69 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 5
+  %70 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 6
+  %71 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 7
+  %72 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 8
+  %73 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 9
+  %74 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 10
+  %75 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 11
+  %76 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 12
+  %77 = getelementptr inbounds %struct.Search, ptr %8, i64 0, i32 18
+  %78 = icmp ne ptr %53, null
+  br label %79
 
-78:                                               ; preds = %56, %160
-  %79 = phi i64 [ %54, %56 ], [ %161, %160 ]
-  %80 = phi i32 [ 0, %56 ], [ %162, %160 ]
-  %81 = phi i64 [ 0, %56 ], [ %163, %160 ]
-  %82 = load i64, ptr %57, align 8
-  %83 = icmp sgt i64 %82, -1
-  br i1 %83, label %84, label %165
+79:                                               ; preds = %57, %161
+  %80 = phi i64 [ %55, %57 ], [ %162, %161 ]
+  %81 = phi i32 [ 0, %57 ], [ %163, %161 ]
+  %82 = phi i64 [ 0, %57 ], [ %164, %161 ]
+  %83 = load i64, ptr %58, align 8
+  %84 = icmp sgt i64 %83, -1
+  br i1 %84, label %85, label %166
 
-84:                                               ; preds = %78
-  %85 = load ptr, ptr %58, align 8
-  %86 = mul nsw i64 %81, 3
-  %87 = getelementptr inbounds i64, ptr %85, i64 %86
-  %88 = load ptr, ptr %59, align 8
-  %89 = shl nsw i64 %81, 2
-  %90 = getelementptr inbounds double, ptr %88, i64 %89
+85:                                               ; preds = %79
+  %86 = load ptr, ptr %59, align 8
+  %87 = mul nsw i64 %82, 3
+  %88 = getelementptr inbounds i64, ptr %86, i64 %87
+  %89 = load ptr, ptr %60, align 8
+  %90 = shl nsw i64 %82, 2
+  %91 = getelementptr inbounds double, ptr %89, i64 %90
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
-  %91 = getelementptr inbounds double, ptr %90, i64 3
-  %92 = load double, ptr %91, align 8
-  %93 = load ptr, ptr %60, align 8
-  %94 = load i64, ptr %87, align 8
-  %95 = mul nsw i64 %94, 12
-  %96 = getelementptr inbounds double, ptr %93, i64 %95
-  %97 = getelementptr inbounds double, ptr %90, i64 1
-  %98 = getelementptr inbounds double, ptr %90, i64 2
-  br label %99
+  %92 = getelementptr inbounds double, ptr %91, i64 3
+  %93 = load double, ptr %92, align 8
+  %94 = load ptr, ptr %61, align 8
+  %95 = load i64, ptr %88, align 8
+  %96 = mul nsw i64 %95, 12
+  %97 = getelementptr inbounds double, ptr %94, i64 %96
+  %98 = getelementptr inbounds double, ptr %91, i64 1
+  %99 = getelementptr inbounds double, ptr %91, i64 2
+  br label %100
 
-99:                                               ; preds = %99, %84
-  %100 = phi i64 [ 0, %84 ], [ %123, %99 ]
-  %101 = mul nuw nsw i64 %100, 3
-  %102 = getelementptr inbounds double, ptr %96, i64 %101
-  %103 = load double, ptr %102, align 8
-  %104 = load double, ptr %90, align 8
-  %105 = fmul double %103, %104
-  %106 = add nuw nsw i64 %101, 1
-  %107 = getelementptr inbounds double, ptr %96, i64 %106
-  %108 = load double, ptr %107, align 8
-  %109 = load double, ptr %97, align 8
-  %110 = fmul double %108, %109
-  %111 = fadd double %105, %110
-  %112 = add nuw nsw i64 %101, 2
-  %113 = getelementptr inbounds double, ptr %96, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = load double, ptr %98, align 8
-  %116 = fmul double %114, %115
-  %117 = fadd double %111, %116
-  %118 = add nuw nsw i64 %100, 9
-  %119 = getelementptr inbounds double, ptr %96, i64 %118
-  %120 = load double, ptr %119, align 8
-  %121 = fadd double %120, %117
-  %122 = getelementptr inbounds double, ptr %6, i64 %100
-  store double %121, ptr %122, align 8
-  %123 = add nuw nsw i64 %100, 1
-  %124 = icmp eq i64 %123, 3
-  br i1 %124, label %125, label %99
+100:                                              ; preds = %100, %85
+  %101 = phi i64 [ 0, %85 ], [ %124, %100 ]
+  %102 = mul nuw nsw i64 %101, 3
+  %103 = getelementptr inbounds double, ptr %97, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = load double, ptr %91, align 8
+  %106 = fmul double %104, %105
+  %107 = add nuw nsw i64 %102, 1
+  %108 = getelementptr inbounds double, ptr %97, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = load double, ptr %98, align 8
+  %111 = fmul double %109, %110
+  %112 = fadd double %106, %111
+  %113 = add nuw nsw i64 %102, 2
+  %114 = getelementptr inbounds double, ptr %97, i64 %113
+  %115 = load double, ptr %114, align 8
+  %116 = load double, ptr %99, align 8
+  %117 = fmul double %115, %116
+  %118 = fadd double %112, %117
+  %119 = add nuw nsw i64 %101, 9
+  %120 = getelementptr inbounds double, ptr %97, i64 %119
+  %121 = load double, ptr %120, align 8
+  %122 = fadd double %121, %118
+  %123 = getelementptr inbounds double, ptr %6, i64 %101
+  store double %122, ptr %123, align 8
+  %124 = add nuw nsw i64 %101, 1
+  %125 = icmp eq i64 %124, 3
+  br i1 %125, label %126, label %100
 
-125:                                              ; preds = %99
-  %126 = fadd double %92, %2
-  %127 = fmul double %126, %126
-  %128 = call fastcc i32 @is_near(ptr noundef nonnull %0, ptr noundef nonnull %6, double noundef %127, i64 noundef %82)
-  %129 = icmp eq i32 %128, 0
-  br i1 %129, label %160, label %130
+126:                                              ; preds = %100
+  %127 = fadd double %93, %2
+  %128 = fmul double %127, %127
+  %129 = call fastcc i32 @is_near(ptr noundef %0, ptr noundef nonnull %6, double noundef %128, i64 noundef %83)
+  %130 = icmp eq i32 %129, 0
+  br i1 %130, label %161, label %131
 
-130:                                              ; preds = %125
-  %131 = getelementptr inbounds i64, ptr %87, i64 1
-  %132 = getelementptr inbounds i64, ptr %87, i64 2
-  %133 = load i64, ptr %132, align 8
-  %134 = icmp sgt i64 %133, 0
-  br i1 %134, label %135, label %160
+131:                                              ; preds = %126
+  %132 = getelementptr inbounds i64, ptr %88, i64 1
+  %133 = getelementptr inbounds i64, ptr %88, i64 2
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp sgt i64 %134, 0
+  br i1 %135, label %136, label %161
 
-135:                                              ; preds = %130
-  %136 = load i64, ptr %131, align 8
-  br label %143
+136:                                              ; preds = %131
+  %137 = load i64, ptr %132, align 8
+  br label %144
 
-137:                                              ; preds = %143
-  %138 = add nsw i64 %145, 1
-  %139 = load i64, ptr %131, align 8
+138:                                              ; preds = %144
+  %139 = add nsw i64 %146, 1
   %140 = load i64, ptr %132, align 8
-  %141 = add nsw i64 %140, %139
-  %142 = icmp slt i64 %138, %141
-  br i1 %142, label %143, label %158
+  %141 = load i64, ptr %133, align 8
+  %142 = add nsw i64 %141, %140
+  %143 = icmp slt i64 %139, %142
+  br i1 %143, label %144, label %159
 
-143:                                              ; preds = %135, %137
-  %144 = phi i32 [ %154, %137 ], [ %80, %135 ]
-  %145 = phi i64 [ %138, %137 ], [ %136, %135 ]
+144:                                              ; preds = %136, %138
+  %145 = phi i32 [ %155, %138 ], [ %81, %136 ]
+  %146 = phi i64 [ %139, %138 ], [ %137, %136 ]
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #19
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %8) #19
   store ptr %0, ptr %8, align 8
-  %146 = load ptr, ptr %62, align 8
-  %147 = getelementptr inbounds i64, ptr %146, i64 %145
-  %148 = load i64, ptr %147, align 8
-  store i64 %148, ptr %61, align 8
-  store ptr %7, ptr %63, align 8
-  %149 = load ptr, ptr %65, align 8
-  %150 = load i64, ptr %66, align 8
-  %151 = mul nsw i64 %150, %145
-  %152 = getelementptr inbounds i64, ptr %149, i64 %151
-  store ptr %152, ptr %64, align 8
-  store i64 -1, ptr %67, align 8
-  store double %2, ptr %68, align 8
-  store ptr %52, ptr %69, align 8
-  store ptr %3, ptr %70, align 8
-  store i32 %144, ptr %71, align 8
-  store i64 -1, ptr %72, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %73, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %74, align 8
-  store double 0.000000e+00, ptr %76, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %75, i8 0, i64 36, i1 false)
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %148, ptr noundef nonnull %7)
-  %153 = load i64, ptr %57, align 8
-  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %153)
-  %154 = load i32, ptr %71, align 8
-  %155 = icmp ne i32 %154, 1
-  %156 = select i1 %77, i1 true, i1 %155
+  %147 = load ptr, ptr %63, align 8
+  %148 = getelementptr inbounds i64, ptr %147, i64 %146
+  %149 = load i64, ptr %148, align 8
+  store i64 %149, ptr %62, align 8
+  store ptr %7, ptr %64, align 8
+  %150 = load ptr, ptr %66, align 8
+  %151 = load i64, ptr %67, align 8
+  %152 = mul nsw i64 %151, %146
+  %153 = getelementptr inbounds i64, ptr %150, i64 %152
+  store ptr %153, ptr %65, align 8
+  store i64 -1, ptr %68, align 8
+  store double %2, ptr %69, align 8
+  store ptr %53, ptr %70, align 8
+  store ptr %3, ptr %71, align 8
+  store i32 %145, ptr %72, align 8
+  store i64 -1, ptr %73, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %74, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %75, align 8
+  store double 0.000000e+00, ptr %77, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %76, i8 0, i64 36, i1 false)
+  call fastcc void @core_of(ptr noundef %0, i64 noundef %149, ptr noundef nonnull %7)
+  %154 = load i64, ptr %58, align 8
+  call fastcc void @descend(ptr noundef nonnull %8, i64 noundef %154)
+  %155 = load i32, ptr %72, align 8
+  %156 = icmp ne i32 %155, 1
+  %157 = select i1 %78, i1 true, i1 %156
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %8) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #19
-  br i1 %156, label %137, label %157
+  br i1 %157, label %138, label %158
 
-157:                                              ; preds = %143
+158:                                              ; preds = %144
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
-  br label %249
+  br label %250
 
-158:                                              ; preds = %137
-  %159 = load i64, ptr %53, align 8
-  br label %160
+159:                                              ; preds = %138
+  %160 = load i64, ptr %54, align 8
+  br label %161
 
-160:                                              ; preds = %158, %130, %125
-  %161 = phi i64 [ %79, %125 ], [ %79, %130 ], [ %159, %158 ]
-  %162 = phi i32 [ %80, %125 ], [ %80, %130 ], [ %154, %158 ]
+161:                                              ; preds = %159, %131, %126
+  %162 = phi i64 [ %80, %126 ], [ %80, %131 ], [ %160, %159 ]
+  %163 = phi i32 [ %81, %126 ], [ %81, %131 ], [ %155, %159 ]
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
-  %163 = add nuw nsw i64 %81, 1
-  %164 = icmp slt i64 %163, %161
-  br i1 %164, label %78, label %165
+  %164 = add nuw nsw i64 %82, 1
+  %165 = icmp slt i64 %164, %162
+  br i1 %165, label %79, label %166
 
-165:                                              ; preds = %160, %78, %51
-  %166 = phi i32 [ 0, %51 ], [ %80, %78 ], [ %162, %160 ]
-  %167 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
-  %168 = load i64, ptr %167, align 8
-  %169 = icmp sgt i64 %168, 0
-  br i1 %169, label %170, label %249
+166:                                              ; preds = %161, %79, %52
+  %167 = phi i32 [ 0, %52 ], [ %81, %79 ], [ %163, %161 ]
+  %168 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 23
+  %169 = load i64, ptr %168, align 8
+  %170 = icmp sgt i64 %169, 0
+  br i1 %170, label %171, label %250
 
-170:                                              ; preds = %165
-  %171 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
-  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
-  %173 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %174 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
-  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %184 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  %185 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
-  %186 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
-  %187 = icmp eq ptr %52, null
-  br label %188
+171:                                              ; preds = %166
+  %172 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 24
+  %173 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %174 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %175 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %176 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %177 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %178 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 4
+  %179 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %180 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %181 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %182 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %183 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %184 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %185 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %186 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %187 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  %188 = icmp eq ptr %53, null
+  br label %189
 
-188:                                              ; preds = %170, %244
-  %189 = phi i64 [ %168, %170 ], [ %245, %244 ]
-  %190 = phi i32 [ %166, %170 ], [ %246, %244 ]
-  %191 = phi i64 [ 0, %170 ], [ %247, %244 ]
-  %192 = load ptr, ptr %171, align 8
-  %193 = mul nuw nsw i64 %191, 3
-  %194 = getelementptr inbounds i64, ptr %192, i64 %193
-  %195 = load i64, ptr %194, align 8
-  %196 = add nuw nsw i64 %193, 1
-  %197 = getelementptr inbounds i64, ptr %192, i64 %196
-  %198 = load i64, ptr %197, align 8
-  %199 = load ptr, ptr %172, align 8
-  %200 = mul nsw i64 %195, 3
-  %201 = getelementptr inbounds double, ptr %199, i64 %200
-  %202 = mul nsw i64 %198, 3
-  %203 = getelementptr inbounds double, ptr %199, i64 %202
-  %204 = load double, ptr %201, align 8
-  %205 = load double, ptr %203, align 8
-  %206 = fsub double %204, %205
-  %207 = getelementptr inbounds double, ptr %201, i64 1
-  %208 = load double, ptr %207, align 8
-  %209 = getelementptr inbounds double, ptr %203, i64 1
-  %210 = load double, ptr %209, align 8
-  %211 = fsub double %208, %210
-  %212 = getelementptr inbounds double, ptr %201, i64 2
-  %213 = load double, ptr %212, align 8
-  %214 = getelementptr inbounds double, ptr %203, i64 2
-  %215 = load double, ptr %214, align 8
-  %216 = fsub double %213, %215
-  %217 = load ptr, ptr %173, align 8
-  %218 = shl nsw i64 %195, 2
-  %219 = or i64 %218, 3
-  %220 = getelementptr inbounds double, ptr %217, i64 %219
-  %221 = load double, ptr %220, align 8
-  %222 = fadd double %221, %2
-  %223 = shl nsw i64 %198, 2
-  %224 = or i64 %223, 3
-  %225 = getelementptr inbounds double, ptr %217, i64 %224
-  %226 = load double, ptr %225, align 8
-  %227 = fadd double %222, %226
-  %228 = fmul double %206, %206
-  %229 = fmul double %211, %211
-  %230 = fadd double %228, %229
-  %231 = fmul double %216, %216
-  %232 = fadd double %230, %231
-  %233 = fmul double %227, %227
-  %234 = fcmp ogt double %232, %233
-  br i1 %234, label %244, label %235
+189:                                              ; preds = %171, %245
+  %190 = phi i64 [ %169, %171 ], [ %246, %245 ]
+  %191 = phi i32 [ %167, %171 ], [ %247, %245 ]
+  %192 = phi i64 [ 0, %171 ], [ %248, %245 ]
+  %193 = load ptr, ptr %172, align 8
+  %194 = mul nuw nsw i64 %192, 3
+  %195 = getelementptr inbounds i64, ptr %193, i64 %194
+  %196 = load i64, ptr %195, align 8
+  %197 = add nuw nsw i64 %194, 1
+  %198 = getelementptr inbounds i64, ptr %193, i64 %197
+  %199 = load i64, ptr %198, align 8
+  %200 = load ptr, ptr %173, align 8
+  %201 = mul nsw i64 %196, 3
+  %202 = getelementptr inbounds double, ptr %200, i64 %201
+  %203 = mul nsw i64 %199, 3
+  %204 = getelementptr inbounds double, ptr %200, i64 %203
+  %205 = load double, ptr %202, align 8
+  %206 = load double, ptr %204, align 8
+  %207 = fsub double %205, %206
+  %208 = getelementptr inbounds double, ptr %202, i64 1
+  %209 = load double, ptr %208, align 8
+  %210 = getelementptr inbounds double, ptr %204, i64 1
+  %211 = load double, ptr %210, align 8
+  %212 = fsub double %209, %211
+  %213 = getelementptr inbounds double, ptr %202, i64 2
+  %214 = load double, ptr %213, align 8
+  %215 = getelementptr inbounds double, ptr %204, i64 2
+  %216 = load double, ptr %215, align 8
+  %217 = fsub double %214, %216
+  %218 = load ptr, ptr %174, align 8
+  %219 = shl nsw i64 %196, 2
+  %220 = or i64 %219, 3
+  %221 = getelementptr inbounds double, ptr %218, i64 %220
+  %222 = load double, ptr %221, align 8
+  %223 = fadd double %222, %2
+  %224 = shl nsw i64 %199, 2
+  %225 = or i64 %224, 3
+  %226 = getelementptr inbounds double, ptr %218, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = fadd double %223, %227
+  %229 = fmul double %207, %207
+  %230 = fmul double %212, %212
+  %231 = fadd double %229, %230
+  %232 = fmul double %217, %217
+  %233 = fadd double %231, %232
+  %234 = fmul double %228, %228
+  %235 = fcmp ogt double %233, %234
+  br i1 %235, label %245, label %236
 
-235:                                              ; preds = %188
+236:                                              ; preds = %189
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #19
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %195, ptr noundef nonnull %9)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %196, ptr noundef nonnull %9)
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #19
   store ptr %0, ptr %10, align 8
-  store i64 %195, ptr %174, align 8
-  store ptr %9, ptr %175, align 8
-  store ptr null, ptr %176, align 8
-  %236 = add nuw nsw i64 %193, 2
-  %237 = getelementptr inbounds i64, ptr %192, i64 %236
-  %238 = load i64, ptr %237, align 8
-  store i64 %238, ptr %177, align 8
-  store double %2, ptr %178, align 8
-  store ptr %52, ptr %179, align 8
-  store ptr %3, ptr %180, align 8
-  store i32 %190, ptr %181, align 8
-  store i64 -1, ptr %182, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %183, i8 0, i64 32, i1 false)
-  store ptr %4, ptr %184, align 8
-  store double 0.000000e+00, ptr %186, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %185, i8 0, i64 36, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %198, ptr noundef null)
-  %239 = load i32, ptr %181, align 8
-  %240 = icmp eq i32 %239, 1
-  %241 = select i1 %187, i1 %240, i1 false
+  store i64 %196, ptr %175, align 8
+  store ptr %9, ptr %176, align 8
+  store ptr null, ptr %177, align 8
+  %237 = add nuw nsw i64 %194, 2
+  %238 = getelementptr inbounds i64, ptr %193, i64 %237
+  %239 = load i64, ptr %238, align 8
+  store i64 %239, ptr %178, align 8
+  store double %2, ptr %179, align 8
+  store ptr %53, ptr %180, align 8
+  store ptr %3, ptr %181, align 8
+  store i32 %191, ptr %182, align 8
+  store i64 -1, ptr %183, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %184, i8 0, i64 32, i1 false)
+  store ptr %4, ptr %185, align 8
+  store double 0.000000e+00, ptr %187, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %186, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %199, ptr noundef null)
+  %240 = load i32, ptr %182, align 8
+  %241 = icmp eq i32 %240, 1
+  %242 = select i1 %188, i1 %241, i1 false
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #19
-  br i1 %241, label %249, label %242
+  br i1 %242, label %250, label %243
 
-242:                                              ; preds = %235
-  %243 = load i64, ptr %167, align 8
-  br label %244
+243:                                              ; preds = %236
+  %244 = load i64, ptr %168, align 8
+  br label %245
 
-244:                                              ; preds = %242, %188
-  %245 = phi i64 [ %189, %188 ], [ %243, %242 ]
-  %246 = phi i32 [ %190, %188 ], [ %239, %242 ]
-  %247 = add nuw nsw i64 %191, 1
-  %248 = icmp slt i64 %247, %245
-  br i1 %248, label %188, label %249
+245:                                              ; preds = %243, %189
+  %246 = phi i64 [ %190, %189 ], [ %244, %243 ]
+  %247 = phi i32 [ %191, %189 ], [ %240, %243 ]
+  %248 = add nuw nsw i64 %192, 1
+  %249 = icmp slt i64 %248, %246
+  br i1 %249, label %189, label %250
 
-249:                                              ; preds = %235, %244, %37, %18, %165, %15, %157
-  %250 = phi i32 [ 1, %157 ], [ 2, %15 ], [ %166, %165 ], [ 2, %18 ], [ 2, %37 ], [ 1, %235 ], [ %246, %244 ]
-  ret i32 %250
+250:                                              ; preds = %236, %245, %38, %19, %166, %16, %158
+  %251 = phi i32 [ 1, %158 ], [ 2, %16 ], [ %167, %166 ], [ 2, %19 ], [ 2, %38 ], [ 1, %236 ], [ %247, %245 ]
+  ret i32 %251
 }
 
 define dso_local void @manipplan_check(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
   %6 = icmp sgt i64 %2, 0
-  br i1 %6, label %8, label %7
+  br i1 %6, label %7, label %9
 
-7:                                                ; preds = %8, %5
+7:                                                ; preds = %5
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  br label %10
+
+9:                                                ; preds = %10, %5
   ret void
 
-8:                                                ; preds = %5, %8
-  %9 = phi i64 [ %16, %8 ], [ 0, %5 ]
-  %10 = load i64, ptr %0, align 8
-  %11 = mul nsw i64 %10, %9
-  %12 = getelementptr inbounds double, ptr %1, i64 %11
-  %13 = tail call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %12, double noundef %3, ptr noundef null, ptr noundef null)
-  %14 = trunc i32 %13 to i8
-  %15 = getelementptr inbounds i8, ptr %4, i64 %9
-  store i8 %14, ptr %15, align 1
-  %16 = add nuw nsw i64 %9, 1
-  %17 = icmp eq i64 %16, %2
-  br i1 %17, label %7, label %8
+10:                                               ; preds = %7, %10
+  %11 = phi i64 [ 0, %7 ], [ %18, %10 ]
+  %12 = load i64, ptr %8, align 8
+  %13 = mul nsw i64 %12, %11
+  %14 = getelementptr inbounds double, ptr %1, i64 %13
+  %15 = tail call fastcc i32 @examine(ptr noundef %0, ptr noundef %14, double noundef %3, ptr noundef null, ptr noundef null)
+  %16 = trunc i32 %15 to i8
+  %17 = getelementptr inbounds i8, ptr %4, i64 %11
+  store i8 %16, ptr %17, align 1
+  %18 = add nuw nsw i64 %11, 1
+  %19 = icmp eq i64 %18, %2
+  br i1 %19, label %9, label %10
 }
 
 declare void @llvm.lifetime.start.p0(i64 immarg, ptr nocapture) #1
@@ -409,17 +414,17 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
   br i1 %7, label %25, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %10 = load i64, ptr %9, align 8
   %11 = icmp sgt i64 %10, 0
   br i1 %11, label %12, label %14
 
 12:                                               ; preds = %8
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   br label %17
 
 14:                                               ; preds = %17, %8
-  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   %16 = load ptr, ptr %15, align 8
   br label %25
 
@@ -437,70 +442,71 @@ define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef
 25:                                               ; preds = %5, %14
   %26 = phi ptr [ %16, %14 ], [ null, %5 ]
   %27 = icmp sgt i64 %2, 0
-  br i1 %27, label %28, label %32
+  br i1 %27, label %28, label %33
 
 28:                                               ; preds = %25
-  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
-  br label %33
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  br label %34
 
-32:                                               ; preds = %56, %25
+33:                                               ; preds = %57, %25
   ret void
 
-33:                                               ; preds = %28, %56
-  %34 = phi i64 [ 0, %28 ], [ %57, %56 ]
-  %35 = phi ptr [ %4, %28 ], [ %58, %56 ]
+34:                                               ; preds = %28, %57
+  %35 = phi i64 [ 0, %28 ], [ %58, %57 ]
+  %36 = phi ptr [ %4, %28 ], [ %59, %57 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #19
   store i64 0, ptr %6, align 8
-  %36 = load i64, ptr %0, align 8
-  %37 = mul nsw i64 %36, %34
-  %38 = getelementptr inbounds double, ptr %1, i64 %37
-  %39 = getelementptr inbounds double, ptr %3, i64 %34
-  %40 = load double, ptr %39, align 8
-  %41 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %38, double noundef %40, ptr noundef nonnull %6, ptr noundef %26)
-  %42 = load i64, ptr %29, align 8
-  %43 = icmp sgt i64 %42, 0
-  br i1 %43, label %50, label %44
+  %37 = load i64, ptr %29, align 8
+  %38 = mul nsw i64 %37, %35
+  %39 = getelementptr inbounds double, ptr %1, i64 %38
+  %40 = getelementptr inbounds double, ptr %3, i64 %35
+  %41 = load double, ptr %40, align 8
+  %42 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %39, double noundef %41, ptr noundef nonnull %6, ptr noundef %26)
+  %43 = load i64, ptr %30, align 8
+  %44 = icmp sgt i64 %43, 0
+  br i1 %44, label %51, label %45
 
-44:                                               ; preds = %50, %33
-  %45 = load i64, ptr %6, align 8
-  %46 = icmp sgt i64 %45, 0
-  br i1 %46, label %47, label %56
+45:                                               ; preds = %51, %34
+  %46 = load i64, ptr %6, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %57
 
-47:                                               ; preds = %44
-  %48 = load ptr, ptr %30, align 8
+48:                                               ; preds = %45
   %49 = load ptr, ptr %31, align 8
-  br label %60
+  %50 = load ptr, ptr %32, align 8
+  br label %61
 
-50:                                               ; preds = %33, %50
-  %51 = phi i64 [ %54, %50 ], [ 0, %33 ]
-  %52 = load double, ptr %39, align 8
-  %53 = getelementptr inbounds double, ptr %35, i64 %51
-  store double %52, ptr %53, align 8
-  %54 = add nuw nsw i64 %51, 1
-  %55 = icmp eq i64 %54, %42
-  br i1 %55, label %44, label %50
+51:                                               ; preds = %34, %51
+  %52 = phi i64 [ %55, %51 ], [ 0, %34 ]
+  %53 = load double, ptr %40, align 8
+  %54 = getelementptr inbounds double, ptr %36, i64 %52
+  store double %53, ptr %54, align 8
+  %55 = add nuw nsw i64 %52, 1
+  %56 = icmp eq i64 %55, %43
+  br i1 %56, label %45, label %51
 
-56:                                               ; preds = %60, %44
+57:                                               ; preds = %61, %45
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #19
-  %57 = add nuw nsw i64 %34, 1
-  %58 = getelementptr inbounds double, ptr %35, i64 %42
-  %59 = icmp eq i64 %57, %2
-  br i1 %59, label %32, label %33
+  %58 = add nuw nsw i64 %35, 1
+  %59 = getelementptr inbounds double, ptr %36, i64 %43
+  %60 = icmp eq i64 %58, %2
+  br i1 %60, label %33, label %34
 
-60:                                               ; preds = %47, %60
-  %61 = phi i64 [ 0, %47 ], [ %67, %60 ]
-  %62 = getelementptr inbounds i64, ptr %49, i64 %61
-  %63 = load i64, ptr %62, align 8
-  %64 = getelementptr inbounds double, ptr %48, i64 %63
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr inbounds double, ptr %35, i64 %63
-  store double %65, ptr %66, align 8
-  store double 0x7FF0000000000000, ptr %64, align 8
-  %67 = add nuw nsw i64 %61, 1
-  %68 = icmp eq i64 %67, %45
-  br i1 %68, label %56, label %60
+61:                                               ; preds = %48, %61
+  %62 = phi i64 [ 0, %48 ], [ %68, %61 ]
+  %63 = getelementptr inbounds i64, ptr %50, i64 %62
+  %64 = load i64, ptr %63, align 8
+  %65 = getelementptr inbounds double, ptr %49, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds double, ptr %36, i64 %64
+  store double %66, ptr %67, align 8
+  store double 0x7FF0000000000000, ptr %65, align 8
+  %68 = add nuw nsw i64 %62, 1
+  %69 = icmp eq i64 %68, %46
+  br i1 %69, label %57, label %61
 }
 
 define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, i64 noundef %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
@@ -509,17 +515,17 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
   br i1 %9, label %27, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
   %12 = load i64, ptr %11, align 8
   %13 = icmp sgt i64 %12, 0
   br i1 %13, label %14, label %16
 
 14:                                               ; preds = %10
-  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   br label %19
 
 16:                                               ; preds = %19, %10
-  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   %18 = load ptr, ptr %17, align 8
   br label %27
 
@@ -537,72 +543,73 @@ define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef reado
 27:                                               ; preds = %7, %16
   %28 = phi ptr [ %18, %16 ], [ null, %7 ]
   %29 = icmp sgt i64 %2, 0
-  br i1 %29, label %30, label %34
+  br i1 %29, label %30, label %35
 
 30:                                               ; preds = %27
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 27
-  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  br label %36
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  br label %37
 
-34:                                               ; preds = %50, %27
-  %35 = phi i64 [ 0, %27 ], [ %51, %50 ]
-  ret i64 %35
+35:                                               ; preds = %51, %27
+  %36 = phi i64 [ 0, %27 ], [ %52, %51 ]
+  ret i64 %36
 
-36:                                               ; preds = %30, %50
-  %37 = phi i64 [ 0, %30 ], [ %51, %50 ]
-  %38 = phi i64 [ 0, %30 ], [ %52, %50 ]
+37:                                               ; preds = %30, %51
+  %38 = phi i64 [ 0, %30 ], [ %52, %51 ]
+  %39 = phi i64 [ 0, %30 ], [ %53, %51 ]
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
   store i64 0, ptr %8, align 8
-  %39 = load i64, ptr %0, align 8
-  %40 = mul nsw i64 %39, %38
-  %41 = getelementptr inbounds double, ptr %1, i64 %40
-  %42 = getelementptr inbounds double, ptr %3, i64 %38
-  %43 = load double, ptr %42, align 8
-  %44 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %41, double noundef %43, ptr noundef nonnull %8, ptr noundef %28)
-  %45 = load i64, ptr %8, align 8
-  %46 = icmp sgt i64 %45, 0
-  br i1 %46, label %47, label %50
+  %40 = load i64, ptr %31, align 8
+  %41 = mul nsw i64 %40, %39
+  %42 = getelementptr inbounds double, ptr %1, i64 %41
+  %43 = getelementptr inbounds double, ptr %3, i64 %39
+  %44 = load double, ptr %43, align 8
+  %45 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %42, double noundef %44, ptr noundef nonnull %8, ptr noundef %28)
+  %46 = load i64, ptr %8, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %51
 
-47:                                               ; preds = %36
-  %48 = load ptr, ptr %31, align 8
-  %49 = load ptr, ptr %33, align 8
-  br label %54
+48:                                               ; preds = %37
+  %49 = load ptr, ptr %32, align 8
+  %50 = load ptr, ptr %34, align 8
+  br label %55
 
-50:                                               ; preds = %68, %36
-  %51 = phi i64 [ %37, %36 ], [ %71, %68 ]
+51:                                               ; preds = %69, %37
+  %52 = phi i64 [ %38, %37 ], [ %72, %69 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
-  %52 = add nuw nsw i64 %38, 1
-  %53 = icmp eq i64 %52, %2
-  br i1 %53, label %34, label %36
+  %53 = add nuw nsw i64 %39, 1
+  %54 = icmp eq i64 %53, %2
+  br i1 %54, label %35, label %37
 
-54:                                               ; preds = %47, %68
-  %55 = phi i64 [ %37, %47 ], [ %71, %68 ]
-  %56 = phi i64 [ 0, %47 ], [ %70, %68 ]
-  %57 = getelementptr inbounds i64, ptr %48, i64 %56
-  %58 = load i64, ptr %57, align 8
-  %59 = icmp slt i64 %55, %4
-  br i1 %59, label %60, label %68
+55:                                               ; preds = %48, %69
+  %56 = phi i64 [ %38, %48 ], [ %72, %69 ]
+  %57 = phi i64 [ 0, %48 ], [ %71, %69 ]
+  %58 = getelementptr inbounds i64, ptr %49, i64 %57
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp slt i64 %56, %4
+  br i1 %60, label %61, label %69
 
-60:                                               ; preds = %54
-  %61 = load i64, ptr %32, align 8
-  %62 = mul nsw i64 %61, %38
-  %63 = add nsw i64 %62, %58
-  %64 = getelementptr inbounds i64, ptr %5, i64 %55
-  store i64 %63, ptr %64, align 8
-  %65 = getelementptr inbounds double, ptr %49, i64 %58
-  %66 = load double, ptr %65, align 8
-  %67 = getelementptr inbounds double, ptr %6, i64 %55
-  store double %66, ptr %67, align 8
-  br label %68
+61:                                               ; preds = %55
+  %62 = load i64, ptr %33, align 8
+  %63 = mul nsw i64 %62, %39
+  %64 = add nsw i64 %63, %59
+  %65 = getelementptr inbounds i64, ptr %5, i64 %56
+  store i64 %64, ptr %65, align 8
+  %66 = getelementptr inbounds double, ptr %50, i64 %59
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds double, ptr %6, i64 %56
+  store double %67, ptr %68, align 8
+  br label %69
 
-68:                                               ; preds = %60, %54
-  %69 = getelementptr inbounds double, ptr %49, i64 %58
-  store double 0x7FF0000000000000, ptr %69, align 8
-  %70 = add nuw nsw i64 %56, 1
-  %71 = add nsw i64 %55, 1
-  %72 = icmp eq i64 %70, %45
-  br i1 %72, label %50, label %54
+69:                                               ; preds = %61, %55
+  %70 = getelementptr inbounds double, ptr %50, i64 %59
+  store double 0x7FF0000000000000, ptr %70, align 8
+  %71 = add nuw nsw i64 %57, 1
+  %72 = add nsw i64 %56, 1
+  %73 = icmp eq i64 %71, %46
+  br i1 %73, label %51, label %55
 }
 
 define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, i64 noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7) local_unnamed_addr #0 {
@@ -611,123 +618,124 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   store i64 0, ptr %6, align 8
   store i64 -1, ptr %7, align 8
   %10 = icmp sgt i64 %2, 0
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
-  br label %13
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  br label %14
 
-13:                                               ; preds = %77, %8
-  %14 = phi i1 [ true, %8 ], [ false, %77 ]
-  %15 = phi i32 [ 0, %8 ], [ 1, %77 ]
-  br i1 %10, label %16, label %76
+14:                                               ; preds = %78, %8
+  %15 = phi i1 [ true, %8 ], [ false, %78 ]
+  %16 = phi i32 [ 0, %8 ], [ 1, %78 ]
+  br i1 %10, label %17, label %77
 
-16:                                               ; preds = %13, %69
-  %17 = phi i1 [ %71, %69 ], [ true, %13 ]
-  %18 = phi i64 [ %70, %69 ], [ 0, %13 ]
-  %19 = srem i64 %18, %4
-  %20 = icmp ne i64 %19, 0
-  %21 = zext i1 %20 to i32
-  %22 = icmp eq i32 %15, %21
-  br i1 %22, label %23, label %69
+17:                                               ; preds = %14, %70
+  %18 = phi i1 [ %72, %70 ], [ true, %14 ]
+  %19 = phi i64 [ %71, %70 ], [ 0, %14 ]
+  %20 = srem i64 %19, %4
+  %21 = icmp ne i64 %20, 0
+  %22 = zext i1 %21 to i32
+  %23 = icmp eq i32 %16, %22
+  br i1 %23, label %24, label %70
 
-23:                                               ; preds = %16
+24:                                               ; preds = %17
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
   store i64 0, ptr %9, align 8
-  %24 = load double, ptr %5, align 8
-  %25 = load i64, ptr %0, align 8
-  %26 = mul nsw i64 %25, %18
-  %27 = getelementptr inbounds double, ptr %1, i64 %26
-  %28 = fadd double %24, 1.000000e-09
-  %29 = call fastcc i32 @examine(ptr noundef nonnull %0, ptr noundef %27, double noundef %28, ptr noundef nonnull %9, ptr noundef null)
-  %30 = load i64, ptr %9, align 8
-  %31 = icmp sgt i64 %30, 0
-  br i1 %31, label %33, label %32
+  %25 = load double, ptr %5, align 8
+  %26 = load i64, ptr %11, align 8
+  %27 = mul nsw i64 %26, %19
+  %28 = getelementptr inbounds double, ptr %1, i64 %27
+  %29 = fadd double %25, 1.000000e-09
+  %30 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %28, double noundef %29, ptr noundef nonnull %9, ptr noundef null)
+  %31 = load i64, ptr %9, align 8
+  %32 = icmp sgt i64 %31, 0
+  br i1 %32, label %34, label %33
 
-32:                                               ; preds = %23
+33:                                               ; preds = %24
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
-  br label %69
+  br label %70
 
-33:                                               ; preds = %23
-  %34 = load ptr, ptr %11, align 8
+34:                                               ; preds = %24
   %35 = load ptr, ptr %12, align 8
-  %36 = load i64, ptr %7, align 8
-  br label %39
+  %36 = load ptr, ptr %13, align 8
+  %37 = load i64, ptr %7, align 8
+  br label %40
 
-37:                                               ; preds = %65
-  %38 = icmp eq i32 %48, 0
+38:                                               ; preds = %66
+  %39 = icmp eq i32 %49, 0
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
-  br i1 %38, label %73, label %69
+  br i1 %39, label %74, label %70
 
-39:                                               ; preds = %33, %65
-  %40 = phi i64 [ %36, %33 ], [ %66, %65 ]
-  %41 = phi i64 [ 0, %33 ], [ %67, %65 ]
-  %42 = phi i32 [ 1, %33 ], [ %48, %65 ]
-  %43 = getelementptr inbounds i64, ptr %34, i64 %41
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr inbounds double, ptr %35, i64 %44
-  %46 = load double, ptr %45, align 8
-  store double 0x7FF0000000000000, ptr %45, align 8
-  %47 = fcmp uno double %46, 0.000000e+00
-  %48 = select i1 %47, i32 0, i32 %42
-  %49 = icmp sgt i64 %40, -1
-  br i1 %49, label %50, label %57
+40:                                               ; preds = %34, %66
+  %41 = phi i64 [ %37, %34 ], [ %67, %66 ]
+  %42 = phi i64 [ 0, %34 ], [ %68, %66 ]
+  %43 = phi i32 [ 1, %34 ], [ %49, %66 ]
+  %44 = getelementptr inbounds i64, ptr %35, i64 %42
+  %45 = load i64, ptr %44, align 8
+  %46 = getelementptr inbounds double, ptr %36, i64 %45
+  %47 = load double, ptr %46, align 8
+  store double 0x7FF0000000000000, ptr %46, align 8
+  %48 = fcmp uno double %47, 0.000000e+00
+  %49 = select i1 %48, i32 0, i32 %43
+  %50 = icmp sgt i64 %41, -1
+  br i1 %50, label %51, label %58
 
-50:                                               ; preds = %39
-  %51 = load i64, ptr %6, align 8
-  %52 = icmp slt i64 %18, %51
-  br i1 %52, label %57, label %53
+51:                                               ; preds = %40
+  %52 = load i64, ptr %6, align 8
+  %53 = icmp slt i64 %19, %52
+  br i1 %53, label %58, label %54
 
-53:                                               ; preds = %50
-  %54 = icmp eq i64 %18, %51
-  %55 = icmp slt i64 %44, %40
-  %56 = select i1 %54, i1 %55, i1 false
-  br label %57
+54:                                               ; preds = %51
+  %55 = icmp eq i64 %19, %52
+  %56 = icmp slt i64 %45, %41
+  %57 = select i1 %55, i1 %56, i1 false
+  br label %58
 
-57:                                               ; preds = %53, %50, %39
-  %58 = phi i1 [ false, %39 ], [ true, %50 ], [ %56, %53 ]
-  %59 = load double, ptr %5, align 8
-  %60 = fcmp olt double %46, %59
-  %61 = fcmp oeq double %46, %59
-  %62 = select i1 %61, i1 %58, i1 false
-  %63 = select i1 %60, i1 true, i1 %62
-  br i1 %63, label %64, label %65
+58:                                               ; preds = %54, %51, %40
+  %59 = phi i1 [ false, %40 ], [ true, %51 ], [ %57, %54 ]
+  %60 = load double, ptr %5, align 8
+  %61 = fcmp olt double %47, %60
+  %62 = fcmp oeq double %47, %60
+  %63 = select i1 %62, i1 %59, i1 false
+  %64 = select i1 %61, i1 true, i1 %63
+  br i1 %64, label %65, label %66
 
-64:                                               ; preds = %57
-  store double %46, ptr %5, align 8
-  store i64 %18, ptr %6, align 8
-  store i64 %44, ptr %7, align 8
-  br label %65
+65:                                               ; preds = %58
+  store double %47, ptr %5, align 8
+  store i64 %19, ptr %6, align 8
+  store i64 %45, ptr %7, align 8
+  br label %66
 
-65:                                               ; preds = %57, %64
-  %66 = phi i64 [ %40, %57 ], [ %44, %64 ]
-  %67 = add nuw nsw i64 %41, 1
-  %68 = icmp eq i64 %67, %30
-  br i1 %68, label %37, label %39
+66:                                               ; preds = %58, %65
+  %67 = phi i64 [ %41, %58 ], [ %45, %65 ]
+  %68 = add nuw nsw i64 %42, 1
+  %69 = icmp eq i64 %68, %31
+  br i1 %69, label %38, label %40
 
-69:                                               ; preds = %32, %37, %16
-  %70 = add nuw nsw i64 %18, 1
-  %71 = icmp slt i64 %70, %2
-  %72 = icmp eq i64 %70, %2
-  br i1 %72, label %76, label %16
+70:                                               ; preds = %33, %38, %17
+  %71 = add nuw nsw i64 %19, 1
+  %72 = icmp slt i64 %71, %2
+  %73 = icmp eq i64 %71, %2
+  br i1 %73, label %77, label %17
 
-73:                                               ; preds = %37
-  %74 = xor i1 %14, true
-  %75 = or i1 %17, %74
-  br i1 %75, label %78, label %77
+74:                                               ; preds = %38
+  %75 = xor i1 %15, true
+  %76 = or i1 %18, %75
+  br i1 %76, label %79, label %78
 
-76:                                               ; preds = %69, %13
-  br i1 %14, label %77, label %81
+77:                                               ; preds = %70, %14
+  br i1 %15, label %78, label %82
 
-77:                                               ; preds = %76, %73
-  br label %13
+78:                                               ; preds = %77, %74
+  br label %14
 
-78:                                               ; preds = %73
-  %79 = xor i1 %17, true
-  %80 = zext i1 %79 to i32
-  br label %81
+79:                                               ; preds = %74
+  %80 = xor i1 %18, true
+  %81 = zext i1 %80 to i32
+  br label %82
 
-81:                                               ; preds = %76, %78
-  %82 = phi i32 [ %80, %78 ], [ 1, %76 ]
-  ret i32 %82
+82:                                               ; preds = %77, %79
+  %83 = phi i32 [ %81, %79 ], [ 1, %77 ]
+  ret i32 %83
 }
 
 define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
@@ -738,135 +746,136 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %11) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %11, i8 0, i64 176, i1 false)
   %12 = icmp sgt i64 %2, 0
-  br i1 %12, label %13, label %26
+  br i1 %12, label %13, label %27
 
 13:                                               ; preds = %7
-  %14 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
-  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
-  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
-  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
-  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
-  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
-  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
-  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
-  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
-  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
-  %24 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
-  %25 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
-  br label %27
+  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %15 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 1
+  %16 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 2
+  %17 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 3
+  %18 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 5
+  %19 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 6
+  %20 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 7
+  %21 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 8
+  %22 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 9
+  %23 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 10
+  %24 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 11
+  %25 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 12
+  %26 = getelementptr inbounds %struct.Search, ptr %10, i64 0, i32 18
+  br label %28
 
-26:                                               ; preds = %82, %7
+27:                                               ; preds = %83, %7
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %11) #19
   ret void
 
-27:                                               ; preds = %13, %82
-  %28 = phi i64 [ 0, %13 ], [ %85, %82 ]
-  %29 = shl nuw nsw i64 %28, 1
-  %30 = getelementptr inbounds i64, ptr %3, i64 %29
-  %31 = load i64, ptr %30, align 8
-  %32 = or i64 %29, 1
-  %33 = getelementptr inbounds i64, ptr %3, i64 %32
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp eq i64 %28, 0
-  br i1 %35, label %57, label %36
+28:                                               ; preds = %13, %83
+  %29 = phi i64 [ 0, %13 ], [ %86, %83 ]
+  %30 = shl nuw nsw i64 %29, 1
+  %31 = getelementptr inbounds i64, ptr %3, i64 %30
+  %32 = load i64, ptr %31, align 8
+  %33 = or i64 %30, 1
+  %34 = getelementptr inbounds i64, ptr %3, i64 %33
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp eq i64 %29, 0
+  br i1 %36, label %58, label %37
 
-36:                                               ; preds = %27
-  %37 = add nsw i64 %29, -2
-  %38 = getelementptr inbounds i64, ptr %3, i64 %37
-  %39 = load i64, ptr %38, align 8
-  %40 = icmp eq i64 %31, %39
-  br i1 %40, label %41, label %46
+37:                                               ; preds = %28
+  %38 = add nsw i64 %30, -2
+  %39 = getelementptr inbounds i64, ptr %3, i64 %38
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp eq i64 %32, %40
+  br i1 %41, label %42, label %47
 
-41:                                               ; preds = %36
-  %42 = add nsw i64 %29, -1
-  %43 = getelementptr inbounds i64, ptr %3, i64 %42
-  %44 = load i64, ptr %43, align 8
-  %45 = icmp eq i64 %34, %44
-  br i1 %45, label %47, label %46
+42:                                               ; preds = %37
+  %43 = add nsw i64 %30, -1
+  %44 = getelementptr inbounds i64, ptr %3, i64 %43
+  %45 = load i64, ptr %44, align 8
+  %46 = icmp eq i64 %35, %45
+  br i1 %46, label %48, label %47
 
-46:                                               ; preds = %41, %36
+47:                                               ; preds = %42, %37
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %11, i8 0, i64 176, i1 false)
-  br label %47
+  br label %48
 
-47:                                               ; preds = %41, %46
-  %48 = load i64, ptr %0, align 8
-  %49 = mul nsw i64 %48, %28
-  %50 = getelementptr inbounds double, ptr %1, i64 %49
-  %51 = add nsw i64 %28, -1
-  %52 = mul nsw i64 %48, %51
-  %53 = getelementptr inbounds double, ptr %1, i64 %52
-  %54 = shl i64 %48, 3
-  %55 = call i32 @bcmp(ptr %50, ptr %53, i64 %54)
-  %56 = icmp eq i32 %55, 0
-  br i1 %56, label %62, label %57
+48:                                               ; preds = %42, %47
+  %49 = load i64, ptr %14, align 8
+  %50 = mul nsw i64 %49, %29
+  %51 = getelementptr inbounds double, ptr %1, i64 %50
+  %52 = add nsw i64 %29, -1
+  %53 = mul nsw i64 %49, %52
+  %54 = getelementptr inbounds double, ptr %1, i64 %53
+  %55 = shl i64 %49, 3
+  %56 = call i32 @bcmp(ptr %51, ptr %54, i64 %55)
+  %57 = icmp eq i32 %56, 0
+  br i1 %57, label %63, label %58
 
-57:                                               ; preds = %27, %47
-  %58 = phi i64 [ %49, %47 ], [ 0, %27 ]
-  %59 = getelementptr inbounds double, ptr %1, i64 %58
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %59)
-  %60 = load i64, ptr %0, align 8
-  %61 = mul nsw i64 %60, %28
-  br label %62
+58:                                               ; preds = %28, %48
+  %59 = phi i64 [ %50, %48 ], [ 0, %28 ]
+  %60 = getelementptr inbounds double, ptr %1, i64 %59
+  call fastcc void @place(ptr noundef %0, ptr noundef %60)
+  %61 = load i64, ptr %14, align 8
+  %62 = mul nsw i64 %61, %29
+  br label %63
 
-62:                                               ; preds = %57, %47
-  %63 = phi i64 [ %61, %57 ], [ %49, %47 ]
-  %64 = getelementptr inbounds double, ptr %1, i64 %63
-  %65 = getelementptr inbounds double, ptr %4, i64 %28
-  %66 = load double, ptr %65, align 8
-  %67 = getelementptr inbounds i64, ptr %6, i64 %28
+63:                                               ; preds = %58, %48
+  %64 = phi i64 [ %62, %58 ], [ %50, %48 ]
+  %65 = getelementptr inbounds double, ptr %1, i64 %64
+  %66 = getelementptr inbounds double, ptr %4, i64 %29
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds i64, ptr %6, i64 %29
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
-  store double %66, ptr %8, align 8
-  store i64 -1, ptr %67, align 8
-  %68 = load i64, ptr %0, align 8
-  %69 = icmp sgt i64 %68, 0
-  br i1 %69, label %73, label %79
+  store double %67, ptr %8, align 8
+  store i64 -1, ptr %68, align 8
+  %69 = load i64, ptr %14, align 8
+  %70 = icmp sgt i64 %69, 0
+  br i1 %70, label %74, label %80
 
-70:                                               ; preds = %73
-  %71 = add nuw nsw i64 %74, 1
-  %72 = icmp eq i64 %71, %68
-  br i1 %72, label %79, label %73
+71:                                               ; preds = %74
+  %72 = add nuw nsw i64 %75, 1
+  %73 = icmp eq i64 %72, %69
+  br i1 %73, label %80, label %74
 
-73:                                               ; preds = %62, %70
-  %74 = phi i64 [ %71, %70 ], [ 0, %62 ]
-  %75 = getelementptr inbounds double, ptr %64, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = call double @llvm.fabs.f64(double %76) #18
-  %78 = fcmp ueq double %77, 0x7FF0000000000000
-  br i1 %78, label %82, label %70
+74:                                               ; preds = %63, %71
+  %75 = phi i64 [ %72, %71 ], [ 0, %63 ]
+  %76 = getelementptr inbounds double, ptr %65, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = call double @llvm.fabs.f64(double %77) #18
+  %79 = fcmp ueq double %78, 0x7FF0000000000000
+  br i1 %79, label %83, label %71
 
-79:                                               ; preds = %70, %62
+80:                                               ; preds = %71, %63
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #19
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %31, ptr noundef nonnull %9)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %32, ptr noundef nonnull %9)
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #19
   store ptr %0, ptr %10, align 8
-  store i64 %31, ptr %14, align 8
-  store ptr %9, ptr %15, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %16, i8 0, i64 16, i1 false)
-  store double %66, ptr %17, align 8
-  store ptr %8, ptr %18, align 8
-  store ptr null, ptr %19, align 8
-  store i32 0, ptr %20, align 8
-  store i64 -1, ptr %21, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %22, i8 0, i64 32, i1 false)
-  store ptr %11, ptr %23, align 8
-  store double 0.000000e+00, ptr %25, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %24, i8 0, i64 36, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %34, ptr noundef null)
-  %80 = load i64, ptr %21, align 8
-  store i64 %80, ptr %67, align 8
-  %81 = load double, ptr %8, align 8
+  store i64 %32, ptr %15, align 8
+  store ptr %9, ptr %16, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %17, i8 0, i64 16, i1 false)
+  store double %67, ptr %18, align 8
+  store ptr %8, ptr %19, align 8
+  store ptr null, ptr %20, align 8
+  store i32 0, ptr %21, align 8
+  store i64 -1, ptr %22, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %23, i8 0, i64 32, i1 false)
+  store ptr %11, ptr %24, align 8
+  store double 0.000000e+00, ptr %26, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %25, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %10, i64 noundef %35, ptr noundef null)
+  %81 = load i64, ptr %22, align 8
+  store i64 %81, ptr %68, align 8
+  %82 = load double, ptr %8, align 8
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #19
-  br label %82
+  br label %83
 
-82:                                               ; preds = %73, %79
-  %83 = phi double [ %81, %79 ], [ 0x7FF8000000000000, %73 ]
+83:                                               ; preds = %74, %80
+  %84 = phi double [ %82, %80 ], [ 0x7FF8000000000000, %74 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
-  %84 = getelementptr inbounds double, ptr %5, i64 %28
-  store double %83, ptr %84, align 8
-  %85 = add nuw nsw i64 %28, 1
-  %86 = icmp eq i64 %85, %2
-  br i1 %86, label %26, label %27
+  %85 = getelementptr inbounds double, ptr %5, i64 %29
+  store double %84, ptr %85, align 8
+  %86 = add nuw nsw i64 %29, 1
+  %87 = icmp eq i64 %86, %2
+  br i1 %87, label %27, label %28
 }
 
 declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
@@ -874,312 +883,324 @@ declare void @llvm.memset.p0.i64(ptr nocapture writeonly, i8, i64, i1 immarg) #2
 define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #3 {
   %3 = alloca [12 x double], align 16
   %4 = alloca [12 x double], align 16
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %6 = load ptr, ptr %5, align 8
   tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(96) %6, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
   %7 = load i64, ptr %0, align 8
   %8 = icmp sgt i64 %7, 0
-  br i1 %8, label %9, label %29
+  br i1 %8, label %9, label %35
 
 9:                                                ; preds = %2
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
   %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
   %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %3, i64 8
-  %15 = getelementptr inbounds i8, ptr %3, i64 16
-  %16 = getelementptr inbounds i8, ptr %3, i64 24
-  %17 = getelementptr inbounds i8, ptr %3, i64 32
-  %18 = getelementptr inbounds i8, ptr %3, i64 40
-  %19 = getelementptr inbounds i8, ptr %3, i64 48
-  %20 = getelementptr inbounds i8, ptr %3, i64 56
-  %21 = getelementptr inbounds i8, ptr %3, i64 64
-  %22 = getelementptr inbounds i8, ptr %3, i64 72
-  %23 = getelementptr inbounds i8, ptr %3, i64 80
-  %24 = getelementptr inbounds i8, ptr %3, i64 88
-  %25 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
-  %28 = load ptr, ptr %27, align 8
-  br label %38
+  %14 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %3, i64 8
+  %21 = getelementptr inbounds i8, ptr %3, i64 16
+  %22 = getelementptr inbounds i8, ptr %3, i64 24
+  %23 = getelementptr inbounds i8, ptr %3, i64 32
+  %24 = getelementptr inbounds i8, ptr %3, i64 40
+  %25 = getelementptr inbounds i8, ptr %3, i64 48
+  %26 = getelementptr inbounds i8, ptr %3, i64 56
+  %27 = getelementptr inbounds i8, ptr %3, i64 64
+  %28 = getelementptr inbounds i8, ptr %3, i64 72
+  %29 = getelementptr inbounds i8, ptr %3, i64 80
+  %30 = getelementptr inbounds i8, ptr %3, i64 88
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %34 = load ptr, ptr %33, align 8
+  br label %44
 
-29:                                               ; preds = %198, %2
-  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
-  %31 = load i64, ptr %30, align 8
-  %32 = icmp sgt i64 %31, 0
-  br i1 %32, label %33, label %200
+35:                                               ; preds = %210, %2
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %37 = load i64, ptr %36, align 8
+  %38 = icmp sgt i64 %37, 0
+  br i1 %38, label %39, label %212
 
-33:                                               ; preds = %29
-  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
-  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
-  br label %201
+39:                                               ; preds = %35
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %43 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  br label %213
 
-38:                                               ; preds = %9, %198
-  %39 = phi i64 [ 0, %9 ], [ %149, %198 ]
-  %40 = mul nsw i64 %39, 3
-  %41 = getelementptr inbounds double, ptr %11, i64 %40
+44:                                               ; preds = %9, %210
+  %45 = phi i64 [ 0, %9 ], [ %161, %210 ]
+  %46 = mul nsw i64 %45, 3
+  %47 = getelementptr inbounds double, ptr %11, i64 %46
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #19
-  %42 = getelementptr inbounds i64, ptr %13, i64 %39
-  %43 = load i64, ptr %42, align 8
-  %44 = icmp eq i64 %43, 0
-  br i1 %44, label %57, label %45
+  %48 = getelementptr inbounds double, ptr %13, i64 %45
+  %49 = load double, ptr %48, align 8
+  %50 = getelementptr inbounds i64, ptr %15, i64 %45
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %1, i64 %51
+  %53 = load double, ptr %52, align 8
+  %54 = fmul double %49, %53
+  %55 = getelementptr inbounds double, ptr %17, i64 %45
+  %56 = load double, ptr %55, align 8
+  %57 = fadd double %54, %56
+  %58 = getelementptr inbounds i64, ptr %19, i64 %45
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %71, label %61
 
-45:                                               ; preds = %38
+61:                                               ; preds = %44
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(96) %3, ptr noundef nonnull align 16 dereferenceable(96) @place.still, i64 96, i1 false)
-  %46 = getelementptr inbounds double, ptr %1, i64 %39
-  %47 = load double, ptr %46, align 8
-  br label %48
+  br label %62
 
-48:                                               ; preds = %45, %48
-  %49 = phi i64 [ 0, %45 ], [ %55, %48 ]
-  %50 = getelementptr inbounds double, ptr %41, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = fmul double %47, %51
-  %53 = add nuw nsw i64 %49, 9
-  %54 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %53
-  store double %52, ptr %54, align 8
-  %55 = add nuw nsw i64 %49, 1
-  %56 = icmp eq i64 %55, 3
-  br i1 %56, label %92, label %48
+62:                                               ; preds = %61, %62
+  %63 = phi i64 [ 0, %61 ], [ %69, %62 ]
+  %64 = getelementptr inbounds double, ptr %47, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %57, %65
+  %67 = add nuw nsw i64 %63, 9
+  %68 = getelementptr inbounds [12 x double], ptr %3, i64 0, i64 %67
+  store double %66, ptr %68, align 8
+  %69 = add nuw nsw i64 %63, 1
+  %70 = icmp eq i64 %69, 3
+  br i1 %70, label %104, label %62
 
-57:                                               ; preds = %38
-  %58 = getelementptr inbounds double, ptr %1, i64 %39
-  %59 = load double, ptr %58, align 8
-  %60 = tail call double @llvm.sin.f64(double %59)
-  %61 = tail call double @llvm.cos.f64(double %59)
-  %62 = fsub double 1.000000e+00, %61
-  %63 = load double, ptr %41, align 8
-  %64 = fmul double %63, %62
-  %65 = fmul double %63, %64
-  %66 = fadd double %61, %65
-  %67 = getelementptr inbounds double, ptr %41, i64 1
-  %68 = load double, ptr %67, align 8
-  %69 = fmul double %68, %64
-  %70 = getelementptr inbounds double, ptr %41, i64 2
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %60, %71
-  %73 = fsub double %69, %72
-  %74 = fmul double %64, %71
-  %75 = fmul double %60, %68
-  %76 = fadd double %75, %74
-  %77 = fmul double %62, %68
-  %78 = fmul double %63, %77
-  %79 = fadd double %78, %72
-  %80 = fmul double %68, %77
-  %81 = fadd double %61, %80
-  %82 = fmul double %77, %71
-  %83 = fmul double %60, %63
-  %84 = fsub double %82, %83
-  %85 = fmul double %62, %71
-  %86 = fmul double %63, %85
-  %87 = fsub double %86, %75
-  %88 = fmul double %68, %85
-  %89 = fadd double %83, %88
-  %90 = fmul double %71, %85
-  %91 = fadd double %61, %90
-  store double %66, ptr %3, align 16
-  store double %73, ptr %14, align 8
-  store double %76, ptr %15, align 16
-  store double %79, ptr %16, align 8
-  store double %81, ptr %17, align 16
-  store double %84, ptr %18, align 8
-  store double %87, ptr %19, align 16
-  store double %89, ptr %20, align 8
-  store double %91, ptr %21, align 16
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %22, i8 0, i64 24, i1 false)
-  br label %92
+71:                                               ; preds = %44
+  %72 = tail call double @llvm.sin.f64(double %57)
+  %73 = tail call double @llvm.cos.f64(double %57)
+  %74 = fsub double 1.000000e+00, %73
+  %75 = load double, ptr %47, align 8
+  %76 = fmul double %74, %75
+  %77 = fmul double %75, %76
+  %78 = fadd double %73, %77
+  %79 = getelementptr inbounds double, ptr %47, i64 1
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %76, %80
+  %82 = getelementptr inbounds double, ptr %47, i64 2
+  %83 = load double, ptr %82, align 8
+  %84 = fmul double %72, %83
+  %85 = fsub double %81, %84
+  %86 = fmul double %76, %83
+  %87 = fmul double %72, %80
+  %88 = fadd double %87, %86
+  %89 = fmul double %74, %80
+  %90 = fmul double %75, %89
+  %91 = fadd double %90, %84
+  %92 = fmul double %80, %89
+  %93 = fadd double %73, %92
+  %94 = fmul double %89, %83
+  %95 = fmul double %72, %75
+  %96 = fsub double %94, %95
+  %97 = fmul double %74, %83
+  %98 = fmul double %75, %97
+  %99 = fsub double %98, %87
+  %100 = fmul double %80, %97
+  %101 = fadd double %95, %100
+  %102 = fmul double %83, %97
+  %103 = fadd double %73, %102
+  store double %78, ptr %3, align 16
+  store double %85, ptr %20, align 8
+  store double %88, ptr %21, align 16
+  store double %91, ptr %22, align 8
+  store double %93, ptr %23, align 16
+  store double %96, ptr %24, align 8
+  store double %99, ptr %25, align 16
+  store double %101, ptr %26, align 8
+  store double %103, ptr %27, align 16
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %28, i8 0, i64 24, i1 false)
+  br label %104
 
-92:                                               ; preds = %48, %57
+104:                                              ; preds = %62, %71
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #19
-  %93 = getelementptr inbounds i64, ptr %26, i64 %39
-  %94 = load i64, ptr %93, align 8
-  %95 = mul nsw i64 %94, 12
-  %96 = getelementptr inbounds double, ptr %6, i64 %95
-  %97 = mul nsw i64 %39, 12
-  %98 = getelementptr inbounds double, ptr %28, i64 %97
-  %99 = getelementptr inbounds double, ptr %98, i64 9
-  %100 = getelementptr inbounds double, ptr %98, i64 10
-  %101 = getelementptr inbounds double, ptr %98, i64 11
-  %102 = load double, ptr %99, align 8
-  %103 = load double, ptr %100, align 8
-  %104 = load double, ptr %101, align 8
-  br label %105
-
-105:                                              ; preds = %116, %92
-  %106 = phi i64 [ 0, %92 ], [ %127, %116 ]
-  %107 = mul nuw nsw i64 %106, 3
-  %108 = getelementptr inbounds double, ptr %96, i64 %107
-  %109 = add nuw nsw i64 %107, 1
-  %110 = getelementptr inbounds double, ptr %96, i64 %109
-  %111 = add nuw nsw i64 %107, 2
-  %112 = getelementptr inbounds double, ptr %96, i64 %111
-  %113 = load double, ptr %108, align 8
-  %114 = load double, ptr %110, align 8
+  %105 = getelementptr inbounds i64, ptr %32, i64 %45
+  %106 = load i64, ptr %105, align 8
+  %107 = mul nsw i64 %106, 12
+  %108 = getelementptr inbounds double, ptr %6, i64 %107
+  %109 = mul nsw i64 %45, 12
+  %110 = getelementptr inbounds double, ptr %34, i64 %109
+  %111 = getelementptr inbounds double, ptr %110, i64 9
+  %112 = getelementptr inbounds double, ptr %110, i64 10
+  %113 = getelementptr inbounds double, ptr %110, i64 11
+  %114 = load double, ptr %111, align 8
   %115 = load double, ptr %112, align 8
-  br label %129
+  %116 = load double, ptr %113, align 8
+  br label %117
 
-116:                                              ; preds = %129
-  %117 = fmul double %113, %102
-  %118 = fmul double %114, %103
-  %119 = fadd double %117, %118
-  %120 = fmul double %115, %104
-  %121 = fadd double %119, %120
-  %122 = add nuw nsw i64 %106, 9
-  %123 = getelementptr inbounds double, ptr %96, i64 %122
-  %124 = load double, ptr %123, align 8
-  %125 = fadd double %124, %121
-  %126 = getelementptr inbounds double, ptr %4, i64 %122
-  store double %125, ptr %126, align 8
-  %127 = add nuw nsw i64 %106, 1
-  %128 = icmp eq i64 %127, 3
-  br i1 %128, label %148, label %105
+117:                                              ; preds = %128, %104
+  %118 = phi i64 [ 0, %104 ], [ %139, %128 ]
+  %119 = mul nuw nsw i64 %118, 3
+  %120 = getelementptr inbounds double, ptr %108, i64 %119
+  %121 = add nuw nsw i64 %119, 1
+  %122 = getelementptr inbounds double, ptr %108, i64 %121
+  %123 = add nuw nsw i64 %119, 2
+  %124 = getelementptr inbounds double, ptr %108, i64 %123
+  %125 = load double, ptr %120, align 8
+  %126 = load double, ptr %122, align 8
+  %127 = load double, ptr %124, align 8
+  br label %141
 
-129:                                              ; preds = %129, %105
-  %130 = phi i64 [ 0, %105 ], [ %146, %129 ]
-  %131 = getelementptr inbounds double, ptr %98, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = fmul double %113, %132
-  %134 = add nuw nsw i64 %130, 3
-  %135 = getelementptr inbounds double, ptr %98, i64 %134
+128:                                              ; preds = %141
+  %129 = fmul double %125, %114
+  %130 = fmul double %126, %115
+  %131 = fadd double %129, %130
+  %132 = fmul double %127, %116
+  %133 = fadd double %131, %132
+  %134 = add nuw nsw i64 %118, 9
+  %135 = getelementptr inbounds double, ptr %108, i64 %134
   %136 = load double, ptr %135, align 8
-  %137 = fmul double %114, %136
-  %138 = fadd double %133, %137
-  %139 = add nuw nsw i64 %130, 6
-  %140 = getelementptr inbounds double, ptr %98, i64 %139
-  %141 = load double, ptr %140, align 8
-  %142 = fmul double %115, %141
-  %143 = fadd double %138, %142
-  %144 = add nuw nsw i64 %130, %107
-  %145 = getelementptr inbounds double, ptr %4, i64 %144
-  store double %143, ptr %145, align 8
-  %146 = add nuw nsw i64 %130, 1
-  %147 = icmp eq i64 %146, 3
-  br i1 %147, label %116, label %129
+  %137 = fadd double %136, %133
+  %138 = getelementptr inbounds double, ptr %4, i64 %134
+  store double %137, ptr %138, align 8
+  %139 = add nuw nsw i64 %118, 1
+  %140 = icmp eq i64 %139, 3
+  br i1 %140, label %160, label %117
 
-148:                                              ; preds = %116
-  %149 = add nuw nsw i64 %39, 1
-  %150 = mul nsw i64 %149, 12
-  %151 = getelementptr inbounds double, ptr %6, i64 %150
-  %152 = load double, ptr %22, align 8
-  %153 = load double, ptr %23, align 16
-  %154 = load double, ptr %24, align 8
-  br label %155
+141:                                              ; preds = %141, %117
+  %142 = phi i64 [ 0, %117 ], [ %158, %141 ]
+  %143 = getelementptr inbounds double, ptr %110, i64 %142
+  %144 = load double, ptr %143, align 8
+  %145 = fmul double %125, %144
+  %146 = add nuw nsw i64 %142, 3
+  %147 = getelementptr inbounds double, ptr %110, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = fmul double %126, %148
+  %150 = fadd double %145, %149
+  %151 = add nuw nsw i64 %142, 6
+  %152 = getelementptr inbounds double, ptr %110, i64 %151
+  %153 = load double, ptr %152, align 8
+  %154 = fmul double %127, %153
+  %155 = fadd double %150, %154
+  %156 = add nuw nsw i64 %142, %119
+  %157 = getelementptr inbounds double, ptr %4, i64 %156
+  store double %155, ptr %157, align 8
+  %158 = add nuw nsw i64 %142, 1
+  %159 = icmp eq i64 %158, 3
+  br i1 %159, label %128, label %141
 
-155:                                              ; preds = %166, %148
-  %156 = phi i64 [ 0, %148 ], [ %177, %166 ]
-  %157 = mul nuw nsw i64 %156, 3
-  %158 = getelementptr inbounds double, ptr %4, i64 %157
-  %159 = add nuw nsw i64 %157, 1
-  %160 = getelementptr inbounds double, ptr %4, i64 %159
-  %161 = add nuw nsw i64 %157, 2
-  %162 = getelementptr inbounds double, ptr %4, i64 %161
-  %163 = load double, ptr %158, align 8
-  %164 = load double, ptr %160, align 8
-  %165 = load double, ptr %162, align 8
-  br label %179
+160:                                              ; preds = %128
+  %161 = add nuw nsw i64 %45, 1
+  %162 = mul nsw i64 %161, 12
+  %163 = getelementptr inbounds double, ptr %6, i64 %162
+  %164 = load double, ptr %28, align 8
+  %165 = load double, ptr %29, align 16
+  %166 = load double, ptr %30, align 8
+  br label %167
 
-166:                                              ; preds = %179
-  %167 = fmul double %163, %152
-  %168 = fmul double %164, %153
-  %169 = fadd double %167, %168
-  %170 = fmul double %165, %154
-  %171 = fadd double %169, %170
-  %172 = add nuw nsw i64 %156, 9
-  %173 = getelementptr inbounds double, ptr %4, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = fadd double %174, %171
-  %176 = getelementptr inbounds double, ptr %151, i64 %172
-  store double %175, ptr %176, align 8
-  %177 = add nuw nsw i64 %156, 1
-  %178 = icmp eq i64 %177, 3
-  br i1 %178, label %198, label %155
+167:                                              ; preds = %178, %160
+  %168 = phi i64 [ 0, %160 ], [ %189, %178 ]
+  %169 = mul nuw nsw i64 %168, 3
+  %170 = getelementptr inbounds double, ptr %4, i64 %169
+  %171 = add nuw nsw i64 %169, 1
+  %172 = getelementptr inbounds double, ptr %4, i64 %171
+  %173 = add nuw nsw i64 %169, 2
+  %174 = getelementptr inbounds double, ptr %4, i64 %173
+  %175 = load double, ptr %170, align 8
+  %176 = load double, ptr %172, align 8
+  %177 = load double, ptr %174, align 8
+  br label %191
 
-179:                                              ; preds = %179, %155
-  %180 = phi i64 [ 0, %155 ], [ %196, %179 ]
-  %181 = getelementptr inbounds double, ptr %3, i64 %180
-  %182 = load double, ptr %181, align 8
-  %183 = fmul double %163, %182
-  %184 = add nuw nsw i64 %180, 3
-  %185 = getelementptr inbounds double, ptr %3, i64 %184
+178:                                              ; preds = %191
+  %179 = fmul double %175, %164
+  %180 = fmul double %176, %165
+  %181 = fadd double %179, %180
+  %182 = fmul double %177, %166
+  %183 = fadd double %181, %182
+  %184 = add nuw nsw i64 %168, 9
+  %185 = getelementptr inbounds double, ptr %4, i64 %184
   %186 = load double, ptr %185, align 8
-  %187 = fmul double %164, %186
-  %188 = fadd double %183, %187
-  %189 = add nuw nsw i64 %180, 6
-  %190 = getelementptr inbounds double, ptr %3, i64 %189
-  %191 = load double, ptr %190, align 8
-  %192 = fmul double %165, %191
-  %193 = fadd double %188, %192
-  %194 = add nuw nsw i64 %180, %157
-  %195 = getelementptr inbounds double, ptr %151, i64 %194
-  store double %193, ptr %195, align 8
-  %196 = add nuw nsw i64 %180, 1
-  %197 = icmp eq i64 %196, 3
-  br i1 %197, label %166, label %179
+  %187 = fadd double %186, %183
+  %188 = getelementptr inbounds double, ptr %163, i64 %184
+  store double %187, ptr %188, align 8
+  %189 = add nuw nsw i64 %168, 1
+  %190 = icmp eq i64 %189, 3
+  br i1 %190, label %210, label %167
 
-198:                                              ; preds = %166
+191:                                              ; preds = %191, %167
+  %192 = phi i64 [ 0, %167 ], [ %208, %191 ]
+  %193 = getelementptr inbounds double, ptr %3, i64 %192
+  %194 = load double, ptr %193, align 8
+  %195 = fmul double %175, %194
+  %196 = add nuw nsw i64 %192, 3
+  %197 = getelementptr inbounds double, ptr %3, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = fmul double %176, %198
+  %200 = fadd double %195, %199
+  %201 = add nuw nsw i64 %192, 6
+  %202 = getelementptr inbounds double, ptr %3, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = fmul double %177, %203
+  %205 = fadd double %200, %204
+  %206 = add nuw nsw i64 %192, %169
+  %207 = getelementptr inbounds double, ptr %163, i64 %206
+  store double %205, ptr %207, align 8
+  %208 = add nuw nsw i64 %192, 1
+  %209 = icmp eq i64 %208, 3
+  br i1 %209, label %178, label %191
+
+210:                                              ; preds = %178
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #19
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #19
-  %199 = icmp eq i64 %149, %7
-  br i1 %199, label %29, label %38
+  %211 = icmp eq i64 %161, %7
+  br i1 %211, label %35, label %44
 
-200:                                              ; preds = %243, %29
+212:                                              ; preds = %255, %35
   ret void
 
-201:                                              ; preds = %33, %243
-  %202 = phi i64 [ 0, %33 ], [ %244, %243 ]
-  %203 = getelementptr inbounds i64, ptr %35, i64 %202
-  %204 = load i64, ptr %203, align 8
-  %205 = icmp sgt i64 %204, 0
-  br i1 %205, label %206, label %243
+213:                                              ; preds = %39, %255
+  %214 = phi i64 [ 0, %39 ], [ %256, %255 ]
+  %215 = getelementptr inbounds i64, ptr %41, i64 %214
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp sgt i64 %216, 0
+  br i1 %217, label %218, label %255
 
-206:                                              ; preds = %201
-  %207 = mul nsw i64 %204, 12
-  %208 = getelementptr inbounds double, ptr %6, i64 %207
-  %209 = load ptr, ptr %36, align 8
-  %210 = shl nsw i64 %202, 2
-  %211 = getelementptr inbounds double, ptr %209, i64 %210
-  %212 = load ptr, ptr %37, align 8
-  %213 = mul nsw i64 %202, 3
-  %214 = getelementptr inbounds double, ptr %212, i64 %213
-  %215 = getelementptr inbounds double, ptr %211, i64 1
-  %216 = getelementptr inbounds double, ptr %211, i64 2
-  br label %217
+218:                                              ; preds = %213
+  %219 = mul nsw i64 %216, 12
+  %220 = getelementptr inbounds double, ptr %6, i64 %219
+  %221 = load ptr, ptr %42, align 8
+  %222 = shl nsw i64 %214, 2
+  %223 = getelementptr inbounds double, ptr %221, i64 %222
+  %224 = load ptr, ptr %43, align 8
+  %225 = mul nsw i64 %214, 3
+  %226 = getelementptr inbounds double, ptr %224, i64 %225
+  %227 = getelementptr inbounds double, ptr %223, i64 1
+  %228 = getelementptr inbounds double, ptr %223, i64 2
+  br label %229
 
-217:                                              ; preds = %217, %206
-  %218 = phi i64 [ 0, %206 ], [ %241, %217 ]
-  %219 = mul nuw nsw i64 %218, 3
-  %220 = getelementptr inbounds double, ptr %208, i64 %219
-  %221 = load double, ptr %220, align 8
-  %222 = load double, ptr %211, align 8
-  %223 = fmul double %221, %222
-  %224 = add nuw nsw i64 %219, 1
-  %225 = getelementptr inbounds double, ptr %208, i64 %224
-  %226 = load double, ptr %225, align 8
-  %227 = load double, ptr %215, align 8
-  %228 = fmul double %226, %227
-  %229 = fadd double %223, %228
-  %230 = add nuw nsw i64 %219, 2
-  %231 = getelementptr inbounds double, ptr %208, i64 %230
-  %232 = load double, ptr %231, align 8
-  %233 = load double, ptr %216, align 8
-  %234 = fmul double %232, %233
-  %235 = fadd double %229, %234
-  %236 = add nuw nsw i64 %218, 9
-  %237 = getelementptr inbounds double, ptr %208, i64 %236
+229:                                              ; preds = %229, %218
+  %230 = phi i64 [ 0, %218 ], [ %253, %229 ]
+  %231 = mul nuw nsw i64 %230, 3
+  %232 = getelementptr inbounds double, ptr %220, i64 %231
+  %233 = load double, ptr %232, align 8
+  %234 = load double, ptr %223, align 8
+  %235 = fmul double %233, %234
+  %236 = add nuw nsw i64 %231, 1
+  %237 = getelementptr inbounds double, ptr %220, i64 %236
   %238 = load double, ptr %237, align 8
-  %239 = fadd double %238, %235
-  %240 = getelementptr inbounds double, ptr %214, i64 %218
-  store double %239, ptr %240, align 8
-  %241 = add nuw nsw i64 %218, 1
-  %242 = icmp eq i64 %241, 3
-  br i1 %242, label %243, label %217
+  %239 = load double, ptr %227, align 8
+  %240 = fmul double %238, %239
+  %241 = fadd double %235, %240
+  %242 = add nuw nsw i64 %231, 2
+  %243 = getelementptr inbounds double, ptr %220, i64 %242
+  %244 = load double, ptr %243, align 8
+  %245 = load double, ptr %228, align 8
+  %246 = fmul double %244, %245
+  %247 = fadd double %241, %246
+  %248 = add nuw nsw i64 %230, 9
+  %249 = getelementptr inbounds double, ptr %220, i64 %248
+  %250 = load double, ptr %249, align 8
+  %251 = fadd double %250, %247
+  %252 = getelementptr inbounds double, ptr %226, i64 %230
+  store double %251, ptr %252, align 8
+  %253 = add nuw nsw i64 %230, 1
+  %254 = icmp eq i64 %253, 3
+  br i1 %254, label %255, label %229
 
-243:                                              ; preds = %217, %201
-  %244 = add nuw nsw i64 %202, 1
-  %245 = icmp eq i64 %244, %31
-  br i1 %245, label %200, label %201
+255:                                              ; preds = %229, %213
+  %256 = add nuw nsw i64 %214, 1
+  %257 = icmp eq i64 %256, %37
+  br i1 %257, label %212, label %213
 }
 
 define dso_local double @manipplan_pair(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr noundef %3) local_unnamed_addr #0 {
@@ -1192,62 +1213,63 @@ define dso_local double @manipplan_pair(ptr noundef %0, ptr nocapture noundef re
   %10 = load i64, ptr %9, align 8
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #19
   store double 0x7FF0000000000000, ptr %5, align 8
-  %11 = load i64, ptr %0, align 8
-  %12 = icmp sgt i64 %11, 0
-  br i1 %12, label %16, label %22
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %17, label %23
 
-13:                                               ; preds = %16
-  %14 = add nuw nsw i64 %17, 1
-  %15 = icmp eq i64 %14, %11
-  br i1 %15, label %22, label %16
+14:                                               ; preds = %17
+  %15 = add nuw nsw i64 %18, 1
+  %16 = icmp eq i64 %15, %12
+  br i1 %16, label %23, label %17
 
-16:                                               ; preds = %4, %13
-  %17 = phi i64 [ %14, %13 ], [ 0, %4 ]
-  %18 = getelementptr inbounds double, ptr %1, i64 %17
-  %19 = load double, ptr %18, align 8
-  %20 = tail call double @llvm.fabs.f64(double %19) #18
-  %21 = fcmp ueq double %20, 0x7FF0000000000000
-  br i1 %21, label %36, label %13
+17:                                               ; preds = %4, %14
+  %18 = phi i64 [ %15, %14 ], [ 0, %4 ]
+  %19 = getelementptr inbounds double, ptr %1, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = tail call double @llvm.fabs.f64(double %20) #18
+  %22 = fcmp ueq double %21, 0x7FF0000000000000
+  br i1 %22, label %37, label %14
 
-22:                                               ; preds = %13, %4
+23:                                               ; preds = %14, %4
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %8, ptr noundef nonnull %6)
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #19
   store ptr %0, ptr %7, align 8
-  %23 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
-  store i64 %8, ptr %23, align 8
-  %24 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
-  store ptr %6, ptr %24, align 8
-  %25 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
-  %26 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 5
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %25, i8 0, i64 16, i1 false)
-  store double 0x7FF0000000000000, ptr %26, align 8
-  %27 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 6
-  store ptr %5, ptr %27, align 8
-  %28 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 7
-  store ptr null, ptr %28, align 8
-  %29 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
-  store i32 0, ptr %29, align 8
-  %30 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
-  store i64 -1, ptr %30, align 8
-  %31 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 10
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %31, i8 0, i64 32, i1 false)
-  %32 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 11
-  store ptr %3, ptr %32, align 8
-  %33 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 12
-  %34 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 18
-  store double 0.000000e+00, ptr %34, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %33, i8 0, i64 36, i1 false)
+  %24 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
+  store i64 %8, ptr %24, align 8
+  %25 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
+  store ptr %6, ptr %25, align 8
+  %26 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
+  %27 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %26, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %27, align 8
+  %28 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 6
+  store ptr %5, ptr %28, align 8
+  %29 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 7
+  store ptr null, ptr %29, align 8
+  %30 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
+  store i32 0, ptr %30, align 8
+  %31 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
+  store i64 -1, ptr %31, align 8
+  %32 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 10
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %32, i8 0, i64 32, i1 false)
+  %33 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 11
+  store ptr %3, ptr %33, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 12
+  %35 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 18
+  store double 0.000000e+00, ptr %35, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %34, i8 0, i64 36, i1 false)
   call fastcc void @look_at(ptr noundef nonnull %7, i64 noundef %10, ptr noundef null)
-  %35 = load double, ptr %5, align 8
+  %36 = load double, ptr %5, align 8
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #19
-  br label %36
+  br label %37
 
-36:                                               ; preds = %16, %22
-  %37 = phi double [ %35, %22 ], [ 0x7FF8000000000000, %16 ]
+37:                                               ; preds = %17, %23
+  %38 = phi double [ %36, %23 ], [ 0x7FF8000000000000, %17 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #19
-  ret double %37
+  ret double %38
 }
 
 define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
@@ -1273,527 +1295,528 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %16) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
   %29 = icmp sgt i64 %3, 0
-  br i1 %29, label %30, label %70
+  br i1 %29, label %30, label %71
 
 30:                                               ; preds = %9
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %34 = getelementptr inbounds double, ptr %16, i64 1
-  %35 = getelementptr inbounds double, ptr %16, i64 2
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
-  %37 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
-  %38 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 2
-  %39 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
-  %40 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
-  %41 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
-  %42 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
-  %43 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
-  %44 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
-  %45 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
-  %46 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
-  %47 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
-  %48 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 18
-  %49 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
-  %51 = getelementptr inbounds double, ptr %20, i64 1
-  %52 = getelementptr inbounds double, ptr %24, i64 1
-  %53 = getelementptr inbounds double, ptr %20, i64 2
-  %54 = getelementptr inbounds double, ptr %24, i64 2
-  %55 = getelementptr inbounds double, ptr %23, i64 1
-  %56 = getelementptr inbounds double, ptr %23, i64 2
-  %57 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 1
-  %58 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 2
-  %59 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 3
-  %60 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 5
-  %61 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 6
-  %62 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 7
-  %63 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 8
-  %64 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 9
-  %65 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 10
-  %66 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 11
-  %67 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 12
-  %68 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 18
-  %69 = getelementptr inbounds i8, ptr %25, i64 72
-  br label %71
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %35 = getelementptr inbounds double, ptr %16, i64 1
+  %36 = getelementptr inbounds double, ptr %16, i64 2
+  %37 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
+  %38 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
+  %39 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 2
+  %40 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
+  %41 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
+  %42 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
+  %43 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 7
+  %44 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 8
+  %45 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 9
+  %46 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
+  %47 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 11
+  %48 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 12
+  %49 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 18
+  %50 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %51 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %52 = getelementptr inbounds double, ptr %20, i64 1
+  %53 = getelementptr inbounds double, ptr %24, i64 1
+  %54 = getelementptr inbounds double, ptr %20, i64 2
+  %55 = getelementptr inbounds double, ptr %24, i64 2
+  %56 = getelementptr inbounds double, ptr %23, i64 1
+  %57 = getelementptr inbounds double, ptr %23, i64 2
+  %58 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 1
+  %59 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 2
+  %60 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 3
+  %61 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 5
+  %62 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 6
+  %63 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 7
+  %64 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 8
+  %65 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 9
+  %66 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 10
+  %67 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 11
+  %68 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 12
+  %69 = getelementptr inbounds %struct.Search, ptr %15, i64 0, i32 18
+  %70 = getelementptr inbounds i8, ptr %25, i64 72
+  br label %72
 
-70:                                               ; preds = %368, %9
+71:                                               ; preds = %369, %9
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %16) #19
   ret void
 
-71:                                               ; preds = %30, %368
-  %72 = phi ptr [ %2, %30 ], [ %371, %368 ]
-  %73 = phi i64 [ 0, %30 ], [ %369, %368 ]
-  %74 = shl nuw nsw i64 %73, 1
-  %75 = getelementptr inbounds i64, ptr %4, i64 %74
-  %76 = load i64, ptr %75, align 8
-  %77 = or i64 %74, 1
-  %78 = getelementptr inbounds i64, ptr %4, i64 %77
-  %79 = load i64, ptr %78, align 8
-  %80 = icmp eq i64 %73, 0
-  br i1 %80, label %92, label %81
+72:                                               ; preds = %30, %369
+  %73 = phi ptr [ %2, %30 ], [ %372, %369 ]
+  %74 = phi i64 [ 0, %30 ], [ %370, %369 ]
+  %75 = shl nuw nsw i64 %74, 1
+  %76 = getelementptr inbounds i64, ptr %4, i64 %75
+  %77 = load i64, ptr %76, align 8
+  %78 = or i64 %75, 1
+  %79 = getelementptr inbounds i64, ptr %4, i64 %78
+  %80 = load i64, ptr %79, align 8
+  %81 = icmp eq i64 %74, 0
+  br i1 %81, label %93, label %82
 
-81:                                               ; preds = %71
-  %82 = add nsw i64 %74, -2
-  %83 = getelementptr inbounds i64, ptr %4, i64 %82
-  %84 = load i64, ptr %83, align 8
-  %85 = icmp eq i64 %76, %84
-  br i1 %85, label %86, label %91
+82:                                               ; preds = %72
+  %83 = add nsw i64 %75, -2
+  %84 = getelementptr inbounds i64, ptr %4, i64 %83
+  %85 = load i64, ptr %84, align 8
+  %86 = icmp eq i64 %77, %85
+  br i1 %86, label %87, label %92
 
-86:                                               ; preds = %81
-  %87 = add nsw i64 %74, -1
-  %88 = getelementptr inbounds i64, ptr %4, i64 %87
-  %89 = load i64, ptr %88, align 8
-  %90 = icmp eq i64 %79, %89
-  br i1 %90, label %93, label %91
+87:                                               ; preds = %82
+  %88 = add nsw i64 %75, -1
+  %89 = getelementptr inbounds i64, ptr %4, i64 %88
+  %90 = load i64, ptr %89, align 8
+  %91 = icmp eq i64 %80, %90
+  br i1 %91, label %94, label %92
 
-91:                                               ; preds = %86, %81
+92:                                               ; preds = %87, %82
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
-  br label %93
+  br label %94
 
-92:                                               ; preds = %71
+93:                                               ; preds = %72
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
-  br label %103
+  br label %104
 
-93:                                               ; preds = %86, %91
-  %94 = load i64, ptr %0, align 8
-  %95 = mul nsw i64 %94, %73
-  %96 = getelementptr inbounds double, ptr %1, i64 %95
-  %97 = add nsw i64 %73, -1
-  %98 = mul nsw i64 %94, %97
-  %99 = getelementptr inbounds double, ptr %1, i64 %98
-  %100 = shl i64 %94, 3
-  %101 = call i32 @bcmp(ptr %96, ptr %99, i64 %100)
-  %102 = icmp eq i32 %101, 0
-  br i1 %102, label %106, label %103
+94:                                               ; preds = %87, %92
+  %95 = load i64, ptr %31, align 8
+  %96 = mul nsw i64 %95, %74
+  %97 = getelementptr inbounds double, ptr %1, i64 %96
+  %98 = add nsw i64 %74, -1
+  %99 = mul nsw i64 %95, %98
+  %100 = getelementptr inbounds double, ptr %1, i64 %99
+  %101 = shl i64 %95, 3
+  %102 = call i32 @bcmp(ptr %97, ptr %100, i64 %101)
+  %103 = icmp eq i32 %102, 0
+  br i1 %103, label %107, label %104
 
-103:                                              ; preds = %92, %93
-  %104 = phi i64 [ 0, %92 ], [ %95, %93 ]
-  %105 = getelementptr inbounds double, ptr %1, i64 %104
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %105)
-  br label %106
+104:                                              ; preds = %93, %94
+  %105 = phi i64 [ 0, %93 ], [ %96, %94 ]
+  %106 = getelementptr inbounds double, ptr %1, i64 %105
+  call fastcc void @place(ptr noundef %0, ptr noundef %106)
+  br label %107
 
-106:                                              ; preds = %103, %93
-  %107 = getelementptr inbounds double, ptr %8, i64 %73
-  store double 0xFFF0000000000000, ptr %107, align 8
-  %108 = load ptr, ptr %31, align 8
-  %109 = getelementptr inbounds i64, ptr %108, i64 %79
-  %110 = load i64, ptr %109, align 8
-  %111 = icmp eq i64 %110, 3
-  br i1 %111, label %112, label %119
+107:                                              ; preds = %104, %94
+  %108 = getelementptr inbounds double, ptr %8, i64 %74
+  store double 0xFFF0000000000000, ptr %108, align 8
+  %109 = load ptr, ptr %32, align 8
+  %110 = getelementptr inbounds i64, ptr %109, i64 %80
+  %111 = load i64, ptr %110, align 8
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %113, label %120
 
-112:                                              ; preds = %106
-  %113 = load ptr, ptr %32, align 8
-  %114 = getelementptr inbounds i64, ptr %113, i64 %76
-  %115 = load i64, ptr %114, align 8
-  %116 = getelementptr inbounds i64, ptr %113, i64 %79
-  %117 = load i64, ptr %116, align 8
-  %118 = icmp slt i64 %115, %117
-  br label %119
+113:                                              ; preds = %107
+  %114 = load ptr, ptr %33, align 8
+  %115 = getelementptr inbounds i64, ptr %114, i64 %77
+  %116 = load i64, ptr %115, align 8
+  %117 = getelementptr inbounds i64, ptr %114, i64 %80
+  %118 = load i64, ptr %117, align 8
+  %119 = icmp slt i64 %116, %118
+  br label %120
 
-119:                                              ; preds = %112, %106
-  %120 = phi i1 [ false, %106 ], [ %118, %112 ]
-  %121 = getelementptr inbounds i64, ptr %108, i64 %76
-  %122 = load i64, ptr %121, align 8
-  %123 = icmp sgt i64 %122, 2
-  %124 = icmp sgt i64 %110, 3
-  %125 = select i1 %123, i1 true, i1 %124
-  %126 = select i1 %125, i1 true, i1 %120
-  br i1 %126, label %132, label %127
+120:                                              ; preds = %113, %107
+  %121 = phi i1 [ false, %107 ], [ %119, %113 ]
+  %122 = getelementptr inbounds i64, ptr %109, i64 %77
+  %123 = load i64, ptr %122, align 8
+  %124 = icmp sgt i64 %123, 2
+  %125 = icmp sgt i64 %111, 3
+  %126 = select i1 %124, i1 true, i1 %125
+  %127 = select i1 %126, i1 true, i1 %121
+  br i1 %127, label %133, label %128
 
-127:                                              ; preds = %119
-  %128 = getelementptr inbounds double, ptr %6, i64 %73
-  %129 = load double, ptr %128, align 8
-  %130 = call double @llvm.fabs.f64(double %129) #18
-  %131 = fcmp ueq double %130, 0x7FF0000000000000
-  br i1 %131, label %132, label %162
+128:                                              ; preds = %120
+  %129 = getelementptr inbounds double, ptr %6, i64 %74
+  %130 = load double, ptr %129, align 8
+  %131 = call double @llvm.fabs.f64(double %130) #18
+  %132 = fcmp ueq double %131, 0x7FF0000000000000
+  br i1 %132, label %133, label %163
 
-132:                                              ; preds = %127, %119
+133:                                              ; preds = %128, %120
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %17) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %17, i8 0, i64 176, i1 false)
-  %133 = load i64, ptr %121, align 8
-  %134 = icmp eq i64 %133, 4
-  br i1 %134, label %135, label %140
+  %134 = load i64, ptr %122, align 8
+  %135 = icmp eq i64 %134, 4
+  br i1 %135, label %136, label %141
 
-135:                                              ; preds = %132
-  %136 = load i64, ptr %109, align 8
-  %137 = freeze i64 %136
-  %138 = icmp eq i64 %137, 4
-  %139 = select i1 %138, ptr %16, ptr %17
-  br label %140
+136:                                              ; preds = %133
+  %137 = load i64, ptr %110, align 8
+  %138 = freeze i64 %137
+  %139 = icmp eq i64 %138, 4
+  %140 = select i1 %139, ptr %16, ptr %17
+  br label %141
 
-140:                                              ; preds = %132, %135
-  %141 = phi ptr [ %139, %135 ], [ %17, %132 ]
-  %142 = load i64, ptr %0, align 8
-  %143 = mul nsw i64 %142, %73
-  %144 = getelementptr inbounds double, ptr %1, i64 %143
-  %145 = getelementptr inbounds double, ptr %5, i64 %73
-  %146 = load double, ptr %145, align 8
+141:                                              ; preds = %133, %136
+  %142 = phi ptr [ %140, %136 ], [ %17, %133 ]
+  %143 = load i64, ptr %31, align 8
+  %144 = mul nsw i64 %143, %74
+  %145 = getelementptr inbounds double, ptr %1, i64 %144
+  %146 = getelementptr inbounds double, ptr %5, i64 %74
+  %147 = load double, ptr %146, align 8
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #19
-  store double %146, ptr %13, align 8
-  %147 = icmp sgt i64 %142, 0
-  br i1 %147, label %151, label %157
+  store double %147, ptr %13, align 8
+  %148 = icmp sgt i64 %143, 0
+  br i1 %148, label %152, label %158
 
-148:                                              ; preds = %151
-  %149 = add nuw nsw i64 %152, 1
-  %150 = icmp eq i64 %149, %142
-  br i1 %150, label %157, label %151
+149:                                              ; preds = %152
+  %150 = add nuw nsw i64 %153, 1
+  %151 = icmp eq i64 %150, %143
+  br i1 %151, label %158, label %152
 
-151:                                              ; preds = %140, %148
-  %152 = phi i64 [ %149, %148 ], [ 0, %140 ]
-  %153 = getelementptr inbounds double, ptr %144, i64 %152
-  %154 = load double, ptr %153, align 8
-  %155 = call double @llvm.fabs.f64(double %154) #18
-  %156 = fcmp ueq double %155, 0x7FF0000000000000
-  br i1 %156, label %159, label %148
+152:                                              ; preds = %141, %149
+  %153 = phi i64 [ %150, %149 ], [ 0, %141 ]
+  %154 = getelementptr inbounds double, ptr %145, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = call double @llvm.fabs.f64(double %155) #18
+  %157 = fcmp ueq double %156, 0x7FF0000000000000
+  br i1 %157, label %160, label %149
 
-157:                                              ; preds = %148, %140
+158:                                              ; preds = %149, %141
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #19
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %14)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %14)
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %15) #19
   store ptr %0, ptr %15, align 8
-  store i64 %76, ptr %57, align 8
-  store ptr %14, ptr %58, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %59, i8 0, i64 16, i1 false)
-  store double %146, ptr %60, align 8
-  store ptr %13, ptr %61, align 8
-  store ptr null, ptr %62, align 8
-  store i32 0, ptr %63, align 8
-  store i64 -1, ptr %64, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %65, i8 0, i64 32, i1 false)
-  store ptr %141, ptr %66, align 8
-  store double 0.000000e+00, ptr %68, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %67, i8 0, i64 36, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %15, i64 noundef %79, ptr noundef null)
-  %158 = load double, ptr %13, align 8
+  store i64 %77, ptr %58, align 8
+  store ptr %14, ptr %59, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %60, i8 0, i64 16, i1 false)
+  store double %147, ptr %61, align 8
+  store ptr %13, ptr %62, align 8
+  store ptr null, ptr %63, align 8
+  store i32 0, ptr %64, align 8
+  store i64 -1, ptr %65, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %66, i8 0, i64 32, i1 false)
+  store ptr %142, ptr %67, align 8
+  store double 0.000000e+00, ptr %69, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %68, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %15, i64 noundef %80, ptr noundef null)
+  %159 = load double, ptr %13, align 8
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %15) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #19
-  br label %159
+  br label %160
 
-159:                                              ; preds = %151, %157
-  %160 = phi double [ %158, %157 ], [ 0x7FF8000000000000, %151 ]
+160:                                              ; preds = %152, %158
+  %161 = phi double [ %159, %158 ], [ 0x7FF8000000000000, %152 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #19
-  %161 = getelementptr inbounds double, ptr %7, i64 %73
-  store double %160, ptr %161, align 8
+  %162 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %161, ptr %162, align 8
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %17) #19
-  br label %368
+  br label %369
 
-162:                                              ; preds = %127
+163:                                              ; preds = %128
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %18) #19
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %19) #19
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %20) #19
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %21) #19
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %22) #19
-  %163 = load ptr, ptr %33, align 8
-  %164 = getelementptr inbounds double, ptr %163, i64 %76
-  %165 = load double, ptr %164, align 8
-  %166 = getelementptr inbounds double, ptr %163, i64 %79
-  %167 = load double, ptr %166, align 8
-  %168 = fadd double %165, %167
+  %164 = load ptr, ptr %34, align 8
+  %165 = getelementptr inbounds double, ptr %164, i64 %77
+  %166 = load double, ptr %165, align 8
+  %167 = getelementptr inbounds double, ptr %164, i64 %80
+  %168 = load double, ptr %167, align 8
+  %169 = fadd double %166, %168
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #19
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %18)
-  %169 = load i64, ptr %109, align 8
-  %170 = icmp eq i64 %169, 3
-  br i1 %170, label %171, label %242
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %18)
+  %170 = load i64, ptr %110, align 8
+  %171 = icmp eq i64 %170, 3
+  br i1 %171, label %172, label %243
 
-171:                                              ; preds = %162
+172:                                              ; preds = %163
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %25) #19
-  %172 = load ptr, ptr %49, align 8
-  %173 = load ptr, ptr %32, align 8
-  %174 = getelementptr inbounds i64, ptr %173, i64 %79
-  %175 = load i64, ptr %174, align 8
-  %176 = mul nsw i64 %175, 12
-  %177 = getelementptr inbounds double, ptr %172, i64 %176
-  %178 = load ptr, ptr %50, align 8
-  %179 = mul nsw i64 %79, 12
-  %180 = getelementptr inbounds double, ptr %178, i64 %179
-  %181 = getelementptr inbounds double, ptr %180, i64 9
-  %182 = getelementptr inbounds double, ptr %180, i64 10
-  %183 = getelementptr inbounds double, ptr %180, i64 11
-  %184 = load double, ptr %181, align 8
+  %173 = load ptr, ptr %50, align 8
+  %174 = load ptr, ptr %33, align 8
+  %175 = getelementptr inbounds i64, ptr %174, i64 %80
+  %176 = load i64, ptr %175, align 8
+  %177 = mul nsw i64 %176, 12
+  %178 = getelementptr inbounds double, ptr %173, i64 %177
+  %179 = load ptr, ptr %51, align 8
+  %180 = mul nsw i64 %80, 12
+  %181 = getelementptr inbounds double, ptr %179, i64 %180
+  %182 = getelementptr inbounds double, ptr %181, i64 9
+  %183 = getelementptr inbounds double, ptr %181, i64 10
+  %184 = getelementptr inbounds double, ptr %181, i64 11
   %185 = load double, ptr %182, align 8
   %186 = load double, ptr %183, align 8
-  br label %187
+  %187 = load double, ptr %184, align 8
+  br label %188
 
-187:                                              ; preds = %198, %171
-  %188 = phi i64 [ 0, %171 ], [ %209, %198 ]
-  %189 = mul nuw nsw i64 %188, 3
-  %190 = getelementptr inbounds double, ptr %177, i64 %189
-  %191 = add nuw nsw i64 %189, 1
-  %192 = getelementptr inbounds double, ptr %177, i64 %191
-  %193 = add nuw nsw i64 %189, 2
-  %194 = getelementptr inbounds double, ptr %177, i64 %193
-  %195 = load double, ptr %190, align 8
-  %196 = load double, ptr %192, align 8
-  %197 = load double, ptr %194, align 8
-  br label %212
+188:                                              ; preds = %199, %172
+  %189 = phi i64 [ 0, %172 ], [ %210, %199 ]
+  %190 = mul nuw nsw i64 %189, 3
+  %191 = getelementptr inbounds double, ptr %178, i64 %190
+  %192 = add nuw nsw i64 %190, 1
+  %193 = getelementptr inbounds double, ptr %178, i64 %192
+  %194 = add nuw nsw i64 %190, 2
+  %195 = getelementptr inbounds double, ptr %178, i64 %194
+  %196 = load double, ptr %191, align 8
+  %197 = load double, ptr %193, align 8
+  %198 = load double, ptr %195, align 8
+  br label %213
 
-198:                                              ; preds = %212
-  %199 = fmul double %195, %184
+199:                                              ; preds = %213
   %200 = fmul double %196, %185
-  %201 = fadd double %199, %200
-  %202 = fmul double %197, %186
-  %203 = fadd double %201, %202
-  %204 = add nuw nsw i64 %188, 9
-  %205 = getelementptr inbounds double, ptr %177, i64 %204
-  %206 = load double, ptr %205, align 8
-  %207 = fadd double %206, %203
-  %208 = getelementptr inbounds double, ptr %25, i64 %204
-  store double %207, ptr %208, align 8
-  %209 = add nuw nsw i64 %188, 1
-  %210 = icmp eq i64 %209, 3
-  br i1 %210, label %211, label %187
+  %201 = fmul double %197, %186
+  %202 = fadd double %200, %201
+  %203 = fmul double %198, %187
+  %204 = fadd double %202, %203
+  %205 = add nuw nsw i64 %189, 9
+  %206 = getelementptr inbounds double, ptr %178, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = fadd double %207, %204
+  %209 = getelementptr inbounds double, ptr %25, i64 %205
+  store double %208, ptr %209, align 8
+  %210 = add nuw nsw i64 %189, 1
+  %211 = icmp eq i64 %210, 3
+  br i1 %211, label %212, label %188
 
-211:                                              ; preds = %198
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %24, ptr noundef nonnull align 8 dereferenceable(24) %69, i64 24, i1 false)
-  br label %233
+212:                                              ; preds = %199
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %24, ptr noundef nonnull align 8 dereferenceable(24) %70, i64 24, i1 false)
+  br label %234
 
-212:                                              ; preds = %212, %187
-  %213 = phi i64 [ 0, %187 ], [ %229, %212 ]
-  %214 = getelementptr inbounds double, ptr %180, i64 %213
-  %215 = load double, ptr %214, align 8
-  %216 = fmul double %195, %215
-  %217 = add nuw nsw i64 %213, 3
-  %218 = getelementptr inbounds double, ptr %180, i64 %217
-  %219 = load double, ptr %218, align 8
-  %220 = fmul double %196, %219
-  %221 = fadd double %216, %220
-  %222 = add nuw nsw i64 %213, 6
-  %223 = getelementptr inbounds double, ptr %180, i64 %222
-  %224 = load double, ptr %223, align 8
-  %225 = fmul double %197, %224
-  %226 = fadd double %221, %225
-  %227 = add nuw nsw i64 %213, %189
-  %228 = getelementptr inbounds double, ptr %25, i64 %227
-  store double %226, ptr %228, align 8
-  %229 = add nuw nsw i64 %213, 1
-  %230 = icmp eq i64 %229, 3
-  br i1 %230, label %198, label %212
+213:                                              ; preds = %213, %188
+  %214 = phi i64 [ 0, %188 ], [ %230, %213 ]
+  %215 = getelementptr inbounds double, ptr %181, i64 %214
+  %216 = load double, ptr %215, align 8
+  %217 = fmul double %196, %216
+  %218 = add nuw nsw i64 %214, 3
+  %219 = getelementptr inbounds double, ptr %181, i64 %218
+  %220 = load double, ptr %219, align 8
+  %221 = fmul double %197, %220
+  %222 = fadd double %217, %221
+  %223 = add nuw nsw i64 %214, 6
+  %224 = getelementptr inbounds double, ptr %181, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fmul double %198, %225
+  %227 = fadd double %222, %226
+  %228 = add nuw nsw i64 %214, %190
+  %229 = getelementptr inbounds double, ptr %25, i64 %228
+  store double %227, ptr %229, align 8
+  %230 = add nuw nsw i64 %214, 1
+  %231 = icmp eq i64 %230, 3
+  br i1 %231, label %199, label %213
 
-231:                                              ; preds = %233
-  %232 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %76, ptr noundef nonnull %18, i64 noundef %79)
+232:                                              ; preds = %234
+  %233 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %77, ptr noundef nonnull %18, i64 noundef %80)
   call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %25) #19
-  br label %303
+  br label %304
 
-233:                                              ; preds = %211, %233
-  %234 = phi i64 [ 0, %211 ], [ %240, %233 ]
-  %235 = mul nuw nsw i64 %234, 3
-  %236 = add nuw nsw i64 %235, 2
-  %237 = getelementptr inbounds [12 x double], ptr %25, i64 0, i64 %236
-  %238 = load double, ptr %237, align 8
-  %239 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %234
-  store double %238, ptr %239, align 8
-  %240 = add nuw nsw i64 %234, 1
-  %241 = icmp eq i64 %240, 3
-  br i1 %241, label %231, label %233
+234:                                              ; preds = %212, %234
+  %235 = phi i64 [ 0, %212 ], [ %241, %234 ]
+  %236 = mul nuw nsw i64 %235, 3
+  %237 = add nuw nsw i64 %236, 2
+  %238 = getelementptr inbounds [12 x double], ptr %25, i64 0, i64 %237
+  %239 = load double, ptr %238, align 8
+  %240 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %235
+  store double %239, ptr %240, align 8
+  %241 = add nuw nsw i64 %235, 1
+  %242 = icmp eq i64 %241, 3
+  br i1 %242, label %232, label %234
 
-242:                                              ; preds = %162
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %79, ptr noundef nonnull %19)
-  %243 = load double, ptr %16, align 16
-  %244 = fmul double %243, %243
-  %245 = load double, ptr %34, align 8
-  %246 = fmul double %245, %245
-  %247 = fadd double %244, %246
-  %248 = load double, ptr %35, align 16
-  %249 = fmul double %248, %248
-  %250 = fadd double %247, %249
-  %251 = fcmp ogt double %250, 0.000000e+00
-  br i1 %251, label %268, label %252
+243:                                              ; preds = %163
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %80, ptr noundef nonnull %19)
+  %244 = load double, ptr %16, align 16
+  %245 = fmul double %244, %244
+  %246 = load double, ptr %35, align 8
+  %247 = fmul double %246, %246
+  %248 = fadd double %245, %247
+  %249 = load double, ptr %36, align 16
+  %250 = fmul double %249, %249
+  %251 = fadd double %248, %250
+  %252 = fcmp ogt double %251, 0.000000e+00
+  br i1 %252, label %269, label %253
 
-252:                                              ; preds = %242
-  %253 = load ptr, ptr %36, align 8
-  %254 = mul nsw i64 %76, 3
-  %255 = mul nsw i64 %79, 3
-  br label %256
+253:                                              ; preds = %243
+  %254 = load ptr, ptr %37, align 8
+  %255 = mul nsw i64 %77, 3
+  %256 = mul nsw i64 %80, 3
+  br label %257
 
-256:                                              ; preds = %252, %256
-  %257 = phi i64 [ 0, %252 ], [ %266, %256 ]
-  %258 = add nsw i64 %254, %257
-  %259 = getelementptr inbounds double, ptr %253, i64 %258
-  %260 = load double, ptr %259, align 8
-  %261 = add nsw i64 %255, %257
-  %262 = getelementptr inbounds double, ptr %253, i64 %261
-  %263 = load double, ptr %262, align 8
-  %264 = fsub double %260, %263
-  %265 = getelementptr inbounds [22 x double], ptr %16, i64 0, i64 %257
-  store double %264, ptr %265, align 8
-  %266 = add nuw nsw i64 %257, 1
-  %267 = icmp eq i64 %266, 3
-  br i1 %267, label %268, label %256
+257:                                              ; preds = %253, %257
+  %258 = phi i64 [ 0, %253 ], [ %267, %257 ]
+  %259 = add nsw i64 %255, %258
+  %260 = getelementptr inbounds double, ptr %254, i64 %259
+  %261 = load double, ptr %260, align 8
+  %262 = add nsw i64 %256, %258
+  %263 = getelementptr inbounds double, ptr %254, i64 %262
+  %264 = load double, ptr %263, align 8
+  %265 = fsub double %261, %264
+  %266 = getelementptr inbounds [22 x double], ptr %16, i64 0, i64 %258
+  store double %265, ptr %266, align 8
+  %267 = add nuw nsw i64 %258, 1
+  %268 = icmp eq i64 %267, 3
+  br i1 %268, label %269, label %257
 
-268:                                              ; preds = %256, %242
-  %269 = getelementptr inbounds double, ptr %5, i64 %73
-  %270 = load double, ptr %269, align 8
-  %271 = load double, ptr %164, align 8
-  %272 = load double, ptr %166, align 8
-  %273 = fadd double %271, %272
-  %274 = fadd double %270, %273
-  %275 = fadd double %273, 0xFFF0000000000000
-  %276 = call fastcc i32 @bounds_from(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %274, double noundef %275, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null, i32 noundef 0)
-  %277 = icmp eq i32 %276, 0
-  br i1 %277, label %278, label %298
+269:                                              ; preds = %257, %243
+  %270 = getelementptr inbounds double, ptr %5, i64 %74
+  %271 = load double, ptr %270, align 8
+  %272 = load double, ptr %165, align 8
+  %273 = load double, ptr %167, align 8
+  %274 = fadd double %272, %273
+  %275 = fadd double %271, %274
+  %276 = fadd double %274, 0xFFF0000000000000
+  %277 = call fastcc i32 @bounds_from(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %275, double noundef %276, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null, i32 noundef 0)
+  %278 = icmp eq i32 %277, 0
+  br i1 %278, label %279, label %299
 
-278:                                              ; preds = %268
+279:                                              ; preds = %269
   call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %26) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %26, i8 0, i64 176, i1 false)
-  %279 = load i64, ptr %0, align 8
-  %280 = mul nsw i64 %279, %73
-  %281 = getelementptr inbounds double, ptr %1, i64 %280
-  %282 = load double, ptr %269, align 8
+  %280 = load i64, ptr %31, align 8
+  %281 = mul nsw i64 %280, %74
+  %282 = getelementptr inbounds double, ptr %1, i64 %281
+  %283 = load double, ptr %270, align 8
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #19
-  store double %282, ptr %10, align 8
-  %283 = icmp sgt i64 %279, 0
-  br i1 %283, label %287, label %293
+  store double %283, ptr %10, align 8
+  %284 = icmp sgt i64 %280, 0
+  br i1 %284, label %288, label %294
 
-284:                                              ; preds = %287
-  %285 = add nuw nsw i64 %288, 1
-  %286 = icmp eq i64 %285, %279
-  br i1 %286, label %293, label %287
+285:                                              ; preds = %288
+  %286 = add nuw nsw i64 %289, 1
+  %287 = icmp eq i64 %286, %280
+  br i1 %287, label %294, label %288
 
-287:                                              ; preds = %278, %284
-  %288 = phi i64 [ %285, %284 ], [ 0, %278 ]
-  %289 = getelementptr inbounds double, ptr %281, i64 %288
-  %290 = load double, ptr %289, align 8
-  %291 = call double @llvm.fabs.f64(double %290) #18
-  %292 = fcmp ueq double %291, 0x7FF0000000000000
-  br i1 %292, label %295, label %284
+288:                                              ; preds = %279, %285
+  %289 = phi i64 [ %286, %285 ], [ 0, %279 ]
+  %290 = getelementptr inbounds double, ptr %282, i64 %289
+  %291 = load double, ptr %290, align 8
+  %292 = call double @llvm.fabs.f64(double %291) #18
+  %293 = fcmp ueq double %292, 0x7FF0000000000000
+  br i1 %293, label %296, label %285
 
-293:                                              ; preds = %284, %278
+294:                                              ; preds = %285, %279
   call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #19
-  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %76, ptr noundef nonnull %11)
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %11)
   call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #19
   store ptr %0, ptr %12, align 8
-  store i64 %76, ptr %37, align 8
-  store ptr %11, ptr %38, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %39, i8 0, i64 16, i1 false)
-  store double %282, ptr %40, align 8
-  store ptr %10, ptr %41, align 8
-  store ptr null, ptr %42, align 8
-  store i32 0, ptr %43, align 8
-  store i64 -1, ptr %44, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %45, i8 0, i64 32, i1 false)
-  store ptr %26, ptr %46, align 8
-  store double 0.000000e+00, ptr %48, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %47, i8 0, i64 36, i1 false)
-  call fastcc void @look_at(ptr noundef nonnull %12, i64 noundef %79, ptr noundef null)
-  %294 = load double, ptr %10, align 8
+  store i64 %77, ptr %38, align 8
+  store ptr %11, ptr %39, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %40, i8 0, i64 16, i1 false)
+  store double %283, ptr %41, align 8
+  store ptr %10, ptr %42, align 8
+  store ptr null, ptr %43, align 8
+  store i32 0, ptr %44, align 8
+  store i64 -1, ptr %45, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %46, i8 0, i64 32, i1 false)
+  store ptr %26, ptr %47, align 8
+  store double 0.000000e+00, ptr %49, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %48, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %12, i64 noundef %80, ptr noundef null)
+  %295 = load double, ptr %10, align 8
   call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #19
-  br label %295
+  br label %296
 
-295:                                              ; preds = %287, %293
-  %296 = phi double [ %294, %293 ], [ 0x7FF8000000000000, %287 ]
+296:                                              ; preds = %288, %294
+  %297 = phi double [ %295, %294 ], [ 0x7FF8000000000000, %288 ]
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #19
-  %297 = getelementptr inbounds double, ptr %7, i64 %73
-  store double %296, ptr %297, align 8
+  %298 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %297, ptr %298, align 8
   call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %26) #19
-  br label %367
+  br label %368
 
-298:                                              ; preds = %268
-  %299 = load double, ptr %22, align 8
-  %300 = fsub double %299, %273
-  %301 = load double, ptr %21, align 8
-  %302 = fsub double %301, %273
+299:                                              ; preds = %269
+  %300 = load double, ptr %22, align 8
+  %301 = fsub double %300, %274
+  %302 = load double, ptr %21, align 8
+  %303 = fsub double %302, %274
   call fastcc void @support(ptr noundef nonnull %19, ptr noundef nonnull %20, ptr noundef nonnull %24)
-  br label %303
+  br label %304
 
-303:                                              ; preds = %298, %231
-  %304 = phi double [ %300, %298 ], [ %232, %231 ]
-  %305 = phi double [ %302, %298 ], [ %232, %231 ]
-  %306 = getelementptr inbounds double, ptr %5, i64 %73
-  %307 = load double, ptr %306, align 8
-  %308 = fcmp ogt double %305, %307
-  br i1 %308, label %314, label %309
+304:                                              ; preds = %299, %232
+  %305 = phi double [ %301, %299 ], [ %233, %232 ]
+  %306 = phi double [ %303, %299 ], [ %233, %232 ]
+  %307 = getelementptr inbounds double, ptr %5, i64 %74
+  %308 = load double, ptr %307, align 8
+  %309 = fcmp ogt double %306, %308
+  br i1 %309, label %315, label %310
 
-309:                                              ; preds = %303
-  %310 = fsub double %304, %305
-  %311 = fcmp ugt double %310, 1.000000e-08
-  br i1 %311, label %312, label %314
+310:                                              ; preds = %304
+  %311 = fsub double %305, %306
+  %312 = fcmp ugt double %311, 1.000000e-08
+  br i1 %312, label %313, label %315
 
-312:                                              ; preds = %309
-  %313 = getelementptr inbounds double, ptr %7, i64 %73
-  store double 0x7FF8000000000000, ptr %313, align 8
-  br label %367
+313:                                              ; preds = %310
+  %314 = getelementptr inbounds double, ptr %7, i64 %74
+  store double 0x7FF8000000000000, ptr %314, align 8
+  br label %368
 
-314:                                              ; preds = %309, %303
-  %315 = phi double [ %307, %303 ], [ %304, %309 ]
-  %316 = getelementptr inbounds double, ptr %7, i64 %73
-  store double %315, ptr %316, align 8
-  %317 = fcmp uno double %315, 0.000000e+00
-  br i1 %317, label %367, label %318
+315:                                              ; preds = %310, %304
+  %316 = phi double [ %308, %304 ], [ %305, %310 ]
+  %317 = getelementptr inbounds double, ptr %7, i64 %74
+  store double %316, ptr %317, align 8
+  %318 = fcmp uno double %316, 0.000000e+00
+  br i1 %318, label %368, label %319
 
-318:                                              ; preds = %314
-  %319 = load double, ptr %306, align 8
-  %320 = fcmp ult double %315, %319
-  br i1 %320, label %321, label %367
+319:                                              ; preds = %315
+  %320 = load double, ptr %307, align 8
+  %321 = fcmp ult double %316, %320
+  br i1 %321, label %322, label %368
 
-321:                                              ; preds = %318
+322:                                              ; preds = %319
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #19
-  %322 = load ptr, ptr %32, align 8
-  %323 = getelementptr inbounds i64, ptr %322, i64 %76
-  %324 = load i64, ptr %323, align 8
-  %325 = getelementptr inbounds i64, ptr %322, i64 %79
-  %326 = load i64, ptr %325, align 8
-  %327 = icmp slt i64 %324, %326
-  br i1 %327, label %354, label %328
+  %323 = load ptr, ptr %33, align 8
+  %324 = getelementptr inbounds i64, ptr %323, i64 %77
+  %325 = load i64, ptr %324, align 8
+  %326 = getelementptr inbounds i64, ptr %323, i64 %80
+  %327 = load i64, ptr %326, align 8
+  %328 = icmp slt i64 %325, %327
+  br i1 %328, label %355, label %329
 
-328:                                              ; preds = %321
-  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %326, i64 noundef %324, ptr noundef %72, ptr noundef nonnull %27, ptr noundef nonnull %28)
-  %329 = load double, ptr %20, align 8
-  %330 = load double, ptr %24, align 16
-  %331 = fmul double %329, %330
-  %332 = load double, ptr %51, align 8
+329:                                              ; preds = %322
+  call fastcc void @twist_of(ptr noundef nonnull %0, i64 noundef %327, i64 noundef %325, ptr noundef %73, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %330 = load double, ptr %20, align 8
+  %331 = load double, ptr %24, align 16
+  %332 = fmul double %330, %331
   %333 = load double, ptr %52, align 8
-  %334 = fmul double %332, %333
-  %335 = fadd double %331, %334
-  %336 = load double, ptr %53, align 8
-  %337 = load double, ptr %54, align 16
-  %338 = fmul double %336, %337
-  %339 = fadd double %335, %338
-  %340 = call fastcc double @stays_apart(ptr noundef nonnull %18, double noundef %339, ptr noundef nonnull %20, ptr noundef nonnull %27, ptr noundef nonnull %28)
-  br label %362
+  %334 = load double, ptr %53, align 8
+  %335 = fmul double %333, %334
+  %336 = fadd double %332, %335
+  %337 = load double, ptr %54, align 8
+  %338 = load double, ptr %55, align 16
+  %339 = fmul double %337, %338
+  %340 = fadd double %336, %339
+  %341 = call fastcc double @stays_apart(ptr noundef nonnull %18, double noundef %340, ptr noundef nonnull %20, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %363
 
-341:                                              ; preds = %354
+342:                                              ; preds = %355
   call fastcc void @support(ptr noundef nonnull %18, ptr noundef nonnull %23, ptr noundef nonnull %24)
-  call fastcc void @twist_of(ptr noundef %0, i64 noundef %324, i64 noundef %326, ptr noundef %72, ptr noundef nonnull %27, ptr noundef nonnull %28)
-  %342 = load double, ptr %23, align 16
-  %343 = load double, ptr %24, align 16
-  %344 = fmul double %342, %343
-  %345 = load double, ptr %55, align 8
-  %346 = load double, ptr %52, align 8
-  %347 = fmul double %345, %346
-  %348 = fadd double %344, %347
-  %349 = load double, ptr %56, align 16
-  %350 = load double, ptr %54, align 16
-  %351 = fmul double %349, %350
-  %352 = fadd double %348, %351
-  %353 = call fastcc double @stays_apart(ptr noundef nonnull %19, double noundef %352, ptr noundef nonnull %23, ptr noundef nonnull %27, ptr noundef nonnull %28)
-  br label %362
+  call fastcc void @twist_of(ptr noundef %0, i64 noundef %325, i64 noundef %327, ptr noundef %73, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  %343 = load double, ptr %23, align 16
+  %344 = load double, ptr %24, align 16
+  %345 = fmul double %343, %344
+  %346 = load double, ptr %56, align 8
+  %347 = load double, ptr %53, align 8
+  %348 = fmul double %346, %347
+  %349 = fadd double %345, %348
+  %350 = load double, ptr %57, align 16
+  %351 = load double, ptr %55, align 16
+  %352 = fmul double %350, %351
+  %353 = fadd double %349, %352
+  %354 = call fastcc double @stays_apart(ptr noundef nonnull %19, double noundef %353, ptr noundef nonnull %23, ptr noundef nonnull %27, ptr noundef nonnull %28)
+  br label %363
 
-354:                                              ; preds = %321, %354
-  %355 = phi i64 [ %360, %354 ], [ 0, %321 ]
-  %356 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %355
-  %357 = load double, ptr %356, align 8
-  %358 = fneg double %357
-  %359 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %355
-  store double %358, ptr %359, align 8
-  %360 = add nuw nsw i64 %355, 1
-  %361 = icmp eq i64 %360, 3
-  br i1 %361, label %341, label %354
+355:                                              ; preds = %322, %355
+  %356 = phi i64 [ %361, %355 ], [ 0, %322 ]
+  %357 = getelementptr inbounds [3 x double], ptr %20, i64 0, i64 %356
+  %358 = load double, ptr %357, align 8
+  %359 = fneg double %358
+  %360 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %356
+  store double %359, ptr %360, align 8
+  %361 = add nuw nsw i64 %356, 1
+  %362 = icmp eq i64 %361, 3
+  br i1 %362, label %342, label %355
 
-362:                                              ; preds = %341, %328
-  %363 = phi double [ %353, %341 ], [ %340, %328 ]
-  %364 = fsub double %363, %168
-  %365 = load double, ptr %128, align 8
-  %366 = fsub double %364, %365
-  store double %366, ptr %107, align 8
+363:                                              ; preds = %342, %329
+  %364 = phi double [ %354, %342 ], [ %341, %329 ]
+  %365 = fsub double %364, %169
+  %366 = load double, ptr %129, align 8
+  %367 = fsub double %365, %366
+  store double %367, ptr %108, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #19
-  br label %367
+  br label %368
 
-367:                                              ; preds = %312, %314, %318, %362, %295
+368:                                              ; preds = %313, %315, %319, %363, %296
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #19
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %22) #19
@@ -1801,33 +1824,33 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %20) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %19) #19
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %18) #19
-  br label %368
+  br label %369
 
-368:                                              ; preds = %367, %159
-  %369 = add nuw nsw i64 %73, 1
-  %370 = load i64, ptr %0, align 8
-  %371 = getelementptr inbounds double, ptr %72, i64 %370
-  %372 = icmp eq i64 %369, %3
-  br i1 %372, label %70, label %71
+369:                                              ; preds = %368, %160
+  %370 = add nuw nsw i64 %74, 1
+  %371 = load i64, ptr %31, align 8
+  %372 = getelementptr inbounds double, ptr %73, i64 %371
+  %373 = icmp eq i64 %370, %3
+  br i1 %373, label %71, label %72
 }
 
 declare double @llvm.fabs.f64(double) #4
 
 define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #5 {
-  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %4 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %5 = load ptr, ptr %4, align 8
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i64, ptr %7, i64 %1
   %9 = load i64, ptr %8, align 8
   %10 = mul nsw i64 %9, 12
   %11 = getelementptr inbounds double, ptr %5, i64 %10
-  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %12 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %13 = load ptr, ptr %12, align 8
   %14 = getelementptr inbounds i64, ptr %13, i64 %1
   %15 = load i64, ptr %14, align 8
   store i64 %15, ptr %2, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
   %17 = load ptr, ptr %16, align 8
   %18 = mul nsw i64 %1, 3
   %19 = getelementptr inbounds double, ptr %17, i64 %18
@@ -1837,27 +1860,27 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br i1 %21, label %22, label %44
 
 22:                                               ; preds = %3
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 13
   %24 = load ptr, ptr %23, align 8
   %25 = getelementptr inbounds i64, ptr %24, i64 %1
   %26 = load i64, ptr %25, align 8
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 10
+  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr inbounds i64, ptr %28, i64 %1
   %30 = load i64, ptr %29, align 8
   %31 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 1
   store i64 %30, ptr %31, align 8
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 20
   %33 = load ptr, ptr %32, align 8
   %34 = getelementptr inbounds double, ptr %33, i64 %26
   %35 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 2
   store ptr %34, ptr %35, align 8
-  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 17
+  %36 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 21
   %37 = load ptr, ptr %36, align 8
   %38 = getelementptr inbounds double, ptr %37, i64 %26
   %39 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 3
   store ptr %38, ptr %39, align 8
-  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
+  %40 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 22
   %41 = load ptr, ptr %40, align 8
   %42 = getelementptr inbounds double, ptr %41, i64 %26
   %43 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 4
@@ -1865,7 +1888,7 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
   br label %102
 
 44:                                               ; preds = %3
-  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %45 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %46 = load ptr, ptr %45, align 8
   %47 = mul nsw i64 %1, 12
   %48 = getelementptr inbounds double, ptr %46, i64 %47
@@ -1944,15 +1967,15 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %6 = alloca [3 x double], align 16
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %3
   %12 = load i64, ptr %11, align 8
   %13 = mul nsw i64 %12, 12
   %14 = getelementptr inbounds double, ptr %8, i64 %13
-  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %16 = load ptr, ptr %15, align 8
   %17 = mul nsw i64 %3, 12
   %18 = getelementptr inbounds double, ptr %16, i64 %17
@@ -2017,7 +2040,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
 
 68:                                               ; preds = %36
   %69 = call fastcc double @lowest(ptr noundef %0, i64 noundef %1, ptr noundef %2, ptr noundef nonnull %5, ptr noundef nonnull %6)
-  %70 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %70 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %71 = load ptr, ptr %70, align 8
   %72 = getelementptr inbounds double, ptr %71, i64 %1
   %73 = load double, ptr %72, align 8
@@ -2031,7 +2054,7 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
 }
 
 define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef %5, double noundef %6, double noundef %7, ptr nocapture noundef %8, ptr nocapture noundef %9, ptr noundef %10, ptr noundef %11) unnamed_addr #6 {
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %1
   %16 = load double, ptr %15, align 8
@@ -2384,10 +2407,10 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, ptr nocapture noundef %5) unnamed_addr #7 {
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  br label %23
+  br label %25
 
-9:                                                ; preds = %23
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+9:                                                ; preds = %25
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
   %11 = load ptr, ptr %10, align 8
   %12 = load i64, ptr %0, align 8
   %13 = add i64 %12, 1
@@ -2396,153 +2419,160 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   %16 = mul nsw i64 %13, %2
   %17 = getelementptr inbounds i64, ptr %11, i64 %16
   %18 = icmp slt i64 %12, 1
-  br i1 %18, label %29, label %19
+  br i1 %18, label %31, label %19
 
 19:                                               ; preds = %9
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  br label %30
+  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  br label %32
 
-23:                                               ; preds = %6, %23
-  %24 = phi i64 [ 0, %6 ], [ %27, %23 ]
-  %25 = getelementptr inbounds double, ptr %5, i64 %24
-  store double 0.000000e+00, ptr %25, align 8
-  %26 = getelementptr inbounds double, ptr %4, i64 %24
-  store double 0.000000e+00, ptr %26, align 8
-  %27 = add nuw nsw i64 %24, 1
-  %28 = icmp eq i64 %27, 3
-  br i1 %28, label %9, label %23
+25:                                               ; preds = %6, %25
+  %26 = phi i64 [ 0, %6 ], [ %29, %25 ]
+  %27 = getelementptr inbounds double, ptr %5, i64 %26
+  store double 0.000000e+00, ptr %27, align 8
+  %28 = getelementptr inbounds double, ptr %4, i64 %26
+  store double 0.000000e+00, ptr %28, align 8
+  %29 = add nuw nsw i64 %26, 1
+  %30 = icmp eq i64 %29, 3
+  br i1 %30, label %9, label %25
 
-29:                                               ; preds = %124, %9
+31:                                               ; preds = %131, %9
   ret void
 
-30:                                               ; preds = %19, %124
-  %31 = phi i64 [ 1, %19 ], [ %125, %124 ]
-  %32 = getelementptr inbounds i64, ptr %15, i64 %31
-  %33 = load i64, ptr %32, align 8
-  %34 = getelementptr inbounds i64, ptr %17, i64 %31
+32:                                               ; preds = %19, %131
+  %33 = phi i64 [ 1, %19 ], [ %132, %131 ]
+  %34 = getelementptr inbounds i64, ptr %15, i64 %33
   %35 = load i64, ptr %34, align 8
-  %36 = icmp eq i64 %33, %35
-  br i1 %36, label %124, label %37
+  %36 = getelementptr inbounds i64, ptr %17, i64 %33
+  %37 = load i64, ptr %36, align 8
+  %38 = icmp eq i64 %35, %37
+  br i1 %38, label %131, label %39
 
-37:                                               ; preds = %30
-  %38 = load ptr, ptr %20, align 8
-  %39 = mul nsw i64 %31, 12
-  %40 = getelementptr inbounds double, ptr %38, i64 %39
-  %41 = icmp eq i64 %35, 0
-  %42 = add nsw i64 %31, -1
-  %43 = getelementptr inbounds double, ptr %3, i64 %42
-  %44 = load double, ptr %43, align 8
-  %45 = fneg double %44
-  %46 = select i1 %41, double %45, double %44
+39:                                               ; preds = %32
+  %40 = load ptr, ptr %20, align 8
+  %41 = mul nsw i64 %33, 12
+  %42 = getelementptr inbounds double, ptr %40, i64 %41
+  %43 = load ptr, ptr %21, align 8
+  %44 = add nsw i64 %33, -1
+  %45 = getelementptr inbounds double, ptr %43, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = load ptr, ptr %22, align 8
+  %48 = getelementptr inbounds i64, ptr %47, i64 %44
+  %49 = load i64, ptr %48, align 8
+  %50 = getelementptr inbounds double, ptr %3, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = fmul double %46, %51
+  %53 = icmp eq i64 %37, 0
+  %54 = fneg double %52
+  %55 = select i1 %53, double %54, double %52
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
-  %47 = load ptr, ptr %21, align 8
-  %48 = mul i64 %31, 3
-  %49 = add i64 %48, -3
-  %50 = getelementptr inbounds double, ptr %47, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = getelementptr inbounds double, ptr %50, i64 1
-  %53 = load double, ptr %52, align 8
-  %54 = getelementptr inbounds double, ptr %50, i64 2
-  %55 = load double, ptr %54, align 8
-  br label %88
+  %56 = load ptr, ptr %23, align 8
+  %57 = mul nsw i64 %44, 3
+  %58 = getelementptr inbounds double, ptr %56, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = getelementptr inbounds double, ptr %58, i64 1
+  %61 = load double, ptr %60, align 8
+  %62 = getelementptr inbounds double, ptr %58, i64 2
+  %63 = load double, ptr %62, align 8
+  br label %95
 
-56:                                               ; preds = %88
-  %57 = getelementptr inbounds double, ptr %40, i64 9
-  br label %58
+64:                                               ; preds = %95
+  %65 = getelementptr inbounds double, ptr %42, i64 9
+  br label %66
 
-58:                                               ; preds = %58, %56
-  %59 = phi i64 [ 0, %56 ], [ %60, %58 ]
-  %60 = add nuw nsw i64 %59, 1
-  %61 = icmp ult i64 %59, 2
-  %62 = add nuw nsw i64 %59, 4294967294
-  %63 = select i1 %61, i64 %60, i64 %62
-  %64 = and i64 %63, 4294967295
-  %65 = getelementptr inbounds double, ptr %57, i64 %64
-  %66 = load double, ptr %65, align 8
-  %67 = icmp eq i64 %59, 0
-  %68 = add nuw nsw i64 %59, 4294967295
-  %69 = and i64 %68, 4294967295
-  %70 = select i1 %67, i64 2, i64 %69
-  %71 = getelementptr inbounds double, ptr %7, i64 %70
-  %72 = load double, ptr %71, align 8
-  %73 = fmul double %66, %72
-  %74 = getelementptr inbounds double, ptr %57, i64 %70
-  %75 = load double, ptr %74, align 8
-  %76 = getelementptr inbounds double, ptr %7, i64 %64
-  %77 = load double, ptr %76, align 8
-  %78 = fmul double %75, %77
-  %79 = fsub double %73, %78
-  %80 = getelementptr inbounds double, ptr %8, i64 %59
-  store double %79, ptr %80, align 8
-  %81 = icmp eq i64 %60, 3
-  br i1 %81, label %82, label %58
+66:                                               ; preds = %66, %64
+  %67 = phi i64 [ 0, %64 ], [ %68, %66 ]
+  %68 = add nuw nsw i64 %67, 1
+  %69 = icmp ult i64 %67, 2
+  %70 = add nuw nsw i64 %67, 4294967294
+  %71 = select i1 %69, i64 %68, i64 %70
+  %72 = and i64 %71, 4294967295
+  %73 = getelementptr inbounds double, ptr %65, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = icmp eq i64 %67, 0
+  %76 = add nuw nsw i64 %67, 4294967295
+  %77 = and i64 %76, 4294967295
+  %78 = select i1 %75, i64 2, i64 %77
+  %79 = getelementptr inbounds double, ptr %7, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %74, %80
+  %82 = getelementptr inbounds double, ptr %65, i64 %78
+  %83 = load double, ptr %82, align 8
+  %84 = getelementptr inbounds double, ptr %7, i64 %72
+  %85 = load double, ptr %84, align 8
+  %86 = fmul double %83, %85
+  %87 = fsub double %81, %86
+  %88 = getelementptr inbounds double, ptr %8, i64 %67
+  store double %87, ptr %88, align 8
+  %89 = icmp eq i64 %68, 3
+  br i1 %89, label %90, label %66
 
-82:                                               ; preds = %58
-  %83 = load ptr, ptr %22, align 8
-  %84 = add nsw i64 %31, -1
-  %85 = getelementptr inbounds i64, ptr %83, i64 %84
-  %86 = load i64, ptr %85, align 8
-  %87 = icmp eq i64 %86, 0
-  br label %107
+90:                                               ; preds = %66
+  %91 = load ptr, ptr %24, align 8
+  %92 = getelementptr inbounds i64, ptr %91, i64 %44
+  %93 = load i64, ptr %92, align 8
+  %94 = icmp eq i64 %93, 0
+  br label %114
 
-88:                                               ; preds = %37, %88
-  %89 = phi i64 [ 0, %37 ], [ %104, %88 ]
-  %90 = mul nuw nsw i64 %89, 3
-  %91 = getelementptr inbounds double, ptr %40, i64 %90
-  %92 = load double, ptr %91, align 8
-  %93 = fmul double %92, %51
-  %94 = getelementptr inbounds double, ptr %91, i64 1
-  %95 = load double, ptr %94, align 8
-  %96 = fmul double %95, %53
-  %97 = fadd double %93, %96
-  %98 = getelementptr inbounds double, ptr %91, i64 2
+95:                                               ; preds = %39, %95
+  %96 = phi i64 [ 0, %39 ], [ %111, %95 ]
+  %97 = mul nuw nsw i64 %96, 3
+  %98 = getelementptr inbounds double, ptr %42, i64 %97
   %99 = load double, ptr %98, align 8
-  %100 = fmul double %99, %55
-  %101 = fadd double %97, %100
-  %102 = fmul double %46, %101
-  %103 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %89
-  store double %102, ptr %103, align 8
-  %104 = add nuw nsw i64 %89, 1
-  %105 = icmp eq i64 %104, 3
-  br i1 %105, label %56, label %88
+  %100 = fmul double %99, %59
+  %101 = getelementptr inbounds double, ptr %98, i64 1
+  %102 = load double, ptr %101, align 8
+  %103 = fmul double %102, %61
+  %104 = fadd double %100, %103
+  %105 = getelementptr inbounds double, ptr %98, i64 2
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %106, %63
+  %108 = fadd double %104, %107
+  %109 = fmul double %55, %108
+  %110 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %96
+  store double %109, ptr %110, align 8
+  %111 = add nuw nsw i64 %96, 1
+  %112 = icmp eq i64 %111, 3
+  br i1 %112, label %64, label %95
 
-106:                                              ; preds = %117
+113:                                              ; preds = %124
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  br label %131
+
+114:                                              ; preds = %90, %124
+  %115 = phi i64 [ 0, %90 ], [ %129, %124 ]
+  %116 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %115
+  %117 = load double, ptr %116, align 8
+  br i1 %94, label %118, label %124
+
+118:                                              ; preds = %114
+  %119 = getelementptr inbounds double, ptr %4, i64 %115
+  %120 = load double, ptr %119, align 8
+  %121 = fadd double %117, %120
+  store double %121, ptr %119, align 8
+  %122 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %115
+  %123 = load double, ptr %122, align 8
   br label %124
 
-107:                                              ; preds = %82, %117
-  %108 = phi i64 [ 0, %82 ], [ %122, %117 ]
-  %109 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %108
-  %110 = load double, ptr %109, align 8
-  br i1 %87, label %111, label %117
+124:                                              ; preds = %114, %118
+  %125 = phi double [ %123, %118 ], [ %117, %114 ]
+  %126 = getelementptr inbounds double, ptr %5, i64 %115
+  %127 = load double, ptr %126, align 8
+  %128 = fadd double %125, %127
+  store double %128, ptr %126, align 8
+  %129 = add nuw nsw i64 %115, 1
+  %130 = icmp eq i64 %129, 3
+  br i1 %130, label %113, label %114
 
-111:                                              ; preds = %107
-  %112 = getelementptr inbounds double, ptr %4, i64 %108
-  %113 = load double, ptr %112, align 8
-  %114 = fadd double %110, %113
-  store double %114, ptr %112, align 8
-  %115 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %108
-  %116 = load double, ptr %115, align 8
-  br label %117
-
-117:                                              ; preds = %107, %111
-  %118 = phi double [ %116, %111 ], [ %110, %107 ]
-  %119 = getelementptr inbounds double, ptr %5, i64 %108
-  %120 = load double, ptr %119, align 8
-  %121 = fadd double %118, %120
-  store double %121, ptr %119, align 8
-  %122 = add nuw nsw i64 %108, 1
-  %123 = icmp eq i64 %122, 3
-  br i1 %123, label %106, label %107
-
-124:                                              ; preds = %30, %106
-  %125 = add nuw i64 %31, 1
-  %126 = icmp eq i64 %31, %12
-  br i1 %126, label %29, label %30
+131:                                              ; preds = %32, %113
+  %132 = add nuw i64 %33, 1
+  %133 = icmp eq i64 %33, %12
+  br i1 %133, label %31, label %32
 }
 
 define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, double noundef %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4) unnamed_addr #7 {
@@ -2652,7 +2682,7 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   br i1 %87, label %48, label %76
 }
 
-define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
+define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4) local_unnamed_addr #0 {
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca double, align 8
@@ -2662,417 +2692,434 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %12 = alloca [3 x double], align 16
   %13 = alloca [3 x double], align 16
   %14 = icmp sgt i64 %2, 0
-  br i1 %14, label %15, label %33
+  br i1 %14, label %15, label %36
 
 15:                                               ; preds = %5
-  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
-  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
-  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
-  %19 = getelementptr inbounds double, ptr %9, i64 1
-  %20 = getelementptr inbounds double, ptr %9, i64 2
-  %21 = getelementptr inbounds double, ptr %10, i64 1
-  %22 = getelementptr inbounds double, ptr %10, i64 2
-  %23 = getelementptr inbounds double, ptr %6, i64 1
-  %24 = getelementptr inbounds double, ptr %6, i64 2
-  %25 = getelementptr inbounds double, ptr %7, i64 1
-  %26 = getelementptr inbounds double, ptr %7, i64 2
-  %27 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 4
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
-  %29 = getelementptr inbounds double, ptr %12, i64 1
-  %30 = getelementptr inbounds double, ptr %12, i64 2
-  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 5
-  %32 = load i64, ptr %0, align 8
-  br label %34
+  %16 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %18 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %20 = getelementptr inbounds double, ptr %9, i64 1
+  %21 = getelementptr inbounds double, ptr %9, i64 2
+  %22 = getelementptr inbounds double, ptr %10, i64 1
+  %23 = getelementptr inbounds double, ptr %10, i64 2
+  %24 = getelementptr inbounds double, ptr %6, i64 1
+  %25 = getelementptr inbounds double, ptr %6, i64 2
+  %26 = getelementptr inbounds double, ptr %7, i64 1
+  %27 = getelementptr inbounds double, ptr %7, i64 2
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 6
+  %30 = getelementptr inbounds double, ptr %12, i64 1
+  %31 = getelementptr inbounds double, ptr %12, i64 2
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 9
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 3
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 2
+  %35 = load i64, ptr %17, align 8
+  br label %37
 
-33:                                               ; preds = %324, %5
+36:                                               ; preds = %340, %5
   ret void
 
-34:                                               ; preds = %15, %324
-  %35 = phi i64 [ %32, %15 ], [ %325, %324 ]
-  %36 = phi ptr [ %1, %15 ], [ %327, %324 ]
-  %37 = phi ptr [ %4, %15 ], [ %329, %324 ]
-  %38 = phi i64 [ 0, %15 ], [ %326, %324 ]
-  %39 = shl nuw nsw i64 %38, 1
-  %40 = getelementptr inbounds i64, ptr %3, i64 %39
-  %41 = load i64, ptr %40, align 8
-  %42 = or i64 %39, 1
+37:                                               ; preds = %15, %340
+  %38 = phi i64 [ %35, %15 ], [ %342, %340 ]
+  %39 = phi ptr [ %1, %15 ], [ %343, %340 ]
+  %40 = phi ptr [ %4, %15 ], [ %345, %340 ]
+  %41 = phi i64 [ 0, %15 ], [ %341, %340 ]
+  %42 = shl nuw nsw i64 %41, 1
   %43 = getelementptr inbounds i64, ptr %3, i64 %42
   %44 = load i64, ptr %43, align 8
-  %45 = load ptr, ptr %16, align 8
-  %46 = getelementptr inbounds i64, ptr %45, i64 %41
+  %45 = or i64 %42, 1
+  %46 = getelementptr inbounds i64, ptr %3, i64 %45
   %47 = load i64, ptr %46, align 8
-  %48 = getelementptr inbounds i64, ptr %45, i64 %44
-  %49 = load i64, ptr %48, align 8
+  %48 = load ptr, ptr %16, align 8
+  %49 = getelementptr inbounds i64, ptr %48, i64 %44
+  %50 = load i64, ptr %49, align 8
+  %51 = getelementptr inbounds i64, ptr %48, i64 %47
+  %52 = load i64, ptr %51, align 8
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
-  %50 = icmp sgt i64 %35, 0
-  br i1 %50, label %53, label %64
+  %53 = icmp sgt i64 %38, 0
+  br i1 %53, label %56, label %67
 
-51:                                               ; preds = %53
-  %52 = icmp eq i32 %61, 0
-  br i1 %52, label %69, label %64
+54:                                               ; preds = %56
+  %55 = icmp eq i32 %64, 0
+  br i1 %55, label %72, label %67
 
-53:                                               ; preds = %34, %53
-  %54 = phi i32 [ %61, %53 ], [ 1, %34 ]
-  %55 = phi i64 [ %62, %53 ], [ 0, %34 ]
-  %56 = getelementptr inbounds double, ptr %36, i64 %55
-  %57 = load double, ptr %56, align 8
-  %58 = call double @llvm.fabs.f64(double %57) #18
-  %59 = fcmp one double %58, 0x7FF0000000000000
-  %60 = zext i1 %59 to i32
-  %61 = and i32 %54, %60
-  %62 = add nuw nsw i64 %55, 1
-  %63 = icmp eq i64 %62, %35
-  br i1 %63, label %51, label %53
+56:                                               ; preds = %37, %56
+  %57 = phi i32 [ %64, %56 ], [ 1, %37 ]
+  %58 = phi i64 [ %65, %56 ], [ 0, %37 ]
+  %59 = getelementptr inbounds double, ptr %39, i64 %58
+  %60 = load double, ptr %59, align 8
+  %61 = call double @llvm.fabs.f64(double %60) #18
+  %62 = fcmp one double %61, 0x7FF0000000000000
+  %63 = zext i1 %62 to i32
+  %64 = and i32 %57, %63
+  %65 = add nuw nsw i64 %58, 1
+  %66 = icmp eq i64 %65, %38
+  br i1 %66, label %54, label %56
 
-64:                                               ; preds = %34, %51
-  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %36)
-  %65 = call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %41, i64 noundef %44, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9)
-  %66 = icmp eq i32 %65, 0
-  br i1 %66, label %67, label %80
+67:                                               ; preds = %37, %54
+  call fastcc void @place(ptr noundef nonnull %0, ptr noundef %39)
+  %68 = call fastcc i32 @nearest_points(ptr noundef nonnull %0, i64 noundef %44, i64 noundef %47, ptr noundef nonnull %6, ptr noundef nonnull %7, ptr noundef nonnull %8, ptr noundef nonnull %9)
+  %69 = icmp eq i32 %68, 0
+  br i1 %69, label %70, label %83
 
-67:                                               ; preds = %64
-  %68 = load i64, ptr %0, align 8
-  br label %69
+70:                                               ; preds = %67
+  %71 = load i64, ptr %17, align 8
+  br label %72
 
-69:                                               ; preds = %67, %51
-  %70 = phi i64 [ %68, %67 ], [ %35, %51 ]
-  %71 = icmp sgt i64 %70, -13
-  br i1 %71, label %72, label %324
+72:                                               ; preds = %70, %54
+  %73 = phi i64 [ %71, %70 ], [ %38, %54 ]
+  %74 = icmp sgt i64 %73, -13
+  br i1 %74, label %75, label %340
 
-72:                                               ; preds = %69
-  %73 = add i64 %70, 12
-  %74 = call i64 @llvm.smax.i64(i64 %73, i64 0)
-  br label %75
+75:                                               ; preds = %72
+  %76 = add i64 %73, 12
+  %77 = call i64 @llvm.smax.i64(i64 %76, i64 0)
+  br label %78
 
-75:                                               ; preds = %72, %75
-  %76 = phi i64 [ %78, %75 ], [ 0, %72 ]
-  %77 = getelementptr inbounds double, ptr %37, i64 %76
-  store double 0x7FF8000000000000, ptr %77, align 8
-  %78 = add nuw i64 %76, 1
-  %79 = icmp eq i64 %76, %74
-  br i1 %79, label %324, label %75
+78:                                               ; preds = %75, %78
+  %79 = phi i64 [ %81, %78 ], [ 0, %75 ]
+  %80 = getelementptr inbounds double, ptr %40, i64 %79
+  store double 0x7FF8000000000000, ptr %80, align 8
+  %81 = add nuw i64 %79, 1
+  %82 = icmp eq i64 %79, %77
+  br i1 %82, label %340, label %78
 
-80:                                               ; preds = %64
-  %81 = load ptr, ptr %17, align 8
-  %82 = mul nsw i64 %47, 12
-  %83 = mul nsw i64 %49, 12
-  br label %211
+83:                                               ; preds = %67
+  %84 = load ptr, ptr %18, align 8
+  %85 = mul nsw i64 %50, 12
+  %86 = mul nsw i64 %52, 12
+  br label %220
 
-84:                                               ; preds = %211
-  %85 = getelementptr inbounds double, ptr %81, i64 %83
-  %86 = load double, ptr %8, align 8
-  %87 = load ptr, ptr %18, align 8
-  %88 = getelementptr inbounds double, ptr %87, i64 %41
-  %89 = load double, ptr %88, align 8
-  %90 = fsub double %86, %89
-  %91 = getelementptr inbounds double, ptr %87, i64 %44
+87:                                               ; preds = %220
+  %88 = getelementptr inbounds double, ptr %84, i64 %86
+  %89 = load double, ptr %8, align 8
+  %90 = load ptr, ptr %19, align 8
+  %91 = getelementptr inbounds double, ptr %90, i64 %44
   %92 = load double, ptr %91, align 8
-  %93 = fsub double %90, %92
-  store double %93, ptr %37, align 8
-  %94 = getelementptr inbounds double, ptr %37, i64 1
-  %95 = load double, ptr %9, align 16
-  %96 = load double, ptr %19, align 8
-  %97 = load double, ptr %20, align 16
-  br label %98
+  %93 = fsub double %89, %92
+  %94 = getelementptr inbounds double, ptr %90, i64 %47
+  %95 = load double, ptr %94, align 8
+  %96 = fsub double %93, %95
+  store double %96, ptr %40, align 8
+  %97 = getelementptr inbounds double, ptr %40, i64 1
+  %98 = load double, ptr %9, align 16
+  %99 = load double, ptr %20, align 8
+  %100 = load double, ptr %21, align 16
+  br label %101
 
-98:                                               ; preds = %98, %84
-  %99 = phi i64 [ 0, %84 ], [ %114, %98 ]
-  %100 = getelementptr inbounds double, ptr %85, i64 %99
-  %101 = load double, ptr %100, align 8
-  %102 = fmul double %101, %95
-  %103 = add nuw nsw i64 %99, 3
-  %104 = getelementptr inbounds double, ptr %85, i64 %103
-  %105 = load double, ptr %104, align 8
-  %106 = fmul double %105, %96
-  %107 = fadd double %102, %106
-  %108 = add nuw nsw i64 %99, 6
-  %109 = getelementptr inbounds double, ptr %85, i64 %108
-  %110 = load double, ptr %109, align 8
-  %111 = fmul double %110, %97
-  %112 = fadd double %107, %111
-  %113 = getelementptr inbounds double, ptr %94, i64 %99
-  store double %112, ptr %113, align 8
-  %114 = add nuw nsw i64 %99, 1
-  %115 = icmp eq i64 %114, 3
-  br i1 %115, label %116, label %98
+101:                                              ; preds = %101, %87
+  %102 = phi i64 [ 0, %87 ], [ %117, %101 ]
+  %103 = getelementptr inbounds double, ptr %88, i64 %102
+  %104 = load double, ptr %103, align 8
+  %105 = fmul double %104, %98
+  %106 = add nuw nsw i64 %102, 3
+  %107 = getelementptr inbounds double, ptr %88, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = fmul double %108, %99
+  %110 = fadd double %105, %109
+  %111 = add nuw nsw i64 %102, 6
+  %112 = getelementptr inbounds double, ptr %88, i64 %111
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %113, %100
+  %115 = fadd double %110, %114
+  %116 = getelementptr inbounds double, ptr %97, i64 %102
+  store double %115, ptr %116, align 8
+  %117 = add nuw nsw i64 %102, 1
+  %118 = icmp eq i64 %117, 3
+  br i1 %118, label %119, label %101
 
-116:                                              ; preds = %98
-  %117 = getelementptr inbounds double, ptr %81, i64 %82
-  %118 = getelementptr inbounds double, ptr %37, i64 4
-  %119 = load double, ptr %10, align 16
-  %120 = load double, ptr %21, align 8
-  %121 = load double, ptr %22, align 16
-  br label %122
+119:                                              ; preds = %101
+  %120 = getelementptr inbounds double, ptr %84, i64 %85
+  %121 = getelementptr inbounds double, ptr %40, i64 4
+  %122 = load double, ptr %10, align 16
+  %123 = load double, ptr %22, align 8
+  %124 = load double, ptr %23, align 16
+  br label %125
 
-122:                                              ; preds = %122, %116
-  %123 = phi i64 [ 0, %116 ], [ %138, %122 ]
-  %124 = getelementptr inbounds double, ptr %117, i64 %123
-  %125 = load double, ptr %124, align 8
-  %126 = fmul double %125, %119
-  %127 = add nuw nsw i64 %123, 3
-  %128 = getelementptr inbounds double, ptr %117, i64 %127
-  %129 = load double, ptr %128, align 8
-  %130 = fmul double %129, %120
-  %131 = fadd double %126, %130
-  %132 = add nuw nsw i64 %123, 6
-  %133 = getelementptr inbounds double, ptr %117, i64 %132
-  %134 = load double, ptr %133, align 8
-  %135 = fmul double %134, %121
-  %136 = fadd double %131, %135
-  %137 = getelementptr inbounds double, ptr %118, i64 %123
-  store double %136, ptr %137, align 8
-  %138 = add nuw nsw i64 %123, 1
-  %139 = icmp eq i64 %138, 3
-  br i1 %139, label %140, label %122
+125:                                              ; preds = %125, %119
+  %126 = phi i64 [ 0, %119 ], [ %141, %125 ]
+  %127 = getelementptr inbounds double, ptr %120, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = fmul double %128, %122
+  %130 = add nuw nsw i64 %126, 3
+  %131 = getelementptr inbounds double, ptr %120, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fmul double %132, %123
+  %134 = fadd double %129, %133
+  %135 = add nuw nsw i64 %126, 6
+  %136 = getelementptr inbounds double, ptr %120, i64 %135
+  %137 = load double, ptr %136, align 8
+  %138 = fmul double %137, %124
+  %139 = fadd double %134, %138
+  %140 = getelementptr inbounds double, ptr %121, i64 %126
+  store double %139, ptr %140, align 8
+  %141 = add nuw nsw i64 %126, 1
+  %142 = icmp eq i64 %141, 3
+  br i1 %142, label %143, label %125
 
-140:                                              ; preds = %122
-  %141 = getelementptr inbounds double, ptr %37, i64 7
-  %142 = load double, ptr %6, align 16
-  %143 = getelementptr inbounds double, ptr %117, i64 9
-  %144 = load double, ptr %143, align 8
-  %145 = fsub double %142, %144
-  %146 = load double, ptr %23, align 8
-  %147 = getelementptr inbounds double, ptr %117, i64 10
-  %148 = load double, ptr %147, align 8
-  %149 = fsub double %146, %148
-  %150 = load double, ptr %24, align 16
-  %151 = getelementptr inbounds double, ptr %117, i64 11
-  %152 = load double, ptr %151, align 8
-  %153 = fsub double %150, %152
-  br label %154
+143:                                              ; preds = %125
+  %144 = getelementptr inbounds double, ptr %40, i64 7
+  %145 = load double, ptr %6, align 16
+  %146 = getelementptr inbounds double, ptr %120, i64 9
+  %147 = load double, ptr %146, align 8
+  %148 = fsub double %145, %147
+  %149 = load double, ptr %24, align 8
+  %150 = getelementptr inbounds double, ptr %120, i64 10
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %149, %151
+  %153 = load double, ptr %25, align 16
+  %154 = getelementptr inbounds double, ptr %120, i64 11
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %153, %155
+  br label %157
 
-154:                                              ; preds = %154, %140
-  %155 = phi i64 [ 0, %140 ], [ %170, %154 ]
-  %156 = getelementptr inbounds double, ptr %117, i64 %155
-  %157 = load double, ptr %156, align 8
-  %158 = fmul double %145, %157
-  %159 = add nuw nsw i64 %155, 3
-  %160 = getelementptr inbounds double, ptr %117, i64 %159
-  %161 = load double, ptr %160, align 8
-  %162 = fmul double %149, %161
-  %163 = fadd double %158, %162
-  %164 = add nuw nsw i64 %155, 6
-  %165 = getelementptr inbounds double, ptr %117, i64 %164
-  %166 = load double, ptr %165, align 8
-  %167 = fmul double %153, %166
-  %168 = fadd double %163, %167
-  %169 = getelementptr inbounds double, ptr %141, i64 %155
-  store double %168, ptr %169, align 8
-  %170 = add nuw nsw i64 %155, 1
-  %171 = icmp eq i64 %170, 3
-  br i1 %171, label %172, label %154
+157:                                              ; preds = %157, %143
+  %158 = phi i64 [ 0, %143 ], [ %173, %157 ]
+  %159 = getelementptr inbounds double, ptr %120, i64 %158
+  %160 = load double, ptr %159, align 8
+  %161 = fmul double %148, %160
+  %162 = add nuw nsw i64 %158, 3
+  %163 = getelementptr inbounds double, ptr %120, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %152, %164
+  %166 = fadd double %161, %165
+  %167 = add nuw nsw i64 %158, 6
+  %168 = getelementptr inbounds double, ptr %120, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %156, %169
+  %171 = fadd double %166, %170
+  %172 = getelementptr inbounds double, ptr %144, i64 %158
+  store double %171, ptr %172, align 8
+  %173 = add nuw nsw i64 %158, 1
+  %174 = icmp eq i64 %173, 3
+  br i1 %174, label %175, label %157
 
-172:                                              ; preds = %154
-  %173 = getelementptr inbounds double, ptr %37, i64 10
-  %174 = load double, ptr %7, align 16
-  %175 = getelementptr inbounds double, ptr %85, i64 9
-  %176 = load double, ptr %175, align 8
-  %177 = fsub double %174, %176
-  %178 = load double, ptr %25, align 8
-  %179 = getelementptr inbounds double, ptr %85, i64 10
-  %180 = load double, ptr %179, align 8
-  %181 = fsub double %178, %180
-  %182 = load double, ptr %26, align 16
-  %183 = getelementptr inbounds double, ptr %85, i64 11
-  %184 = load double, ptr %183, align 8
-  %185 = fsub double %182, %184
-  br label %186
+175:                                              ; preds = %157
+  %176 = getelementptr inbounds double, ptr %40, i64 10
+  %177 = load double, ptr %7, align 16
+  %178 = getelementptr inbounds double, ptr %88, i64 9
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %177, %179
+  %181 = load double, ptr %26, align 8
+  %182 = getelementptr inbounds double, ptr %88, i64 10
+  %183 = load double, ptr %182, align 8
+  %184 = fsub double %181, %183
+  %185 = load double, ptr %27, align 16
+  %186 = getelementptr inbounds double, ptr %88, i64 11
+  %187 = load double, ptr %186, align 8
+  %188 = fsub double %185, %187
+  br label %189
 
-186:                                              ; preds = %186, %172
-  %187 = phi i64 [ 0, %172 ], [ %202, %186 ]
-  %188 = getelementptr inbounds double, ptr %85, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = fmul double %177, %189
-  %191 = add nuw nsw i64 %187, 3
-  %192 = getelementptr inbounds double, ptr %85, i64 %191
-  %193 = load double, ptr %192, align 8
-  %194 = fmul double %181, %193
-  %195 = fadd double %190, %194
-  %196 = add nuw nsw i64 %187, 6
-  %197 = getelementptr inbounds double, ptr %85, i64 %196
-  %198 = load double, ptr %197, align 8
-  %199 = fmul double %185, %198
-  %200 = fadd double %195, %199
-  %201 = getelementptr inbounds double, ptr %173, i64 %187
-  store double %200, ptr %201, align 8
-  %202 = add nuw nsw i64 %187, 1
-  %203 = icmp eq i64 %202, 3
-  br i1 %203, label %204, label %186
+189:                                              ; preds = %189, %175
+  %190 = phi i64 [ 0, %175 ], [ %205, %189 ]
+  %191 = getelementptr inbounds double, ptr %88, i64 %190
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %180, %192
+  %194 = add nuw nsw i64 %190, 3
+  %195 = getelementptr inbounds double, ptr %88, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = fmul double %184, %196
+  %198 = fadd double %193, %197
+  %199 = add nuw nsw i64 %190, 6
+  %200 = getelementptr inbounds double, ptr %88, i64 %199
+  %201 = load double, ptr %200, align 8
+  %202 = fmul double %188, %201
+  %203 = fadd double %198, %202
+  %204 = getelementptr inbounds double, ptr %176, i64 %190
+  store double %203, ptr %204, align 8
+  %205 = add nuw nsw i64 %190, 1
+  %206 = icmp eq i64 %205, 3
+  br i1 %206, label %207, label %189
 
-204:                                              ; preds = %186
-  %205 = load i64, ptr %0, align 8
-  %206 = icmp slt i64 %205, 1
-  br i1 %206, label %324, label %207
+207:                                              ; preds = %189
+  %208 = getelementptr inbounds double, ptr %40, i64 13
+  %209 = load i64, ptr %17, align 8
+  %210 = shl i64 %209, 3
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 %208, i8 0, i64 %210, i1 false)
+  %211 = load i64, ptr %0, align 8
+  %212 = icmp slt i64 %211, 1
+  br i1 %212, label %340, label %213
 
-207:                                              ; preds = %204
-  %208 = load ptr, ptr %27, align 8
-  %209 = load ptr, ptr %28, align 8
-  %210 = add nuw i64 %205, 1
-  br label %219
+213:                                              ; preds = %207
+  %214 = load ptr, ptr %18, align 8
+  %215 = load ptr, ptr %28, align 8
+  %216 = load ptr, ptr %29, align 8
+  %217 = add nuw i64 %211, 1
+  %218 = load ptr, ptr %33, align 8
+  %219 = load ptr, ptr %34, align 8
+  br label %228
 
-211:                                              ; preds = %80, %211
-  %212 = phi i64 [ 0, %80 ], [ %217, %211 ]
-  %213 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %212
-  %214 = load double, ptr %213, align 8
-  %215 = fneg double %214
-  %216 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %212
-  store double %215, ptr %216, align 8
-  %217 = add nuw nsw i64 %212, 1
-  %218 = icmp eq i64 %217, 3
-  br i1 %218, label %84, label %211
+220:                                              ; preds = %83, %220
+  %221 = phi i64 [ 0, %83 ], [ %226, %220 ]
+  %222 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %221
+  %223 = load double, ptr %222, align 8
+  %224 = fneg double %223
+  %225 = getelementptr inbounds [3 x double], ptr %10, i64 0, i64 %221
+  store double %224, ptr %225, align 8
+  %226 = add nuw nsw i64 %221, 1
+  %227 = icmp eq i64 %226, 3
+  br i1 %227, label %87, label %220
 
-219:                                              ; preds = %207, %253
-  %220 = phi i64 [ 1, %207 ], [ %256, %253 ]
-  %221 = mul nuw nsw i64 %220, 12
-  %222 = getelementptr inbounds double, ptr %81, i64 %221
-  %223 = add nsw i64 %220, -1
-  %224 = mul nuw nsw i64 %223, 3
-  %225 = getelementptr inbounds double, ptr %208, i64 %224
+228:                                              ; preds = %213, %262
+  %229 = phi i64 [ 1, %213 ], [ %272, %262 ]
+  %230 = mul nuw nsw i64 %229, 12
+  %231 = getelementptr inbounds double, ptr %214, i64 %230
+  %232 = add nsw i64 %229, -1
+  %233 = mul nuw nsw i64 %232, 3
+  %234 = getelementptr inbounds double, ptr %215, i64 %233
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #19
-  %226 = load double, ptr %225, align 8
-  %227 = getelementptr inbounds double, ptr %225, i64 1
-  %228 = load double, ptr %227, align 8
-  %229 = getelementptr inbounds double, ptr %225, i64 2
-  %230 = load double, ptr %229, align 8
-  br label %236
+  %235 = load double, ptr %234, align 8
+  %236 = getelementptr inbounds double, ptr %234, i64 1
+  %237 = load double, ptr %236, align 8
+  %238 = getelementptr inbounds double, ptr %234, i64 2
+  %239 = load double, ptr %238, align 8
+  br label %245
 
-231:                                              ; preds = %236
-  %232 = getelementptr inbounds double, ptr %222, i64 9
-  %233 = getelementptr inbounds double, ptr %222, i64 10
-  %234 = getelementptr inbounds double, ptr %222, i64 11
-  %235 = load double, ptr %11, align 16
-  br label %258
+240:                                              ; preds = %245
+  %241 = getelementptr inbounds double, ptr %231, i64 9
+  %242 = getelementptr inbounds double, ptr %231, i64 10
+  %243 = getelementptr inbounds double, ptr %231, i64 11
+  %244 = load double, ptr %11, align 16
+  br label %274
 
-236:                                              ; preds = %219, %236
-  %237 = phi i64 [ 0, %219 ], [ %251, %236 ]
-  %238 = mul nuw nsw i64 %237, 3
-  %239 = getelementptr inbounds double, ptr %222, i64 %238
-  %240 = load double, ptr %239, align 8
-  %241 = fmul double %240, %226
-  %242 = getelementptr inbounds double, ptr %239, i64 1
-  %243 = load double, ptr %242, align 8
-  %244 = fmul double %243, %228
-  %245 = fadd double %241, %244
-  %246 = getelementptr inbounds double, ptr %239, i64 2
-  %247 = load double, ptr %246, align 8
-  %248 = fmul double %247, %230
-  %249 = fadd double %245, %248
-  %250 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %237
-  store double %249, ptr %250, align 8
-  %251 = add nuw nsw i64 %237, 1
-  %252 = icmp eq i64 %251, 3
-  br i1 %252, label %231, label %236
+245:                                              ; preds = %228, %245
+  %246 = phi i64 [ 0, %228 ], [ %260, %245 ]
+  %247 = mul nuw nsw i64 %246, 3
+  %248 = getelementptr inbounds double, ptr %231, i64 %247
+  %249 = load double, ptr %248, align 8
+  %250 = fmul double %249, %235
+  %251 = getelementptr inbounds double, ptr %248, i64 1
+  %252 = load double, ptr %251, align 8
+  %253 = fmul double %252, %237
+  %254 = fadd double %250, %253
+  %255 = getelementptr inbounds double, ptr %248, i64 2
+  %256 = load double, ptr %255, align 8
+  %257 = fmul double %256, %239
+  %258 = fadd double %254, %257
+  %259 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %246
+  store double %258, ptr %259, align 8
+  %260 = add nuw nsw i64 %246, 1
+  %261 = icmp eq i64 %260, 3
+  br i1 %261, label %240, label %245
 
-253:                                              ; preds = %322
-  %254 = add nuw nsw i64 %220, 12
-  %255 = getelementptr inbounds double, ptr %37, i64 %254
-  store double %323, ptr %255, align 8
+262:                                              ; preds = %338
+  %263 = getelementptr inbounds double, ptr %218, i64 %232
+  %264 = load double, ptr %263, align 8
+  %265 = fmul double %339, %264
+  %266 = getelementptr inbounds i64, ptr %219, i64 %232
+  %267 = load i64, ptr %266, align 8
+  %268 = add nsw i64 %267, 13
+  %269 = getelementptr inbounds double, ptr %40, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fadd double %265, %270
+  store double %271, ptr %269, align 8
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #19
-  %256 = add nuw i64 %220, 1
-  %257 = icmp eq i64 %220, %205
-  br i1 %257, label %324, label %219
+  %272 = add nuw i64 %229, 1
+  %273 = icmp eq i64 %229, %211
+  br i1 %273, label %340, label %228
 
-258:                                              ; preds = %231, %322
-  %259 = phi i1 [ true, %231 ], [ false, %322 ]
-  %260 = phi double [ 0.000000e+00, %231 ], [ %323, %322 ]
-  %261 = select i1 %259, i64 %47, i64 %49
-  %262 = mul nsw i64 %261, %210
-  %263 = add nsw i64 %262, %220
-  %264 = getelementptr inbounds i64, ptr %209, i64 %263
-  %265 = load i64, ptr %264, align 8
-  %266 = icmp eq i64 %265, 0
-  br i1 %266, label %322, label %267
+274:                                              ; preds = %240, %338
+  %275 = phi i1 [ true, %240 ], [ false, %338 ]
+  %276 = phi double [ 0.000000e+00, %240 ], [ %339, %338 ]
+  %277 = select i1 %275, i64 %50, i64 %52
+  %278 = mul nsw i64 %277, %217
+  %279 = add nsw i64 %278, %229
+  %280 = getelementptr inbounds i64, ptr %216, i64 %279
+  %281 = load i64, ptr %280, align 8
+  %282 = icmp eq i64 %281, 0
+  br i1 %282, label %338, label %283
 
-267:                                              ; preds = %258
+283:                                              ; preds = %274
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #19
-  %268 = select i1 %259, double %142, double %174
-  %269 = load double, ptr %232, align 8
-  %270 = fsub double %268, %269
-  store double %270, ptr %12, align 16
-  %271 = select i1 %259, double %146, double %178
-  %272 = load double, ptr %233, align 8
-  %273 = fsub double %271, %272
-  store double %273, ptr %29, align 8
-  %274 = select i1 %259, double %150, double %182
-  %275 = load double, ptr %234, align 8
-  %276 = fsub double %274, %275
-  store double %276, ptr %30, align 16
+  %284 = select i1 %275, double %145, double %177
+  %285 = load double, ptr %241, align 8
+  %286 = fsub double %284, %285
+  store double %286, ptr %12, align 16
+  %287 = select i1 %275, double %149, double %181
+  %288 = load double, ptr %242, align 8
+  %289 = fsub double %287, %288
+  store double %289, ptr %30, align 8
+  %290 = select i1 %275, double %153, double %185
+  %291 = load double, ptr %243, align 8
+  %292 = fsub double %290, %291
+  store double %292, ptr %31, align 16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #19
-  br label %277
+  br label %293
 
-277:                                              ; preds = %277, %267
-  %278 = phi i64 [ 0, %267 ], [ %279, %277 ]
-  %279 = add nuw nsw i64 %278, 1
-  %280 = icmp ult i64 %278, 2
-  %281 = add nuw nsw i64 %278, 4294967294
-  %282 = select i1 %280, i64 %279, i64 %281
-  %283 = and i64 %282, 4294967295
-  %284 = getelementptr inbounds double, ptr %11, i64 %283
-  %285 = load double, ptr %284, align 8
-  %286 = icmp eq i64 %278, 0
-  %287 = add nuw nsw i64 %278, 4294967295
-  %288 = and i64 %287, 4294967295
-  %289 = select i1 %286, i64 2, i64 %288
-  %290 = getelementptr inbounds double, ptr %12, i64 %289
-  %291 = load double, ptr %290, align 8
-  %292 = fmul double %285, %291
-  %293 = getelementptr inbounds double, ptr %11, i64 %289
-  %294 = load double, ptr %293, align 8
-  %295 = getelementptr inbounds double, ptr %12, i64 %283
-  %296 = load double, ptr %295, align 8
-  %297 = fmul double %294, %296
-  %298 = fsub double %292, %297
-  %299 = getelementptr inbounds double, ptr %13, i64 %278
-  store double %298, ptr %299, align 8
-  %300 = icmp eq i64 %279, 3
-  br i1 %300, label %301, label %277
+293:                                              ; preds = %293, %283
+  %294 = phi i64 [ 0, %283 ], [ %295, %293 ]
+  %295 = add nuw nsw i64 %294, 1
+  %296 = icmp ult i64 %294, 2
+  %297 = add nuw nsw i64 %294, 4294967294
+  %298 = select i1 %296, i64 %295, i64 %297
+  %299 = and i64 %298, 4294967295
+  %300 = getelementptr inbounds double, ptr %11, i64 %299
+  %301 = load double, ptr %300, align 8
+  %302 = icmp eq i64 %294, 0
+  %303 = add nuw nsw i64 %294, 4294967295
+  %304 = and i64 %303, 4294967295
+  %305 = select i1 %302, i64 2, i64 %304
+  %306 = getelementptr inbounds double, ptr %12, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = fmul double %301, %307
+  %309 = getelementptr inbounds double, ptr %11, i64 %305
+  %310 = load double, ptr %309, align 8
+  %311 = getelementptr inbounds double, ptr %12, i64 %299
+  %312 = load double, ptr %311, align 8
+  %313 = fmul double %310, %312
+  %314 = fsub double %308, %313
+  %315 = getelementptr inbounds double, ptr %13, i64 %294
+  store double %314, ptr %315, align 8
+  %316 = icmp eq i64 %295, 3
+  br i1 %316, label %317, label %293
 
-301:                                              ; preds = %277
-  %302 = load ptr, ptr %31, align 8
-  %303 = getelementptr inbounds i64, ptr %302, i64 %223
-  %304 = load i64, ptr %303, align 8
-  %305 = icmp eq i64 %304, 0
-  %306 = load double, ptr %13, align 16
-  %307 = select i1 %305, double %306, double %235
-  %308 = fmul double %95, %307
-  %309 = select i1 %305, ptr %13, ptr %11
-  %310 = getelementptr inbounds double, ptr %309, i64 1
-  %311 = load double, ptr %310, align 8
-  %312 = fmul double %96, %311
-  %313 = fadd double %308, %312
-  %314 = select i1 %305, ptr %13, ptr %11
-  %315 = getelementptr inbounds double, ptr %314, i64 2
-  %316 = load double, ptr %315, align 16
-  %317 = fmul double %97, %316
-  %318 = fadd double %313, %317
-  %319 = fneg double %318
-  %320 = select i1 %259, double %318, double %319
-  %321 = fadd double %260, %320
+317:                                              ; preds = %293
+  %318 = load ptr, ptr %32, align 8
+  %319 = getelementptr inbounds i64, ptr %318, i64 %232
+  %320 = load i64, ptr %319, align 8
+  %321 = icmp eq i64 %320, 0
+  %322 = load double, ptr %13, align 16
+  %323 = select i1 %321, double %322, double %244
+  %324 = fmul double %98, %323
+  %325 = select i1 %321, ptr %13, ptr %11
+  %326 = getelementptr inbounds double, ptr %325, i64 1
+  %327 = load double, ptr %326, align 8
+  %328 = fmul double %99, %327
+  %329 = fadd double %324, %328
+  %330 = select i1 %321, ptr %13, ptr %11
+  %331 = getelementptr inbounds double, ptr %330, i64 2
+  %332 = load double, ptr %331, align 16
+  %333 = fmul double %100, %332
+  %334 = fadd double %329, %333
+  %335 = fneg double %334
+  %336 = select i1 %275, double %334, double %335
+  %337 = fadd double %276, %336
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #19
-  br label %322
+  br label %338
 
-322:                                              ; preds = %258, %301
-  %323 = phi double [ %321, %301 ], [ %260, %258 ]
-  br i1 %259, label %258, label %253
+338:                                              ; preds = %274, %317
+  %339 = phi double [ %337, %317 ], [ %276, %274 ]
+  br i1 %275, label %274, label %262
 
-324:                                              ; preds = %253, %75, %204, %69
-  %325 = phi i64 [ %205, %204 ], [ %70, %69 ], [ %70, %75 ], [ %205, %253 ]
+340:                                              ; preds = %262, %78, %207, %72
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
-  %326 = add nuw nsw i64 %38, 1
-  %327 = getelementptr inbounds double, ptr %36, i64 %325
-  %328 = add nsw i64 %325, 13
-  %329 = getelementptr inbounds double, ptr %37, i64 %328
-  %330 = icmp eq i64 %326, %2
-  br i1 %330, label %33, label %34
+  %341 = add nuw nsw i64 %41, 1
+  %342 = load i64, ptr %17, align 8
+  %343 = getelementptr inbounds double, ptr %39, i64 %342
+  %344 = add nsw i64 %342, 13
+  %345 = getelementptr inbounds double, ptr %40, i64 %344
+  %346 = icmp eq i64 %341, %2
+  br i1 %346, label %36, label %37
 }
 
 define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef %3, ptr nocapture noundef %4, ptr nocapture noundef %5, ptr noundef %6) unnamed_addr #0 {
@@ -3091,7 +3138,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   %20 = alloca double, align 8
   %21 = alloca %struct.Search, align 8
   %22 = alloca %struct.Simplex, align 8
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %24 = load ptr, ptr %23, align 8
   %25 = getelementptr inbounds i64, ptr %24, i64 %2
   %26 = load i64, ptr %25, align 8
@@ -3143,15 +3190,15 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
 
 51:                                               ; preds = %50
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #19
-  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %55 = load ptr, ptr %54, align 8
   %56 = getelementptr inbounds i64, ptr %55, i64 %2
   %57 = load i64, ptr %56, align 8
   %58 = mul nsw i64 %57, 12
   %59 = getelementptr inbounds double, ptr %53, i64 %58
-  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
+  %60 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 16
   %61 = load ptr, ptr %60, align 8
   %62 = mul nsw i64 %2, 12
   %63 = getelementptr inbounds double, ptr %61, i64 %62
@@ -3253,9 +3300,9 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
 137:                                              ; preds = %50
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %20) #19
   store double 0x7FF0000000000000, ptr %20, align 8
-  %138 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %138 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %139 = load ptr, ptr %138, align 8
-  %140 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %140 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %141 = load ptr, ptr %140, align 8
   %142 = getelementptr inbounds i64, ptr %141, i64 %2
   %143 = load i64, ptr %142, align 8
@@ -3300,7 +3347,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
 163:                                              ; preds = %137
   %164 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 13
   %165 = load i32, ptr %164, align 8
-  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %166 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   %167 = load ptr, ptr %166, align 8
   %168 = mul nsw i64 %159, 9
   %169 = getelementptr inbounds double, ptr %167, i64 %168
@@ -3478,7 +3525,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
 
 295:                                              ; preds = %50
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %2, ptr noundef nonnull %13)
-  %296 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %296 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
   %297 = load ptr, ptr %296, align 8
   %298 = mul nsw i64 %1, 3
   %299 = mul nsw i64 %2, 3
@@ -3730,7 +3777,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br label %474
 
 465:                                              ; preds = %474
-  %466 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
+  %466 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
   %467 = load ptr, ptr %466, align 8
   %468 = getelementptr inbounds double, ptr %467, i64 %1
   %469 = load double, ptr %468, align 8
@@ -4011,7 +4058,7 @@ define dso_local i64 @manipplan_tree(ptr noundef %0, ptr noundef %1, i64 noundef
 declare void @llvm.memcpy.p0.p0.i64(ptr noalias nocapture writeonly, ptr noalias nocapture readonly, i64, i1 immarg) #9
 
 define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, i64 noundef %3) unnamed_addr #10 {
-  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %5 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %6 = load ptr, ptr %5, align 8
   %7 = mul nsw i64 %3, 6
   %8 = getelementptr inbounds double, ptr %6, i64 %7
@@ -4044,7 +4091,7 @@ define internal fastcc i32 @is_near(ptr noundef readonly %0, ptr noundef readonl
   br i1 %30, label %41, label %31
 
 31:                                               ; preds = %29
-  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   %33 = load ptr, ptr %32, align 8
   %34 = shl nsw i64 %3, 1
   %35 = getelementptr inbounds i64, ptr %33, i64 %34
@@ -4080,19 +4127,19 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
 7:                                                ; preds = %66, %2
   %8 = phi i64 [ %1, %2 ], [ %68, %66 ]
   %9 = load ptr, ptr %0, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 29
+  %10 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 33
   %11 = load ptr, ptr %10, align 8
   %12 = mul nsw i64 %8, 6
   %13 = getelementptr inbounds double, ptr %11, i64 %12
   %14 = load double, ptr %3, align 8
-  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 14
+  %15 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 18
   %16 = load ptr, ptr %15, align 8
   %17 = load i64, ptr %4, align 8
   %18 = shl nsw i64 %17, 2
   %19 = or i64 %18, 3
   %20 = getelementptr inbounds double, ptr %16, i64 %19
   %21 = load double, ptr %20, align 8
-  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 39
+  %22 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 43
   %23 = load ptr, ptr %22, align 8
   %24 = mul nsw i64 %17, 3
   %25 = getelementptr inbounds double, ptr %23, i64 %24
@@ -4137,7 +4184,7 @@ define internal fastcc void @descend(ptr noundef %0, i64 noundef %1) unnamed_add
   br i1 %55, label %69, label %56
 
 56:                                               ; preds = %53, %50
-  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 30
+  %57 = getelementptr inbounds %struct.World, ptr %9, i64 0, i32 34
   %58 = load ptr, ptr %57, align 8
   %59 = shl nsw i64 %8, 1
   %60 = getelementptr inbounds i64, ptr %58, i64 %59
@@ -4200,7 +4247,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %32, label %368, label %33
 
 33:                                               ; preds = %25, %29
-  %34 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 8
+  %34 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 12
   %35 = load ptr, ptr %34, align 8
   %36 = getelementptr inbounds i64, ptr %35, i64 %1
   %37 = load i64, ptr %36, align 8
@@ -4240,7 +4287,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %60, label %61, label %67
 
 61:                                               ; preds = %55
-  %62 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 41
+  %62 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 45
   %63 = load ptr, ptr %62, align 8
   %64 = load i64, ptr %57, align 8
   %65 = add nsw i64 %64, 1
@@ -4328,7 +4375,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 117:                                              ; preds = %111
   %118 = load ptr, ptr %0, align 8
-  %119 = getelementptr inbounds %struct.World, ptr %118, i64 0, i32 41
+  %119 = getelementptr inbounds %struct.World, ptr %118, i64 0, i32 45
   %120 = load ptr, ptr %119, align 8
   %121 = load i64, ptr %113, align 8
   %122 = add nsw i64 %121, 1
@@ -4416,7 +4463,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %162, label %163, label %185
 
 163:                                              ; preds = %161
-  %164 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 7
+  %164 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 11
   %165 = load ptr, ptr %164, align 8
   %166 = getelementptr inbounds i64, ptr %165, i64 %1
   %167 = load i64, ptr %166, align 8
@@ -4471,7 +4518,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 196:                                              ; preds = %186, %189
   %197 = phi double [ %188, %186 ], [ 0xFFF0000000000000, %189 ]
   %198 = phi double [ %188, %186 ], [ %195, %189 ]
-  %199 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 39
+  %199 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 43
   %200 = load ptr, ptr %199, align 8
   %201 = mul nsw i64 %39, 3
   %202 = getelementptr inbounds double, ptr %200, i64 %201
@@ -4592,7 +4639,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   call fastcc void @core_of(ptr noundef %12, i64 noundef %1, ptr noundef nonnull %9)
   call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %10) #19
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #19
-  %285 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 11
+  %285 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 15
   %286 = load ptr, ptr %285, align 8
   %287 = getelementptr inbounds double, ptr %286, i64 %39
   %288 = load double, ptr %287, align 8
@@ -4772,7 +4819,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 
 36:                                               ; preds = %33
   %37 = load ptr, ptr %0, align 8
-  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 41
+  %38 = getelementptr inbounds %struct.World, ptr %37, i64 0, i32 45
   %39 = load ptr, ptr %38, align 8
   %40 = load i64, ptr %31, align 8
   %41 = add nsw i64 %40, 1
@@ -4822,7 +4869,7 @@ define internal fastcc void @tell(ptr nocapture noundef %0, i64 noundef %1, i32 
 define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 noundef %1, i64 noundef %2, double noundef %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
-  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 39
+  %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 43
   %8 = load ptr, ptr %7, align 8
   %9 = mul nsw i64 %1, 3
   %10 = getelementptr inbounds double, ptr %8, i64 %9
@@ -4841,7 +4888,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   %23 = getelementptr inbounds double, ptr %12, i64 2
   %24 = load double, ptr %23, align 8
   %25 = fsub double %22, %24
-  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 14
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 18
   %27 = load ptr, ptr %26, align 8
   %28 = shl nsw i64 %1, 2
   %29 = or i64 %28, 3
@@ -4863,9 +4910,9 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   br i1 %44, label %169, label %45
 
 45:                                               ; preds = %4
-  %46 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %46 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %47 = load ptr, ptr %46, align 8
-  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %48 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %49 = load ptr, ptr %48, align 8
   %50 = getelementptr inbounds i64, ptr %49, i64 %1
   %51 = load i64, ptr %50, align 8
@@ -4905,7 +4952,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   br i1 %80, label %81, label %63
 
 81:                                               ; preds = %63
-  %82 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 15
+  %82 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 19
   %83 = load ptr, ptr %82, align 8
   %84 = mul nsw i64 %1, 6
   %85 = getelementptr inbounds double, ptr %83, i64 %84
@@ -5031,7 +5078,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %13 = alloca %struct.Plane, align 8
   %14 = alloca %struct.Plane, align 8
   %15 = load ptr, ptr %0, align 8
-  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 8
+  %16 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
   %17 = load ptr, ptr %16, align 8
   %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %19 = load i64, ptr %18, align 8
@@ -5044,7 +5091,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   call void @llvm.lifetime.start.p0(i64 216, ptr nonnull %6) #19
   call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %7) #19
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
-  %25 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
+  %25 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 15
   %26 = load ptr, ptr %25, align 8
   %27 = getelementptr inbounds double, ptr %26, i64 %19
   %28 = load double, ptr %27, align 8
@@ -5088,9 +5135,9 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %362
 
 53:                                               ; preds = %44
-  %54 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 38
+  %54 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 42
   %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 7
+  %56 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
   %57 = load ptr, ptr %56, align 8
   %58 = getelementptr inbounds i64, ptr %57, i64 %1
   %59 = load i64, ptr %58, align 8
@@ -5100,7 +5147,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %63 = getelementptr inbounds double, ptr %55, i64 %62
   %64 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
   store ptr %63, ptr %64, align 8
-  %65 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 39
+  %65 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 43
   %66 = load ptr, ptr %65, align 8
   %67 = mul nsw i64 %19, 3
   %68 = getelementptr inbounds double, ptr %66, i64 %67
@@ -5240,7 +5287,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br i1 %175, label %232, label %176
 
 176:                                              ; preds = %172
-  %177 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 12
+  %177 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 16
   %178 = load ptr, ptr %177, align 8
   %179 = mul nsw i64 %19, 12
   %180 = getelementptr inbounds double, ptr %178, i64 %179
@@ -5319,15 +5366,15 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %235 = phi ptr [ %8, %232 ], [ %68, %53 ]
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %3) #19
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %4) #19
-  %236 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %236 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
   %237 = load ptr, ptr %236, align 8
-  %238 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %238 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
   %239 = load ptr, ptr %238, align 8
   %240 = getelementptr inbounds i64, ptr %239, i64 %1
   %241 = load i64, ptr %240, align 8
   %242 = mul nsw i64 %241, 6
   %243 = getelementptr inbounds double, ptr %237, i64 %242
-  %244 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %244 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 18
   %245 = load ptr, ptr %244, align 8
   br label %249
 
@@ -5467,11 +5514,11 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %346 = load ptr, ptr %238, align 8
   %347 = getelementptr inbounds i64, ptr %346, i64 %1
   %348 = load i64, ptr %347, align 8
-  %349 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
+  %349 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
   %350 = load ptr, ptr %349, align 8
   %351 = getelementptr inbounds i64, ptr %350, i64 %1
   %352 = load i64, ptr %351, align 8
-  %353 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 10
+  %353 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
   %354 = load ptr, ptr %353, align 8
   %355 = getelementptr inbounds i64, ptr %354, i64 %1
   %356 = load i64, ptr %355, align 8
@@ -5490,7 +5537,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %362
 
 362:                                              ; preds = %361, %52
-  %363 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
+  %363 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 17
   %364 = load ptr, ptr %363, align 8
   %365 = mul nsw i64 %1, 3
   %366 = getelementptr inbounds double, ptr %364, i64 %365
@@ -5572,7 +5619,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 
 419:                                              ; preds = %416
   %420 = load ptr, ptr %0, align 8
-  %421 = getelementptr inbounds %struct.World, ptr %420, i64 0, i32 41
+  %421 = getelementptr inbounds %struct.World, ptr %420, i64 0, i32 45
   %422 = load ptr, ptr %421, align 8
   %423 = load i64, ptr %414, align 8
   %424 = add nsw i64 %423, 1
@@ -5619,9 +5666,9 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br i1 %444, label %445, label %577
 
 445:                                              ; preds = %439
-  %446 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 38
+  %446 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 42
   %447 = load ptr, ptr %446, align 8
-  %448 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 7
+  %448 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 11
   %449 = load ptr, ptr %448, align 8
   %450 = getelementptr inbounds i64, ptr %449, i64 %440
   %451 = load i64, ptr %450, align 8
@@ -5724,9 +5771,9 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 529:                                              ; preds = %528
   %530 = load ptr, ptr %23, align 8
   call fastcc void @support(ptr noundef %530, ptr noundef nonnull @__const.nearest_of.share, ptr noundef nonnull %9)
-  %531 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %531 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
   %532 = load ptr, ptr %531, align 8
-  %533 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %533 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
   %534 = load ptr, ptr %533, align 8
   %535 = getelementptr inbounds i64, ptr %534, i64 %1
   %536 = load i64, ptr %535, align 8
@@ -5818,7 +5865,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 
 598:                                              ; preds = %595
   %599 = load ptr, ptr %0, align 8
-  %600 = getelementptr inbounds %struct.World, ptr %599, i64 0, i32 41
+  %600 = getelementptr inbounds %struct.World, ptr %599, i64 0, i32 45
   %601 = load ptr, ptr %600, align 8
   %602 = load i64, ptr %593, align 8
   %603 = add nsw i64 %602, 1
@@ -5881,15 +5928,15 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %626 = load i64, ptr %18, align 8
   %627 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %628 = load ptr, ptr %627, align 8
-  %629 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 29
+  %629 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
   %630 = load ptr, ptr %629, align 8
-  %631 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 31
+  %631 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
   %632 = load ptr, ptr %631, align 8
   %633 = getelementptr inbounds i64, ptr %632, i64 %1
   %634 = load i64, ptr %633, align 8
   %635 = mul nsw i64 %634, 6
   %636 = getelementptr inbounds double, ptr %630, i64 %635
-  %637 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
+  %637 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 18
   %638 = load ptr, ptr %637, align 8
   br label %642
 
@@ -5975,11 +6022,11 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %14, ptr noundef nonnull align 8 dereferenceable(32) %675, i64 32, i1 false)
   %701 = load i64, ptr %633, align 8
-  %702 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 9
+  %702 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
   %703 = load ptr, ptr %702, align 8
   %704 = getelementptr inbounds i64, ptr %703, i64 %1
   %705 = load i64, ptr %704, align 8
-  %706 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 10
+  %706 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 14
   %707 = load ptr, ptr %706, align 8
   %708 = getelementptr inbounds i64, ptr %707, i64 %1
   %709 = load i64, ptr %708, align 8
@@ -6046,7 +6093,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 
 751:                                              ; preds = %748
   %752 = load ptr, ptr %0, align 8
-  %753 = getelementptr inbounds %struct.World, ptr %752, i64 0, i32 41
+  %753 = getelementptr inbounds %struct.World, ptr %752, i64 0, i32 45
   %754 = load ptr, ptr %753, align 8
   %755 = load i64, ptr %746, align 8
   %756 = add nsw i64 %755, 1
@@ -7439,7 +7486,7 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   store ptr %0, ptr %2, align 8
   %9 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 1
   store i64 %1, ptr %9, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 11
+  %10 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 15
   %11 = load ptr, ptr %10, align 8
   %12 = getelementptr inbounds double, ptr %11, i64 %8
   %13 = load double, ptr %12, align 8
@@ -7448,9 +7495,9 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   %16 = fadd double %13, %15
   %17 = getelementptr inbounds %struct.Two, ptr %2, i64 0, i32 4
   store double %16, ptr %17, align 8
-  %18 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 38
+  %18 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 42
   %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 7
+  %20 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 11
   %21 = load ptr, ptr %20, align 8
   %22 = getelementptr inbounds i64, ptr %21, i64 %1
   %23 = load i64, ptr %22, align 8
@@ -7574,7 +7621,7 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
 
 121:                                              ; preds = %99, %111
   %122 = phi ptr [ %120, %111 ], [ null, %99 ]
-  %123 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 39
+  %123 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 43
   %124 = load ptr, ptr %123, align 8
   %125 = mul nsw i64 %8, 3
   %126 = getelementptr inbounds double, ptr %124, i64 %125
@@ -7614,7 +7661,7 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   br i1 %156, label %157, label %139
 
 157:                                              ; preds = %139
-  %158 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
+  %158 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 18
   %159 = load ptr, ptr %158, align 8
   %160 = shl nsw i64 %1, 2
   br label %163
@@ -7652,19 +7699,19 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   br label %183
 
 183:                                              ; preds = %173, %176
-  %184 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 31
+  %184 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 35
   %185 = load ptr, ptr %184, align 8
   %186 = getelementptr inbounds i64, ptr %185, i64 %8
   %187 = load i64, ptr %186, align 8
   store i64 %187, ptr %4, align 8
   %188 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
-  %189 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 9
+  %189 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 13
   %190 = load ptr, ptr %189, align 8
   %191 = getelementptr inbounds i64, ptr %190, i64 %8
   %192 = load i64, ptr %191, align 8
   store i64 %192, ptr %188, align 8
   %193 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
-  %194 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 10
+  %194 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
   %195 = load ptr, ptr %194, align 8
   %196 = getelementptr inbounds i64, ptr %195, i64 %8
   %197 = load i64, ptr %196, align 8
@@ -7695,19 +7742,19 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   br label %238
 
 215:                                              ; preds = %161
-  %216 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 31
+  %216 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 35
   %217 = load ptr, ptr %216, align 8
   %218 = getelementptr inbounds i64, ptr %217, i64 %8
   %219 = load i64, ptr %218, align 8
   store i64 %219, ptr %4, align 8
   %220 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 1
-  %221 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 9
+  %221 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 13
   %222 = load ptr, ptr %221, align 8
   %223 = getelementptr inbounds i64, ptr %222, i64 %8
   %224 = load i64, ptr %223, align 8
   store i64 %224, ptr %220, align 8
   %225 = getelementptr inbounds %struct.Part, ptr %4, i64 0, i32 2
-  %226 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 10
+  %226 = getelementptr inbounds %struct.World, ptr %6, i64 0, i32 14
   %227 = load ptr, ptr %226, align 8
   %228 = getelementptr inbounds i64, ptr %227, i64 %8
   %229 = load i64, ptr %228, align 8
@@ -7732,7 +7779,7 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
 
 define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2, ptr nocapture noundef readonly %3) unnamed_addr #10 {
   %5 = alloca [3 x double], align 16
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 40
   %7 = load ptr, ptr %6, align 8
   %8 = shl nsw i64 %2, 1
   %9 = getelementptr inbounds i64, ptr %7, i64 %8
@@ -7743,11 +7790,11 @@ define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i
 
 13:                                               ; preds = %4
   %14 = load i64, ptr %9, align 8
-  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 37
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 41
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   %20 = load ptr, ptr %19, align 8
   %21 = getelementptr inbounds i64, ptr %20, i64 %1
   br label %22
@@ -7866,13 +7913,13 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %12 = alloca %struct.Core, align 8
   %13 = alloca [3 x double], align 16
   %14 = load ptr, ptr %0, align 8
-  %15 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 29
+  %15 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 33
   %16 = load ptr, ptr %15, align 8
   %17 = mul nsw i64 %2, 6
   %18 = getelementptr inbounds double, ptr %16, i64 %17
   %19 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 11
+  %21 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 15
   %22 = load ptr, ptr %21, align 8
   %23 = getelementptr inbounds double, ptr %22, i64 %1
   %24 = load double, ptr %23, align 8
@@ -7939,7 +7986,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %75 = fneg double %24
   %76 = fsub double %75, %53
   %77 = tail call double @llvm.sqrt.f64(double %71)
-  %78 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 14
+  %78 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 18
   %79 = load ptr, ptr %78, align 8
   %80 = shl nsw i64 %51, 2
   %81 = or i64 %80, 3
@@ -7958,19 +8005,19 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %92 = getelementptr inbounds double, ptr %26, i64 %91
   %93 = load double, ptr %92, align 8
   %94 = fcmp uno double %93, 0.000000e+00
-  br i1 %94, label %403, label %99
+  br i1 %94, label %401, label %99
 
 95:                                               ; preds = %74
   %96 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %97 = load i32, ptr %96, align 8
   %98 = icmp eq i32 %97, 1
-  br i1 %98, label %403, label %99
+  br i1 %98, label %401, label %99
 
 99:                                               ; preds = %84, %95
   %100 = fsub double %77, %83
   %101 = fsub double %100, %24
   %102 = fcmp ogt double %101, %49
-  br i1 %102, label %403, label %103
+  br i1 %102, label %401, label %103
 
 103:                                              ; preds = %99, %103
   %104 = phi i64 [ %116, %103 ], [ 0, %99 ]
@@ -7995,7 +8042,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %121 = fsub double %120, %115
   %122 = fadd double %76, %121
   %123 = fcmp ogt double %122, %49
-  br i1 %123, label %403, label %124
+  br i1 %123, label %401, label %124
 
 124:                                              ; preds = %118
   %125 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
@@ -8024,10 +8071,10 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %144 = fsub double %143, %138
   %145 = fadd double %76, %144
   %146 = fcmp ogt double %145, %49
-  br i1 %146, label %403, label %147
+  br i1 %146, label %401, label %147
 
 147:                                              ; preds = %141
-  %148 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 30
+  %148 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 34
   %149 = load ptr, ptr %148, align 8
   %150 = shl nsw i64 %2, 1
   %151 = getelementptr inbounds i64, ptr %149, i64 %150
@@ -8036,7 +8083,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   br i1 %153, label %154, label %174
 
 154:                                              ; preds = %147
-  %155 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 32
+  %155 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 36
   %156 = load ptr, ptr %155, align 8
   %157 = getelementptr inbounds i64, ptr %151, i64 1
   %158 = load i64, ptr %157, align 8
@@ -8045,7 +8092,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %161 = tail call fastcc double @in_front(ptr noundef nonnull %125, ptr noundef %160)
   %162 = fadd double %76, %161
   %163 = fcmp ogt double %162, %49
-  br i1 %163, label %403, label %164
+  br i1 %163, label %401, label %164
 
 164:                                              ; preds = %154
   %165 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
@@ -8055,17 +8102,17 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
 
 168:                                              ; preds = %164
   tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef nonnull %125)
-  br label %403
+  br label %401
 
 169:                                              ; preds = %164
   %170 = tail call fastcc double @in_front(ptr noundef %5, ptr noundef %160)
   %171 = fadd double %76, %170
   %172 = fcmp ugt double %171, %49
-  br i1 %172, label %403, label %173
+  br i1 %172, label %401, label %173
 
 173:                                              ; preds = %169
   tail call fastcc void @one_leaf(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %158, double noundef %49, ptr noundef %5)
-  br label %403
+  br label %401
 
 174:                                              ; preds = %147
   call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %8) #19
@@ -8159,7 +8206,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
 
 242:                                              ; preds = %224
   %243 = call double @llvm.sqrt.f64(double %207)
-  %244 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 15
+  %244 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 19
   %245 = load ptr, ptr %244, align 8
   %246 = mul nsw i64 %51, 6
   %247 = getelementptr inbounds double, ptr %245, i64 %246
@@ -8193,192 +8240,190 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %271 = fmul double %270, %270
   %272 = fcmp ule double %265, %271
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
-  br i1 %272, label %273, label %402
+  br i1 %272, label %273, label %400
 
 273:                                              ; preds = %268
   %274 = fadd double %198, %201
   %275 = fadd double %274, %205
-  %276 = load ptr, ptr %78, align 8
-  %277 = getelementptr inbounds double, ptr %276, i64 %81
-  %278 = load double, ptr %277, align 8
-  %279 = fmul double %278, 2.000000e+00
-  %280 = fcmp olt double %275, %279
-  %281 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
-  %282 = load i32, ptr %281, align 8
-  %283 = icmp ne i32 %282, 0
-  %284 = icmp slt i64 %4, 33
-  %285 = and i1 %284, %283
-  br i1 %285, label %286, label %307
+  %276 = load double, ptr %82, align 8
+  %277 = fmul double %276, 2.000000e+00
+  %278 = fcmp olt double %275, %277
+  %279 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 17
+  %280 = load i32, ptr %279, align 8
+  %281 = icmp ne i32 %280, 0
+  %282 = icmp slt i64 %4, 33
+  %283 = and i1 %282, %281
+  br i1 %283, label %284, label %305
 
-286:                                              ; preds = %273
-  %287 = icmp sgt i64 %4, 16
-  %288 = add i64 %4, -3
-  %289 = icmp ult i64 %288, 2
-  %290 = or i1 %287, %289
-  %291 = and i1 %290, %280
+284:                                              ; preds = %273
+  %285 = icmp sgt i64 %4, 16
+  %286 = add i64 %4, -3
+  %287 = icmp ult i64 %286, 2
+  %288 = or i1 %285, %287
+  %289 = and i1 %288, %278
   store i64 0, ptr %12, align 8
-  %292 = mul nsw i64 %4, 3
-  %293 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
-  store i64 %292, ptr %293, align 8
+  %290 = mul nsw i64 %4, 3
+  %291 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 1
+  store i64 %290, ptr %291, align 8
   store ptr @hull_core.still, ptr %195, align 8
-  %294 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 33
-  %295 = load ptr, ptr %294, align 8
-  %296 = mul nsw i64 %3, 3
-  %297 = getelementptr inbounds double, ptr %295, i64 %296
-  %298 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
-  store ptr %297, ptr %298, align 8
-  %299 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 34
-  %300 = load ptr, ptr %299, align 8
-  %301 = getelementptr inbounds double, ptr %300, i64 %296
-  %302 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
-  store ptr %301, ptr %302, align 8
-  %303 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 35
-  %304 = load ptr, ptr %303, align 8
-  %305 = getelementptr inbounds double, ptr %304, i64 %296
-  %306 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
-  store ptr %305, ptr %306, align 8
-  br i1 %291, label %308, label %340
+  %292 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 37
+  %293 = load ptr, ptr %292, align 8
+  %294 = mul nsw i64 %3, 3
+  %295 = getelementptr inbounds double, ptr %293, i64 %294
+  %296 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 2
+  store ptr %295, ptr %296, align 8
+  %297 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 38
+  %298 = load ptr, ptr %297, align 8
+  %299 = getelementptr inbounds double, ptr %298, i64 %294
+  %300 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 3
+  store ptr %299, ptr %300, align 8
+  %301 = getelementptr inbounds %struct.World, ptr %14, i64 0, i32 39
+  %302 = load ptr, ptr %301, align 8
+  %303 = getelementptr inbounds double, ptr %302, i64 %294
+  %304 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 4
+  store ptr %303, ptr %304, align 8
+  br i1 %289, label %306, label %338
 
-307:                                              ; preds = %273
-  br i1 %280, label %308, label %340
+305:                                              ; preds = %273
+  br i1 %278, label %306, label %338
 
-308:                                              ; preds = %286, %307
+306:                                              ; preds = %284, %305
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #19
-  %309 = icmp eq i32 %282, 0
-  br label %316
+  %307 = icmp eq i32 %280, 0
+  br label %314
 
-310:                                              ; preds = %328
-  %311 = fsub double %49, %76
-  %312 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
-  %313 = load ptr, ptr %312, align 8
-  %314 = call fastcc i32 @bounds_from(ptr noundef %313, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %311, double noundef %311, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null, i32 noundef 0)
-  %315 = icmp eq i32 %314, 0
-  br i1 %315, label %337, label %333
+308:                                              ; preds = %326
+  %309 = fsub double %49, %76
+  %310 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %311 = load ptr, ptr %310, align 8
+  %312 = call fastcc i32 @bounds_from(ptr noundef %311, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %309, double noundef %309, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null, i32 noundef 0)
+  %313 = icmp eq i32 %312, 0
+  br i1 %313, label %335, label %331
 
-316:                                              ; preds = %308, %328
-  %317 = phi i64 [ 0, %308 ], [ %331, %328 ]
-  br i1 %309, label %321, label %318
+314:                                              ; preds = %306, %326
+  %315 = phi i64 [ 0, %306 ], [ %329, %326 ]
+  br i1 %307, label %319, label %316
 
-318:                                              ; preds = %316
-  %319 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %317
-  %320 = load double, ptr %319, align 8
-  br label %328
+316:                                              ; preds = %314
+  %317 = getelementptr inbounds [3 x double], ptr %5, i64 0, i64 %315
+  %318 = load double, ptr %317, align 8
+  br label %326
 
-321:                                              ; preds = %316
-  %322 = getelementptr inbounds double, ptr %20, i64 %317
-  %323 = load double, ptr %322, align 8
-  %324 = add nuw nsw i64 %317, 9
-  %325 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %324
-  %326 = load double, ptr %325, align 8
-  %327 = fsub double %323, %326
-  br label %328
+319:                                              ; preds = %314
+  %320 = getelementptr inbounds double, ptr %20, i64 %315
+  %321 = load double, ptr %320, align 8
+  %322 = add nuw nsw i64 %315, 9
+  %323 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7, i64 %322
+  %324 = load double, ptr %323, align 8
+  %325 = fsub double %321, %324
+  br label %326
 
-328:                                              ; preds = %321, %318
-  %329 = phi double [ %320, %318 ], [ %327, %321 ]
-  %330 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %317
-  store double %329, ptr %330, align 8
-  %331 = add nuw nsw i64 %317, 1
-  %332 = icmp eq i64 %331, 3
-  br i1 %332, label %310, label %316
+326:                                              ; preds = %319, %316
+  %327 = phi double [ %318, %316 ], [ %325, %319 ]
+  %328 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %315
+  store double %327, ptr %328, align 8
+  %329 = add nuw nsw i64 %315, 1
+  %330 = icmp eq i64 %329, 3
+  br i1 %330, label %308, label %314
 
-333:                                              ; preds = %310
-  %334 = load double, ptr %10, align 8
-  %335 = fadd double %76, %334
-  %336 = fcmp ogt double %335, %49
-  br i1 %336, label %339, label %337
+331:                                              ; preds = %308
+  %332 = load double, ptr %10, align 8
+  %333 = fadd double %76, %332
+  %334 = fcmp ogt double %333, %49
+  br i1 %334, label %337, label %335
 
-337:                                              ; preds = %333, %310
+335:                                              ; preds = %331, %308
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
-  %338 = load ptr, ptr %15, align 8
-  br label %340
+  %336 = load ptr, ptr %15, align 8
+  br label %338
 
-339:                                              ; preds = %333
+337:                                              ; preds = %331
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
-  br label %402
+  br label %400
 
-340:                                              ; preds = %286, %337, %307
-  %341 = phi ptr [ %338, %337 ], [ %16, %307 ], [ %16, %286 ]
-  %342 = load i64, ptr %151, align 8
-  %343 = mul nsw i64 %342, 6
-  %344 = getelementptr inbounds double, ptr %341, i64 %343
-  br label %345
+338:                                              ; preds = %284, %335, %305
+  %339 = phi ptr [ %336, %335 ], [ %16, %305 ], [ %16, %284 ]
+  %340 = load i64, ptr %151, align 8
+  %341 = mul nsw i64 %340, 6
+  %342 = getelementptr inbounds double, ptr %339, i64 %341
+  br label %343
 
-345:                                              ; preds = %345, %340
-  %346 = phi i64 [ 0, %340 ], [ %358, %345 ]
-  %347 = phi double [ 0.000000e+00, %340 ], [ %357, %345 ]
-  %348 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %346
-  %349 = load double, ptr %348, align 8
-  %350 = fcmp ogt double %349, 0.000000e+00
-  %351 = add nuw nsw i64 %346, 3
-  %352 = select i1 %350, i64 %351, i64 %346
-  %353 = and i64 %352, 4294967295
-  %354 = getelementptr inbounds double, ptr %344, i64 %353
-  %355 = load double, ptr %354, align 8
-  %356 = fmul double %349, %355
-  %357 = fadd double %347, %356
-  %358 = add nuw nsw i64 %346, 1
-  %359 = icmp eq i64 %358, 3
-  br i1 %359, label %360, label %345
+343:                                              ; preds = %343, %338
+  %344 = phi i64 [ 0, %338 ], [ %356, %343 ]
+  %345 = phi double [ 0.000000e+00, %338 ], [ %355, %343 ]
+  %346 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %344
+  %347 = load double, ptr %346, align 8
+  %348 = fcmp ogt double %347, 0.000000e+00
+  %349 = add nuw nsw i64 %344, 3
+  %350 = select i1 %348, i64 %349, i64 %344
+  %351 = and i64 %350, 4294967295
+  %352 = getelementptr inbounds double, ptr %342, i64 %351
+  %353 = load double, ptr %352, align 8
+  %354 = fmul double %347, %353
+  %355 = fadd double %345, %354
+  %356 = add nuw nsw i64 %344, 1
+  %357 = icmp eq i64 %356, 3
+  br i1 %357, label %358, label %343
 
-360:                                              ; preds = %345
-  %361 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
-  %362 = load double, ptr %361, align 8
-  %363 = getelementptr inbounds i64, ptr %151, i64 1
-  %364 = load i64, ptr %363, align 8
-  %365 = mul nsw i64 %364, 6
-  %366 = getelementptr inbounds double, ptr %341, i64 %365
-  br label %367
+358:                                              ; preds = %343
+  %359 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
+  %360 = load double, ptr %359, align 8
+  %361 = getelementptr inbounds i64, ptr %151, i64 1
+  %362 = load i64, ptr %361, align 8
+  %363 = mul nsw i64 %362, 6
+  %364 = getelementptr inbounds double, ptr %339, i64 %363
+  br label %365
 
-367:                                              ; preds = %367, %360
-  %368 = phi i64 [ 0, %360 ], [ %380, %367 ]
-  %369 = phi double [ 0.000000e+00, %360 ], [ %379, %367 ]
-  %370 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %368
-  %371 = load double, ptr %370, align 8
-  %372 = fcmp ogt double %371, 0.000000e+00
-  %373 = add nuw nsw i64 %368, 3
-  %374 = select i1 %372, i64 %373, i64 %368
-  %375 = and i64 %374, 4294967295
-  %376 = getelementptr inbounds double, ptr %366, i64 %375
-  %377 = load double, ptr %376, align 8
-  %378 = fmul double %371, %377
-  %379 = fadd double %369, %378
-  %380 = add nuw nsw i64 %368, 1
-  %381 = icmp eq i64 %380, 3
-  br i1 %381, label %382, label %367
+365:                                              ; preds = %365, %358
+  %366 = phi i64 [ 0, %358 ], [ %378, %365 ]
+  %367 = phi double [ 0.000000e+00, %358 ], [ %377, %365 ]
+  %368 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %366
+  %369 = load double, ptr %368, align 8
+  %370 = fcmp ogt double %369, 0.000000e+00
+  %371 = add nuw nsw i64 %366, 3
+  %372 = select i1 %370, i64 %371, i64 %366
+  %373 = and i64 %372, 4294967295
+  %374 = getelementptr inbounds double, ptr %364, i64 %373
+  %375 = load double, ptr %374, align 8
+  %376 = fmul double %369, %375
+  %377 = fadd double %367, %376
+  %378 = add nuw nsw i64 %366, 1
+  %379 = icmp eq i64 %378, 3
+  br i1 %379, label %380, label %365
 
-382:                                              ; preds = %367
-  %383 = fsub double %362, %357
-  %384 = fsub double %362, %379
-  %385 = fcmp olt double %384, %383
-  %386 = sdiv i64 %4, 2
-  %387 = sdiv i64 %4, -2
-  %388 = add i64 %387, %4
-  %389 = zext i1 %385 to i64
-  %390 = getelementptr inbounds i64, ptr %151, i64 %389
-  %391 = load i64, ptr %390, align 8
-  %392 = select i1 %385, i64 %386, i64 0
-  %393 = add nsw i64 %392, %3
-  %394 = select i1 %385, i64 %388, i64 %386
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %391, i64 noundef %393, i64 noundef %394, ptr noundef nonnull %8)
-  %395 = xor i1 %385, true
-  %396 = zext i1 %395 to i64
-  %397 = getelementptr inbounds i64, ptr %151, i64 %396
-  %398 = load i64, ptr %397, align 8
-  %399 = select i1 %385, i64 0, i64 %386
-  %400 = add nsw i64 %399, %3
-  %401 = select i1 %385, i64 %386, i64 %388
-  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %398, i64 noundef %400, i64 noundef %401, ptr noundef nonnull %8)
-  br label %402
+380:                                              ; preds = %365
+  %381 = fsub double %360, %355
+  %382 = fsub double %360, %377
+  %383 = fcmp olt double %382, %381
+  %384 = sdiv i64 %4, 2
+  %385 = sdiv i64 %4, -2
+  %386 = add i64 %385, %4
+  %387 = zext i1 %383 to i64
+  %388 = getelementptr inbounds i64, ptr %151, i64 %387
+  %389 = load i64, ptr %388, align 8
+  %390 = select i1 %383, i64 %384, i64 0
+  %391 = add nsw i64 %390, %3
+  %392 = select i1 %383, i64 %386, i64 %384
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %389, i64 noundef %391, i64 noundef %392, ptr noundef nonnull %8)
+  %393 = xor i1 %383, true
+  %394 = zext i1 %393 to i64
+  %395 = getelementptr inbounds i64, ptr %151, i64 %394
+  %396 = load i64, ptr %395, align 8
+  %397 = select i1 %383, i64 0, i64 %384
+  %398 = add nsw i64 %397, %3
+  %399 = select i1 %383, i64 %384, i64 %386
+  call fastcc void @surface(ptr noundef nonnull %0, i64 noundef %1, i64 noundef %396, i64 noundef %398, i64 noundef %399, ptr noundef nonnull %8)
+  br label %400
 
-402:                                              ; preds = %382, %339, %268
+400:                                              ; preds = %380, %337, %268
   call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #19
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #19
   call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #19
   call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
   call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %8) #19
-  br label %403
+  br label %401
 
-403:                                              ; preds = %84, %402, %168, %173, %169, %154, %118, %141, %95, %99
+401:                                              ; preds = %84, %400, %168, %173, %169, %154, %118, %141, %95, %99
   ret void
 }
 
@@ -8431,7 +8476,7 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   %36 = phi double [ %20, %18 ], [ 0xFFF0000000000000, %21 ]
   %37 = phi double [ %20, %18 ], [ %34, %21 ]
   %38 = load ptr, ptr %12, align 8
-  %39 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 32
+  %39 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 36
   %40 = load ptr, ptr %39, align 8
   %41 = mul nsw i64 %1, 9
   %42 = getelementptr inbounds double, ptr %40, i64 %41
@@ -8575,7 +8620,7 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   %140 = select i1 %17, double %37, double %139
   %141 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
   %142 = load i64, ptr %141, align 8
-  %143 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 11
+  %143 = getelementptr inbounds %struct.World, ptr %38, i64 0, i32 15
   %144 = load ptr, ptr %143, align 8
   %145 = getelementptr inbounds double, ptr %144, i64 %142
   %146 = load double, ptr %145, align 8
@@ -8638,7 +8683,7 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
 
 192:                                              ; preds = %186
   %193 = load ptr, ptr %12, align 8
-  %194 = getelementptr inbounds %struct.World, ptr %193, i64 0, i32 41
+  %194 = getelementptr inbounds %struct.World, ptr %193, i64 0, i32 45
   %195 = load ptr, ptr %194, align 8
   %196 = load i64, ptr %188, align 8
   %197 = add nsw i64 %196, 1
@@ -8753,7 +8798,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   br i1 %50, label %424, label %51
 
 51:                                               ; preds = %46
-  %52 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 30
+  %52 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 34
   %53 = load ptr, ptr %52, align 8
   %54 = load i64, ptr %1, align 8
   %55 = shl nsw i64 %54, 1
@@ -8779,7 +8824,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   br label %424
 
 70:                                               ; preds = %62, %51
-  %71 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 29
+  %71 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 33
   %72 = load ptr, ptr %71, align 8
   %73 = mul nsw i64 %57, 6
   %74 = getelementptr inbounds double, ptr %72, i64 %73
@@ -8830,18 +8875,18 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   %111 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 1
   store i64 %110, ptr %111, align 8
   %112 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 5
-  %113 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 33
+  %113 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 37
   %114 = load ptr, ptr %113, align 8
   %115 = mul nsw i64 %109, 3
   %116 = getelementptr inbounds double, ptr %114, i64 %115
   %117 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 2
   store ptr %116, ptr %117, align 8
-  %118 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 34
+  %118 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 38
   %119 = load ptr, ptr %118, align 8
   %120 = getelementptr inbounds double, ptr %119, i64 %115
   %121 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 3
   store ptr %120, ptr %121, align 8
-  %122 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 35
+  %122 = getelementptr inbounds %struct.World, ptr %20, i64 0, i32 39
   %123 = load ptr, ptr %122, align 8
   %124 = getelementptr inbounds double, ptr %123, i64 %115
   %125 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
@@ -9261,7 +9306,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
   %9 = alloca double, align 8
   call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
   %10 = load ptr, ptr %0, align 8
-  %11 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 11
+  %11 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 15
   %12 = load ptr, ptr %11, align 8
   %13 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %14 = load i64, ptr %13, align 8
@@ -9281,7 +9326,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
   br label %276
 
 25:                                               ; preds = %5
-  %26 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 8
+  %26 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 12
   %27 = load ptr, ptr %26, align 8
   %28 = getelementptr inbounds i64, ptr %27, i64 %14
   %29 = load i64, ptr %28, align 8
@@ -9590,7 +9635,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
   br i1 %267, label %268, label %274
 
 268:                                              ; preds = %262
-  %269 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 41
+  %269 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 45
   %270 = load ptr, ptr %269, align 8
   %271 = load i64, ptr %264, align 8
   %272 = add nsw i64 %271, 1
@@ -10553,7 +10598,7 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   %11 = alloca %struct.Plane, align 8
   %12 = alloca %struct.Simplex, align 8
   %13 = load ptr, ptr %0, align 8
-  %14 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 32
+  %14 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 36
   %15 = load ptr, ptr %14, align 8
   %16 = mul nsw i64 %2, 9
   %17 = getelementptr inbounds double, ptr %15, i64 %16
@@ -10640,7 +10685,7 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   %70 = load i64, ptr %69, align 8
   %71 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %72 = load ptr, ptr %71, align 8
-  %73 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 11
+  %73 = getelementptr inbounds %struct.World, ptr %13, i64 0, i32 15
   %74 = load ptr, ptr %73, align 8
   %75 = getelementptr inbounds double, ptr %74, i64 %70
   %76 = load double, ptr %75, align 8
@@ -10706,7 +10751,7 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
 
 122:                                              ; preds = %116
   %123 = load ptr, ptr %0, align 8
-  %124 = getelementptr inbounds %struct.World, ptr %123, i64 0, i32 41
+  %124 = getelementptr inbounds %struct.World, ptr %123, i64 0, i32 45
   %125 = load ptr, ptr %124, align 8
   %126 = load i64, ptr %118, align 8
   %127 = add nsw i64 %126, 1
@@ -10769,9 +10814,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %5 = alloca [3 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %8 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   br label %11
 
 11:                                               ; preds = %50, %4
@@ -10829,7 +10874,7 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   br label %11
 
 55:                                               ; preds = %44
-  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %56 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   %57 = load ptr, ptr %56, align 8
   %58 = getelementptr inbounds i64, ptr %47, i64 1
   %59 = load i64, ptr %58, align 8
@@ -11145,7 +11190,7 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   br label %15
 
 9:                                                ; preds = %15
-  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 8
+  %10 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 12
   %11 = load ptr, ptr %10, align 8
   %12 = getelementptr inbounds i64, ptr %11, i64 %1
   %13 = load i64, ptr %12, align 8
@@ -11166,9 +11211,9 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   br i1 %24, label %9, label %15
 
 25:                                               ; preds = %9
-  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 38
+  %26 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 7
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
   %29 = load ptr, ptr %28, align 8
   %30 = getelementptr inbounds i64, ptr %29, i64 %1
   %31 = load i64, ptr %30, align 8
@@ -11207,7 +11252,7 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   br i1 %57, label %58, label %40
 
 58:                                               ; preds = %40
-  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %59 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 35
   %60 = load ptr, ptr %59, align 8
   %61 = getelementptr inbounds i64, ptr %60, i64 %1
   %62 = load i64, ptr %61, align 8
@@ -11280,7 +11325,7 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
 }
 
 define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, double noundef %3, ptr nocapture noundef writeonly %4) unnamed_addr #3 {
-  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 29
+  %6 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 33
   %7 = load ptr, ptr %6, align 8
   %8 = mul nsw i64 %1, 6
   %9 = getelementptr inbounds double, ptr %7, i64 %8
@@ -11308,7 +11353,7 @@ define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 
   br i1 %26, label %10, label %12
 
 27:                                               ; preds = %10
-  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 30
+  %28 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 34
   %29 = load ptr, ptr %28, align 8
   %30 = shl nsw i64 %1, 1
   %31 = getelementptr inbounds i64, ptr %29, i64 %30
@@ -11317,7 +11362,7 @@ define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 
   br i1 %33, label %40, label %34
 
 34:                                               ; preds = %27
-  %35 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 32
+  %35 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 36
   %36 = getelementptr inbounds i64, ptr %31, i64 1
   %37 = getelementptr inbounds double, ptr %2, i64 1
   %38 = getelementptr inbounds double, ptr %2, i64 2

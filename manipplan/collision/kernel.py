@@ -29,10 +29,19 @@ class _World(ctypes.Structure):
     """`World` of distances.c."""
 
     _fields_ = [
-        (name, ctypes.c_long if name in ("n", "bodies", "selves", "movers", "groups", "pairs", "top") else ctypes.c_void_p)
+        (
+            name,
+            ctypes.c_long
+            if name in ("n", "entries", "bodies", "selves", "movers", "groups", "pairs", "top")
+            else ctypes.c_void_p,
+        )
         for name in (
             *(
                 "n",
+                "entries",
+                "leader",
+                "ratio",
+                "offset",
                 "before",
                 "carries",
                 "fixed",
@@ -121,16 +130,17 @@ class DistanceKernel:
 
     def __init__(self, calls: Calls, arrays: Mapping[str, NDArray[Any]]) -> None:
         self._calls, self._call = calls, calls.functions
-        self._n, self._bodies = len(arrays["axes"]), arrays["pair_bodies"]
+        joints, self._n, self._bodies = len(arrays["axes"]), int(arrays["leader"].max(initial=-1)) + 1, arrays["pair_bodies"]
         self._arrays = dict(arrays) | {
-            "frames": np.empty((self._n + 1, 12)),
+            "frames": np.empty((joints + 1, 12)),
             "centres": arrays["ball"][:, :3].copy(),
             "least": np.full(len(self._bodies), np.inf),
             "found": np.empty(len(self._bodies), dtype=np.int64),
             "guess": np.zeros((len(self._bodies), GUESS)),
         }
         numbers = {
-            "n": self._n,
+            "n": joints,
+            "entries": self._n,
             "bodies": len(arrays["joint"]),
             "selves": len(arrays["self"]),
             "movers": len(arrays["mover"]),
@@ -152,7 +162,7 @@ class DistanceKernel:
 
     @property
     def n(self) -> int:
-        """Number of joints."""
+        """Length of a configuration."""
         return self._n
 
     @property

@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
 from manipplan.collision.near_pairs import NearPairs, apart_text
 from manipplan.collision.primitives import core_of
-from manipplan.collision.surfaces.meshes import triangle_tree
 from manipplan.collision.surfaces.shells import connected_parts, winding_number
 from manipplan.collision.witnesses import Witnesses
 from manipplan.collision.world import placed_triangles
 from manipplan.paths.joint import JointPath
+from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError

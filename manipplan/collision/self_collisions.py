@@ -93,10 +93,11 @@ class SelfCollisions:
         Raises InvalidInputError when the file cannot be written, or `touching` is not in (0, 1].
         """
         number("touching", touching, above=0.0, most=1.0)
+        not_links = self.robot.carried.keys() | self.robot.world_geoms
         disabled = {
             frozenset((pair.first, pair.second)): next((v for k, v in _REASONS.items() if pair.reason.startswith(k)), "User")
             for pair in self.pairs
-            if (not pair.checked or pair.contact >= touching) and not {pair.first, pair.second} & self.robot.carried.keys()
+            if (not pair.checked or pair.contact >= touching) and not {pair.first, pair.second} & not_links
         }
         write_srdf(self.robot, file, disabled=disabled)
 

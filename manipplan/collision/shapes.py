@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.robots.hulls import FARTHEST
+from manipplan.robots.meshes.files import triangle_tree
 from manipplan.support.checks import ROTATION, Array, existing_file, finite_array, number, number_array, pose_matrix
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -46,7 +47,7 @@ class Part:
 
 
 def _part_of_triangles(triangles: Array, radius: float, closed: bool) -> Part:
-    return Part(shape=meshes.triangle_tree(*shells.merged_corners(triangles)), radius=radius, closed=closed)
+    return Part(shape=triangle_tree(*shells.merged_corners(triangles)), radius=radius, closed=closed)
 
 
 def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -> Part:

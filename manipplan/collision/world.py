@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.surfaces.shells import connected_parts
-from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -28,15 +27,12 @@ def world_arrays(
     tree: Tree, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
 ) -> dict[str, NDArray[Any]]:
     """The arrays of `World`, and the bodies of each pair, the moving one first."""
-    model, objects = robot.model, list(geometry.geometryObjects)
+    objects = list(geometry.geometryObjects)
     joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
-    before, carries = joint_tree(model)
+    arms = robot.tree
     arrays: dict[str, NDArray[Any]] = {
-        "before": before,
-        "carries": carries,
-        "fixed": np.array([_flat(place) for place in model.jointPlacements[1:]]).reshape(-1, 12),
-        "axes": np.array([axis_of(joint) for joint in model.joints[1:]]),
-        "slides": np.array([is_prismatic(joint) for joint in model.joints[1:]], dtype=np.int64),
+        **{name: getattr(arms, name) for name in ("leader", "ratio", "offset", "before", "carries", "fixed", "axes")},
+        "slides": arms.slides.astype(np.int64),
         "joint": joint,
         **_shapes(objects, radii, closed),
     }

@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
 from manipplan.robots.arms import led_by
-from manipplan.robots.model_tree import frame_index, is_prismatic
+from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -27,20 +27,22 @@ class ToolFrame:
             of each joint, in the world's axes.
         kernel: its machine code for batches; None where there is no compiler.
         batch: the function on arrays, for that case.
-        turns, slides: (n,) whether a joint carries the tool and is revolute, or prismatic; 1 or 0.
-        lengths: (n + 1,) distances from the origin of the joint before to that of each joint, and of the tool [m].
+        tree: the arm's N joints.
+        turns, slides: (N,) whether a joint carries the tool and is revolute, or prismatic; 1 or 0.
+        lengths: (N + 1,) distances from the origin of the joint before to that of each joint, and of the tool [m].
     """
 
     function: ca.Function
     kernel: NativeKernel | None
     batch: BatchFunction
+    tree: JointTree
     turns: Array
     slides: Array
     lengths: Array
 
     def at(self, q: Array) -> tuple[Array, Array]:
         """Poses (m, POSE) and Jacobians (m, n, 6) at configurations (m, n)."""
-        n, q = len(self.turns), np.ascontiguousarray(q, dtype=float)
+        n, q = q.shape[1], np.ascontiguousarray(q, dtype=float)
         found = None if self.kernel is None else run_kernel(self.kernel, q, POSE + 6 * n, threads=1)
         found = self.batch.by_columns(q) if found is None else found
         return found[:, :POSE], found[:, POSE:].reshape(-1, n, 6)
@@ -51,6 +53,8 @@ class ToolFrame:
         For absolute joint values, speeds and accelerations of at most `q`, `speed` and `acceleration` (m, n). Of joints i <= j,
         in their order from the base, ∂²u = z_i x (z_j x u), and ∂²p = z_i x ∂_j p, which is 0 where i is prismatic.
         """
+        tree = self.tree
+        q, speed, acceleration = tree.sizes(q) + np.abs(tree.offset), tree.sizes(speed), tree.sizes(acceleration)
         # from the origin of each joint to that of the tool, at most
         far = self.lengths[-1] + np.cumsum((self.lengths[:-1] + self.slides * q)[:, ::-1], axis=1)[:, ::-1]
         far = np.hstack([far[:, 1:], np.full((len(q), 1), self.lengths[-1])])
@@ -73,16 +77,17 @@ def tool_frame(robot: Robot, tool: str) -> ToolFrame:
     function = ca.Function("tool_frame", [chain.q], [ca.densify(values)], ["q"], ["values"])
     model = robot.model
     frame = model.frames[frame_index(model, robot.tool)]
-    turns, slides, lengths = np.zeros(robot.n), np.zeros(robot.n), np.zeros(robot.n + 1)
+    turns, slides, lengths = np.zeros(model.njoints - 1), np.zeros(model.njoints - 1), np.zeros(model.njoints)
     lengths[-1] = np.linalg.norm(frame.placement.translation)
     for i in model.supports[frame.parentJoint]:
         if i > 0:
-            (slides if is_prismatic(model.joints[i]) else turns)[i - 1] = 1.0
+            (slides if chain.tree.slides[i - 1] else turns)[i - 1] = 1.0
             lengths[i - 1] = np.linalg.norm(model.jointPlacements[i].translation)
     return ToolFrame(
         function=function,
         kernel=wanted_kernel(function, "auto", f"{tool} of {robot.name}, in batches"),
         batch=BatchFunction(function),
+        tree=chain.tree,
         turns=turns,
         slides=slides,
         lengths=lengths,

@@ -72,10 +72,13 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
 
 @once_per_owner
 def _closed_form(robot: Robot, held: tuple[int, ...] | None) -> ClosedForm | None:
+    screws = Screws.of(robot)
+    if screws.follow is not None:
+        return None
     if held is not None and not _moves_everywhere(robot, held):
         wanted = "joints that can be held while the others still move the tool in all directions"
         raise InvalidInputError("held", [robot.joint_names[k] for k in held], wanted)
-    return _simplest(Screws.of(robot), held)
+    return _simplest(screws, held)
 
 
 def _simplest(screws: Screws, held: tuple[int, ...] | None) -> ClosedForm | None:

@@ -6,7 +6,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.robots.model_tree import frame_index
+from manipplan.robots.mimics import Mimic
+from manipplan.robots.model_tree import frame_index, joint_tree
+from manipplan.robots.reduced import uncoupled
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -21,37 +23,49 @@ EXACT = 1e-9
 class Screws:
     """T(q) = e^[ξ_1] q_1 ... e^[ξ_n] q_n T(0): the joint axes at q = 0.
 
+    Where joints that carry the tool follow others, the axes are those of all N that carry it, from base to tool, at position 0.
+
     Attributes:
-        axes: (n, 3) unit directions.
-        points: (n, 3) a point on each axis [m].
-        slides: (n,) whether each joint is prismatic.
-        home: (4, 4) the tool's pose at q = 0.
+        n: number of joints that follow no other.
+        axes: (N, 3) unit directions.
+        points: (N, 3) a point on each axis [m].
+        slides: (N,) whether each joint is prismatic.
+        home: (4, 4) the tool's pose at position 0 of all joints.
+        follow: the entry of q (n,), the ratio and the offset of each joint, (N,) each, which is at ratio * q + offset; None
+            where none of them follows another and N = n.
     """
 
+    n: int
     axes: Array
     points: Array
     slides: NDArray[np.bool_]
     home: Array
+    follow: tuple[NDArray[np.int64], Array, Array] | None = None
 
     @classmethod
     def of(cls, robot: Robot) -> "Screws":
         """The screws of a robot."""
-        data = robot.model.createData()
-        frame = frame_index(robot.model, robot.tool)
-        pin.forwardKinematics(robot.model, data, pin.neutral(robot.model))
-        pin.updateFramePlacements(robot.model, data)
-        pin.computeJointJacobians(robot.model, data, pin.neutral(robot.model))
-        twists = pin.getFrameJacobian(robot.model, data, frame, pin.WORLD).reshape(6, -1)  # it is flat for one joint
-        slides = np.array([kind == "prismatic" for kind in robot.joint_types])
+        model, _, followers = uncoupled(robot.model, pin.GeometryModel())
+        data, frame = model.createData(), frame_index(model, robot.tool)
+        pin.forwardKinematics(model, data, pin.neutral(model))
+        pin.updateFramePlacements(model, data)
+        pin.computeJointJacobians(model, data, pin.neutral(model))
+        twists = pin.getFrameJacobian(model, data, frame, pin.WORLD).reshape(6, -1)  # it is flat for one joint
+        slides, follow = joint_tree(model).slides, None
+        if followers:
+            links = np.array(list(model.supports[model.frames[frame].parentJoint])[1:], dtype=np.int64)
+            named = [
+                followers.get(name, Mimic(leader=name, multiplier=1.0, offset=0.0)) for name in np.array(model.names)[links]
+            ]
+            leader = np.array([robot.joint_names.index(each.leader) for each in named], dtype=np.int64)
+            ratio, offset = np.array([each.multiplier for each in named]), np.array([each.offset for each in named])
+            if len(leader) != robot.n or (leader != np.arange(robot.n)).any() or (ratio != 1.0).any() or offset.any():
+                follow = leader, ratio, offset
+            twists, slides = twists[:, links - 1], slides[links - 1]
         axes = np.where(slides, twists[:3], twists[3:]).T
         points = np.where(slides[:, None], 0.0, np.cross(twists[3:].T, twists[:3].T))
         home = data.oMf[frame].homogeneous
-        return cls(axes=np.ascontiguousarray(axes), points=points, slides=slides, home=home)
-
-    @property
-    def n(self) -> int:
-        """Number of joints."""
-        return len(self.axes)
+        return cls(n=robot.n, axes=np.ascontiguousarray(axes), points=points, slides=slides, home=home, follow=follow)
 
     def meeting_point(self, joints: tuple[int, ...]) -> tuple[Array, float] | None:
         """The point (3,) where all these axes meet, and their largest distance from it [m]; None where there is none."""

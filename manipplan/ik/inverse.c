@@ -218,7 +218,7 @@ void manipplan_swivels(const double *axes, const double *points, const double *s
     for (long k = 0; k < count; k++) out[k] = swivel_of(axes, points, row(shoulder, 0), row(wrist, 0), q + 7 * k);
 }
 
-/* `refine` for each row of q (count, n), to the pose targets[owners[k]]. work: (7 n), held: (n) scratch space. */
+/* `refine` for each row of q (count, n), to the pose targets[owners[k]]. work, held: scratch space as there. */
 void manipplan_refine(const Screws *arm, const double *targets, const long *owners, double *q, long count, long steps,
                       double tolerance, double *work, char *held) {
     for (long k = 0; k < count; k++) refine(arm, targets + 16 * owners[k], q + arm->n * k, steps, tolerance, work, held);

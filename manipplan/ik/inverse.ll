@@ -1,4 +1,4 @@
-; inverse.c f30b13dedc689a10971c41300199a1871537167071838055a6037daa02a33dc6: written by make kernel
+; inverse.c 94406112d76fd516cd6b4672823e1bdc54c679037afe21bd91294a2bde799b2d: written by make kernel
 
 %struct.Turn = type { double, double }
 %struct.Vector = type { double, double, double }
@@ -9,8 +9,8 @@
 %struct.Form = type { i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 %struct.Samples = type { ptr, ptr, ptr, i64, i64 }
 %struct.Solutions = type { ptr, ptr, i64, i64 }
-%struct.State = type { [3 x [4 x double]], ptr, [6 x double] }
-%struct.Screws = type { i64, ptr, ptr, ptr, ptr, ptr }
+%struct.State = type { [3 x [4 x double]], ptr, ptr, [6 x double] }
+%struct.Screws = type { i64, ptr, ptr, ptr, ptr, ptr, i64, ptr, ptr, ptr }
 
 @still = internal unnamed_addr constant %struct.Turn { double 1.000000e+00, double 0.000000e+00 }, align 8
 
@@ -5613,331 +5613,347 @@ define dso_local void @manipplan_swivels(ptr nocapture noundef readonly %0, ptr 
 define dso_local void @manipplan_refine(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, i64 noundef %4, i64 noundef %5, double noundef %6, ptr noundef %7, ptr nocapture noundef %8) local_unnamed_addr #0 {
   %10 = alloca %struct.State, align 8
   %11 = icmp sgt i64 %4, 0
-  br i1 %11, label %12, label %16
+  br i1 %11, label %12, label %18
 
 12:                                               ; preds = %9
   %13 = getelementptr inbounds %struct.State, ptr %10, i64 0, i32 1
-  %14 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 5
-  %15 = icmp sgt i64 %5, 0
-  br label %17
+  %14 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 7
+  %15 = getelementptr inbounds %struct.State, ptr %10, i64 0, i32 2
+  %16 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 5
+  %17 = icmp sgt i64 %5, 0
+  br label %19
 
-16:                                               ; preds = %78, %9
+18:                                               ; preds = %85, %9
   ret void
 
-17:                                               ; preds = %12, %78
-  %18 = phi i64 [ 0, %12 ], [ %79, %78 ]
-  %19 = getelementptr inbounds i64, ptr %2, i64 %18
-  %20 = load i64, ptr %19, align 8
-  %21 = shl nsw i64 %20, 4
-  %22 = getelementptr inbounds double, ptr %1, i64 %21
-  %23 = load i64, ptr %0, align 8
-  %24 = mul nsw i64 %23, %18
-  %25 = getelementptr inbounds double, ptr %3, i64 %24
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #13
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(152) %10, i8 0, i64 152, i1 false)
+19:                                               ; preds = %12, %85
+  %20 = phi i64 [ 0, %12 ], [ %86, %85 ]
+  %21 = getelementptr inbounds i64, ptr %2, i64 %20
+  %22 = load i64, ptr %21, align 8
+  %23 = shl nsw i64 %22, 4
+  %24 = getelementptr inbounds double, ptr %1, i64 %23
+  %25 = load i64, ptr %0, align 8
+  %26 = mul nsw i64 %25, %20
+  %27 = getelementptr inbounds double, ptr %3, i64 %26
+  call void @llvm.lifetime.start.p0(i64 160, ptr nonnull %10) #13
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(160) %10, i8 0, i64 160, i1 false)
   store ptr %7, ptr %13, align 8
-  %26 = mul nsw i64 %23, 6
-  %27 = getelementptr double, ptr %7, i64 %26
-  %28 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %22, ptr noundef %25, ptr noundef nonnull %10)
-  %29 = load i64, ptr %0, align 8
-  %30 = icmp sgt i64 %29, 0
-  br i1 %30, label %32, label %31
+  %28 = load ptr, ptr %14, align 8
+  %29 = icmp eq ptr %28, null
+  %30 = mul nsw i64 %25, 7
+  %31 = select i1 %29, i64 0, i64 %30
+  %32 = getelementptr double, ptr %7, i64 %31
+  store ptr %32, ptr %15, align 8
+  %33 = mul nsw i64 %25, 6
+  %34 = getelementptr double, ptr %7, i64 %33
+  %35 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %24, ptr noundef %27, ptr noundef nonnull %10)
+  %36 = load i64, ptr %0, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %39, label %38
 
-31:                                               ; preds = %32, %17
-  br i1 %15, label %43, label %78
+38:                                               ; preds = %39, %19
+  br i1 %17, label %50, label %85
 
-32:                                               ; preds = %17, %32
-  %33 = phi i64 [ %40, %32 ], [ 0, %17 ]
-  %34 = load ptr, ptr %14, align 8
-  %35 = getelementptr inbounds i8, ptr %34, i64 %33
-  %36 = load i8, ptr %35, align 1
-  %37 = icmp eq i8 %36, 0
-  %38 = zext i1 %37 to i8
-  %39 = getelementptr inbounds i8, ptr %8, i64 %33
-  store i8 %38, ptr %39, align 1
-  %40 = add nuw nsw i64 %33, 1
-  %41 = load i64, ptr %0, align 8
-  %42 = icmp slt i64 %40, %41
-  br i1 %42, label %32, label %31
+39:                                               ; preds = %19, %39
+  %40 = phi i64 [ %47, %39 ], [ 0, %19 ]
+  %41 = load ptr, ptr %16, align 8
+  %42 = getelementptr inbounds i8, ptr %41, i64 %40
+  %43 = load i8, ptr %42, align 1
+  %44 = icmp eq i8 %43, 0
+  %45 = zext i1 %44 to i8
+  %46 = getelementptr inbounds i8, ptr %8, i64 %40
+  store i8 %45, ptr %46, align 1
+  %47 = add nuw nsw i64 %40, 1
+  %48 = load i64, ptr %0, align 8
+  %49 = icmp slt i64 %47, %48
+  br i1 %49, label %39, label %38
 
-43:                                               ; preds = %31, %73
-  %44 = phi double [ %75, %73 ], [ 0x3D06849B86A12B9B, %31 ]
-  %45 = phi i64 [ %76, %73 ], [ 0, %31 ]
-  %46 = phi double [ %74, %73 ], [ %28, %31 ]
-  %47 = fcmp ugt double %46, %6
-  %48 = fcmp ule double %44, 1.000000e-02
-  %49 = select i1 %47, i1 %48, i1 false
-  br i1 %49, label %50, label %78
+50:                                               ; preds = %38, %80
+  %51 = phi double [ %82, %80 ], [ 0x3D06849B86A12B9B, %38 ]
+  %52 = phi i64 [ %83, %80 ], [ 0, %38 ]
+  %53 = phi double [ %81, %80 ], [ %35, %38 ]
+  %54 = fcmp ugt double %53, %6
+  %55 = fcmp ule double %51, 1.000000e-02
+  %56 = select i1 %54, i1 %55, i1 false
+  br i1 %56, label %57, label %85
 
-50:                                               ; preds = %43
-  %51 = load i64, ptr %0, align 8
-  %52 = call fastcc i32 @step(i64 noundef %51, ptr noundef nonnull %10, ptr noundef %8, double noundef 0.000000e+00, double noundef %44, ptr noundef %25, ptr noundef %27)
-  %53 = icmp eq i32 %52, 0
-  br i1 %53, label %78, label %54
+57:                                               ; preds = %50
+  %58 = load i64, ptr %0, align 8
+  %59 = call fastcc i32 @step(i64 noundef %58, ptr noundef nonnull %10, ptr noundef %8, double noundef 0.000000e+00, double noundef %51, ptr noundef %27, ptr noundef %34)
+  %60 = icmp eq i32 %59, 0
+  br i1 %60, label %85, label %61
 
-54:                                               ; preds = %50
-  %55 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %22, ptr noundef %27, ptr noundef nonnull %10)
-  %56 = fcmp olt double %55, %46
-  br i1 %56, label %57, label %70
+61:                                               ; preds = %57
+  %62 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %24, ptr noundef %34, ptr noundef nonnull %10)
+  %63 = fcmp olt double %62, %53
+  br i1 %63, label %64, label %77
 
-57:                                               ; preds = %54
-  %58 = fdiv double %44, 1.000000e+02
-  %59 = fcmp ogt double %58, 0x3D06849B86A12B9B
-  %60 = select i1 %59, double %58, double 0x3D06849B86A12B9B
-  %61 = load i64, ptr %0, align 8
-  %62 = icmp sgt i64 %61, 0
-  br i1 %62, label %63, label %73
+64:                                               ; preds = %61
+  %65 = fdiv double %51, 1.000000e+02
+  %66 = fcmp ogt double %65, 0x3D06849B86A12B9B
+  %67 = select i1 %66, double %65, double 0x3D06849B86A12B9B
+  %68 = load i64, ptr %0, align 8
+  %69 = icmp sgt i64 %68, 0
+  br i1 %69, label %70, label %80
 
-63:                                               ; preds = %57, %63
-  %64 = phi i64 [ %68, %63 ], [ 0, %57 ]
-  %65 = getelementptr inbounds double, ptr %27, i64 %64
-  %66 = load double, ptr %65, align 8
-  %67 = getelementptr inbounds double, ptr %25, i64 %64
-  store double %66, ptr %67, align 8
-  %68 = add nuw nsw i64 %64, 1
-  %69 = icmp eq i64 %68, %61
-  br i1 %69, label %73, label %63
+70:                                               ; preds = %64, %70
+  %71 = phi i64 [ %75, %70 ], [ 0, %64 ]
+  %72 = getelementptr inbounds double, ptr %34, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr inbounds double, ptr %27, i64 %71
+  store double %73, ptr %74, align 8
+  %75 = add nuw nsw i64 %71, 1
+  %76 = icmp eq i64 %75, %68
+  br i1 %76, label %80, label %70
 
-70:                                               ; preds = %54
-  %71 = fmul double %44, 1.000000e+01
-  %72 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %22, ptr noundef %25, ptr noundef nonnull %10)
-  br label %73
+77:                                               ; preds = %61
+  %78 = fmul double %51, 1.000000e+01
+  %79 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %24, ptr noundef %27, ptr noundef nonnull %10)
+  br label %80
 
-73:                                               ; preds = %63, %70, %57
-  %74 = phi double [ %46, %70 ], [ %55, %57 ], [ %55, %63 ]
-  %75 = phi double [ %71, %70 ], [ %60, %57 ], [ %60, %63 ]
-  %76 = add nuw nsw i64 %45, 1
-  %77 = icmp eq i64 %76, %5
-  br i1 %77, label %78, label %43
+80:                                               ; preds = %70, %77, %64
+  %81 = phi double [ %53, %77 ], [ %62, %64 ], [ %62, %70 ]
+  %82 = phi double [ %78, %77 ], [ %67, %64 ], [ %67, %70 ]
+  %83 = add nuw nsw i64 %52, 1
+  %84 = icmp eq i64 %83, %5
+  br i1 %84, label %85, label %50
 
-78:                                               ; preds = %43, %50, %73, %31
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #13
-  %79 = add nuw nsw i64 %18, 1
-  %80 = icmp eq i64 %79, %4
-  br i1 %80, label %16, label %17
+85:                                               ; preds = %50, %57, %80, %38
+  call void @llvm.lifetime.end.p0(i64 160, ptr nonnull %10) #13
+  %86 = add nuw nsw i64 %20, 1
+  %87 = icmp eq i64 %86, %4
+  br i1 %87, label %18, label %19
 }
 
 define dso_local void @manipplan_search(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef %4, i64 noundef %5, i64 noundef %6, double noundef %7, ptr nocapture noundef writeonly %8, ptr noundef %9, ptr nocapture noundef %10) local_unnamed_addr #0 {
   %12 = alloca %struct.State, align 8
   %13 = icmp sgt i64 %5, 0
-  br i1 %13, label %14, label %19
+  br i1 %13, label %14, label %21
 
 14:                                               ; preds = %11
   %15 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 1
-  %16 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 2
-  %17 = icmp sgt i64 %6, 0
-  %18 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 5
-  br label %20
+  %16 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 7
+  %17 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 2
+  %18 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 3
+  %19 = icmp sgt i64 %6, 0
+  %20 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 5
+  br label %22
 
-19:                                               ; preds = %162, %11
+21:                                               ; preds = %169, %11
   ret void
 
-20:                                               ; preds = %14, %162
-  %21 = phi i64 [ 0, %14 ], [ %165, %162 ]
-  %22 = load i64, ptr %0, align 8
-  %23 = mul nsw i64 %22, %21
-  %24 = getelementptr inbounds double, ptr %4, i64 %23
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #13
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(152) %12, i8 0, i64 152, i1 false)
+22:                                               ; preds = %14, %169
+  %23 = phi i64 [ 0, %14 ], [ %172, %169 ]
+  %24 = load i64, ptr %0, align 8
+  %25 = mul nsw i64 %24, %23
+  %26 = getelementptr inbounds double, ptr %4, i64 %25
+  call void @llvm.lifetime.start.p0(i64 160, ptr nonnull %12) #13
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(160) %12, i8 0, i64 160, i1 false)
   store ptr %9, ptr %15, align 8
-  %25 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %24, ptr noundef nonnull %12)
-  br label %26
+  %27 = load ptr, ptr %16, align 8
+  %28 = icmp eq ptr %27, null
+  %29 = mul nsw i64 %24, 7
+  %30 = select i1 %28, i64 0, i64 %29
+  %31 = getelementptr double, ptr %9, i64 %30
+  store ptr %31, ptr %17, align 8
+  %32 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %26, ptr noundef nonnull %12)
+  br label %33
 
-26:                                               ; preds = %26, %20
-  %27 = phi i64 [ 0, %20 ], [ %33, %26 ]
-  %28 = phi double [ 0.000000e+00, %20 ], [ %32, %26 ]
-  %29 = getelementptr inbounds double, ptr %16, i64 %27
-  %30 = load double, ptr %29, align 8
-  %31 = fmul double %30, %30
-  %32 = fadd double %28, %31
-  %33 = add nuw nsw i64 %27, 1
-  %34 = icmp eq i64 %33, 6
-  br i1 %34, label %35, label %26
+33:                                               ; preds = %33, %22
+  %34 = phi i64 [ 0, %22 ], [ %40, %33 ]
+  %35 = phi double [ 0.000000e+00, %22 ], [ %39, %33 ]
+  %36 = getelementptr inbounds double, ptr %18, i64 %34
+  %37 = load double, ptr %36, align 8
+  %38 = fmul double %37, %37
+  %39 = fadd double %35, %38
+  %40 = add nuw nsw i64 %34, 1
+  %41 = icmp eq i64 %40, 6
+  br i1 %41, label %42, label %33
 
-35:                                               ; preds = %26
-  %36 = mul nsw i64 %22, 6
-  %37 = getelementptr double, ptr %9, i64 %36
-  %38 = fcmp ugt double %25, %7
-  %39 = select i1 %17, i1 %38, i1 false
-  br i1 %39, label %40, label %162
+42:                                               ; preds = %33
+  %43 = mul nsw i64 %24, 6
+  %44 = getelementptr double, ptr %9, i64 %43
+  %45 = fcmp ugt double %32, %7
+  %46 = select i1 %19, i1 %45, i1 false
+  br i1 %46, label %47, label %169
 
-40:                                               ; preds = %35
-  %41 = load i64, ptr %0, align 8
-  br label %42
+47:                                               ; preds = %42
+  %48 = load i64, ptr %0, align 8
+  br label %49
 
-42:                                               ; preds = %153, %40
-  %43 = phi i64 [ %41, %40 ], [ %154, %153 ]
-  %44 = phi double [ 1.000000e-02, %40 ], [ %155, %153 ]
-  %45 = phi double [ %25, %40 ], [ %156, %153 ]
-  %46 = phi i64 [ 0, %40 ], [ %158, %153 ]
-  %47 = phi double [ %32, %40 ], [ %157, %153 ]
-  %48 = icmp sgt i64 %43, 0
-  br i1 %48, label %49, label %53
+49:                                               ; preds = %160, %47
+  %50 = phi i64 [ %48, %47 ], [ %161, %160 ]
+  %51 = phi double [ 1.000000e-02, %47 ], [ %162, %160 ]
+  %52 = phi double [ %32, %47 ], [ %163, %160 ]
+  %53 = phi i64 [ 0, %47 ], [ %165, %160 ]
+  %54 = phi double [ %39, %47 ], [ %164, %160 ]
+  %55 = icmp sgt i64 %50, 0
+  br i1 %55, label %56, label %60
 
-49:                                               ; preds = %42
-  %50 = load ptr, ptr %15, align 8
-  br label %51
+56:                                               ; preds = %49
+  %57 = load ptr, ptr %15, align 8
+  br label %58
 
-51:                                               ; preds = %91, %49
-  %52 = phi i64 [ 0, %49 ], [ %95, %91 ]
-  br label %66
+58:                                               ; preds = %98, %56
+  %59 = phi i64 [ 0, %56 ], [ %102, %98 ]
+  br label %73
 
-53:                                               ; preds = %91, %42
-  %54 = phi i64 [ %43, %42 ], [ %96, %91 ]
-  %55 = fmul double %44, %47
-  %56 = call fastcc i32 @step(i64 noundef %54, ptr noundef nonnull %12, ptr noundef %10, double noundef %55, double noundef 0x3D06849B86A12B9B, ptr noundef %24, ptr noundef %37)
-  %57 = icmp eq i32 %56, 0
-  br i1 %57, label %162, label %58
+60:                                               ; preds = %98, %49
+  %61 = phi i64 [ %50, %49 ], [ %103, %98 ]
+  %62 = fmul double %51, %54
+  %63 = call fastcc i32 @step(i64 noundef %61, ptr noundef nonnull %12, ptr noundef %10, double noundef %62, double noundef 0x3D06849B86A12B9B, ptr noundef %26, ptr noundef %44)
+  %64 = icmp eq i32 %63, 0
+  br i1 %64, label %169, label %65
 
-58:                                               ; preds = %53
-  %59 = load i64, ptr %0, align 8
-  %60 = icmp sgt i64 %59, 0
-  br i1 %60, label %111, label %98
+65:                                               ; preds = %60
+  %66 = load i64, ptr %0, align 8
+  %67 = icmp sgt i64 %66, 0
+  br i1 %67, label %118, label %105
 
-61:                                               ; preds = %66
-  %62 = load ptr, ptr %18, align 8
-  %63 = getelementptr inbounds i8, ptr %62, i64 %52
-  %64 = load i8, ptr %63, align 1
-  %65 = icmp eq i8 %64, 0
-  br i1 %65, label %91, label %77
+68:                                               ; preds = %73
+  %69 = load ptr, ptr %20, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 %59
+  %71 = load i8, ptr %70, align 1
+  %72 = icmp eq i8 %71, 0
+  br i1 %72, label %98, label %84
 
-66:                                               ; preds = %66, %51
-  %67 = phi i64 [ 0, %51 ], [ %75, %66 ]
-  %68 = phi double [ 0.000000e+00, %51 ], [ %74, %66 ]
-  %69 = getelementptr inbounds [6 x double], ptr %50, i64 %52, i64 %67
-  %70 = load double, ptr %69, align 8
-  %71 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 2, i64 %67
-  %72 = load double, ptr %71, align 8
-  %73 = fmul double %70, %72
-  %74 = fadd double %68, %73
-  %75 = add nuw nsw i64 %67, 1
-  %76 = icmp eq i64 %75, 6
-  br i1 %76, label %61, label %66
-
-77:                                               ; preds = %61
-  %78 = getelementptr inbounds double, ptr %24, i64 %52
+73:                                               ; preds = %73, %58
+  %74 = phi i64 [ 0, %58 ], [ %82, %73 ]
+  %75 = phi double [ 0.000000e+00, %58 ], [ %81, %73 ]
+  %76 = getelementptr inbounds [6 x double], ptr %57, i64 %59, i64 %74
+  %77 = load double, ptr %76, align 8
+  %78 = getelementptr inbounds %struct.State, ptr %12, i64 0, i32 3, i64 %74
   %79 = load double, ptr %78, align 8
-  %80 = getelementptr inbounds double, ptr %2, i64 %52
-  %81 = load double, ptr %80, align 8
-  %82 = fcmp ole double %79, %81
-  %83 = fcmp olt double %74, 0.000000e+00
-  %84 = select i1 %82, i1 %83, i1 false
-  br i1 %84, label %91, label %85
+  %80 = fmul double %77, %79
+  %81 = fadd double %75, %80
+  %82 = add nuw nsw i64 %74, 1
+  %83 = icmp eq i64 %82, 6
+  br i1 %83, label %68, label %73
 
-85:                                               ; preds = %77
-  %86 = getelementptr inbounds double, ptr %3, i64 %52
-  %87 = load double, ptr %86, align 8
-  %88 = fcmp oge double %79, %87
-  %89 = fcmp ogt double %74, 0.000000e+00
-  %90 = select i1 %88, i1 %89, i1 false
-  br label %91
+84:                                               ; preds = %68
+  %85 = getelementptr inbounds double, ptr %26, i64 %59
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr inbounds double, ptr %2, i64 %59
+  %88 = load double, ptr %87, align 8
+  %89 = fcmp ole double %86, %88
+  %90 = fcmp olt double %81, 0.000000e+00
+  %91 = select i1 %89, i1 %90, i1 false
+  br i1 %91, label %98, label %92
 
-91:                                               ; preds = %85, %77, %61
-  %92 = phi i1 [ true, %61 ], [ %90, %85 ], [ true, %77 ]
-  %93 = zext i1 %92 to i8
-  %94 = getelementptr inbounds i8, ptr %10, i64 %52
-  store i8 %93, ptr %94, align 1
-  %95 = add nuw nsw i64 %52, 1
-  %96 = load i64, ptr %0, align 8
-  %97 = icmp slt i64 %95, %96
-  br i1 %97, label %51, label %53
+92:                                               ; preds = %84
+  %93 = getelementptr inbounds double, ptr %3, i64 %59
+  %94 = load double, ptr %93, align 8
+  %95 = fcmp oge double %86, %94
+  %96 = fcmp ogt double %81, 0.000000e+00
+  %97 = select i1 %95, i1 %96, i1 false
+  br label %98
 
-98:                                               ; preds = %127, %58
-  %99 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %37, ptr noundef nonnull %12)
-  br label %100
+98:                                               ; preds = %92, %84, %68
+  %99 = phi i1 [ true, %68 ], [ %97, %92 ], [ true, %84 ]
+  %100 = zext i1 %99 to i8
+  %101 = getelementptr inbounds i8, ptr %10, i64 %59
+  store i8 %100, ptr %101, align 1
+  %102 = add nuw nsw i64 %59, 1
+  %103 = load i64, ptr %0, align 8
+  %104 = icmp slt i64 %102, %103
+  br i1 %104, label %58, label %60
 
-100:                                              ; preds = %100, %98
-  %101 = phi i64 [ 0, %98 ], [ %107, %100 ]
-  %102 = phi double [ 0.000000e+00, %98 ], [ %106, %100 ]
-  %103 = getelementptr inbounds double, ptr %16, i64 %101
-  %104 = load double, ptr %103, align 8
-  %105 = fmul double %104, %104
-  %106 = fadd double %102, %105
-  %107 = add nuw nsw i64 %101, 1
-  %108 = icmp eq i64 %107, 6
-  br i1 %108, label %109, label %100
+105:                                              ; preds = %134, %65
+  %106 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %44, ptr noundef nonnull %12)
+  br label %107
 
-109:                                              ; preds = %100
-  %110 = fcmp olt double %106, %47
-  br i1 %110, label %130, label %148
+107:                                              ; preds = %107, %105
+  %108 = phi i64 [ 0, %105 ], [ %114, %107 ]
+  %109 = phi double [ 0.000000e+00, %105 ], [ %113, %107 ]
+  %110 = getelementptr inbounds double, ptr %18, i64 %108
+  %111 = load double, ptr %110, align 8
+  %112 = fmul double %111, %111
+  %113 = fadd double %109, %112
+  %114 = add nuw nsw i64 %108, 1
+  %115 = icmp eq i64 %114, 6
+  br i1 %115, label %116, label %107
 
-111:                                              ; preds = %58, %127
-  %112 = phi i64 [ %128, %127 ], [ 0, %58 ]
-  %113 = getelementptr inbounds i8, ptr %10, i64 %112
-  %114 = load i8, ptr %113, align 1
-  %115 = icmp eq i8 %114, 0
-  br i1 %115, label %116, label %127
+116:                                              ; preds = %107
+  %117 = fcmp olt double %113, %54
+  br i1 %117, label %137, label %155
 
-116:                                              ; preds = %111
-  %117 = getelementptr inbounds double, ptr %37, i64 %112
-  %118 = load double, ptr %117, align 8
-  %119 = getelementptr inbounds double, ptr %2, i64 %112
-  %120 = load double, ptr %119, align 8
-  %121 = fcmp ogt double %118, %120
-  %122 = select i1 %121, double %118, double %120
-  %123 = getelementptr inbounds double, ptr %3, i64 %112
-  %124 = load double, ptr %123, align 8
-  %125 = fcmp olt double %122, %124
-  %126 = select i1 %125, double %122, double %124
-  store double %126, ptr %117, align 8
-  br label %127
+118:                                              ; preds = %65, %134
+  %119 = phi i64 [ %135, %134 ], [ 0, %65 ]
+  %120 = getelementptr inbounds i8, ptr %10, i64 %119
+  %121 = load i8, ptr %120, align 1
+  %122 = icmp eq i8 %121, 0
+  br i1 %122, label %123, label %134
 
-127:                                              ; preds = %116, %111
-  %128 = add nuw nsw i64 %112, 1
-  %129 = icmp eq i64 %128, %59
-  br i1 %129, label %98, label %111
+123:                                              ; preds = %118
+  %124 = getelementptr inbounds double, ptr %44, i64 %119
+  %125 = load double, ptr %124, align 8
+  %126 = getelementptr inbounds double, ptr %2, i64 %119
+  %127 = load double, ptr %126, align 8
+  %128 = fcmp ogt double %125, %127
+  %129 = select i1 %128, double %125, double %127
+  %130 = getelementptr inbounds double, ptr %3, i64 %119
+  %131 = load double, ptr %130, align 8
+  %132 = fcmp olt double %129, %131
+  %133 = select i1 %132, double %129, double %131
+  store double %133, ptr %124, align 8
+  br label %134
 
-130:                                              ; preds = %109
-  %131 = fmul double %47, 0x3FEFF7CED916872B
-  %132 = fcmp ule double %106, %131
-  %133 = fcmp ule double %44, 1.000000e+03
-  %134 = select i1 %132, i1 true, i1 %133
-  %135 = load i64, ptr %0, align 8
-  %136 = icmp sgt i64 %135, 0
-  br i1 %136, label %141, label %137
+134:                                              ; preds = %123, %118
+  %135 = add nuw nsw i64 %119, 1
+  %136 = icmp eq i64 %135, %66
+  br i1 %136, label %105, label %118
 
-137:                                              ; preds = %141, %130
-  %138 = fmul double %44, 2.500000e-01
-  %139 = fcmp ogt double %138, 0x3EB0C6F7A0B5ED8D
-  %140 = select i1 %139, double %138, double 0x3EB0C6F7A0B5ED8D
-  br i1 %134, label %153, label %162
+137:                                              ; preds = %116
+  %138 = fmul double %54, 0x3FEFF7CED916872B
+  %139 = fcmp ule double %113, %138
+  %140 = fcmp ule double %51, 1.000000e+03
+  %141 = select i1 %139, i1 true, i1 %140
+  %142 = load i64, ptr %0, align 8
+  %143 = icmp sgt i64 %142, 0
+  br i1 %143, label %148, label %144
 
-141:                                              ; preds = %130, %141
-  %142 = phi i64 [ %146, %141 ], [ 0, %130 ]
-  %143 = getelementptr inbounds double, ptr %37, i64 %142
-  %144 = load double, ptr %143, align 8
-  %145 = getelementptr inbounds double, ptr %24, i64 %142
-  store double %144, ptr %145, align 8
-  %146 = add nuw nsw i64 %142, 1
-  %147 = icmp eq i64 %146, %135
-  br i1 %147, label %137, label %141
+144:                                              ; preds = %148, %137
+  %145 = fmul double %51, 2.500000e-01
+  %146 = fcmp ogt double %145, 0x3EB0C6F7A0B5ED8D
+  %147 = select i1 %146, double %145, double 0x3EB0C6F7A0B5ED8D
+  br i1 %141, label %160, label %169
 
-148:                                              ; preds = %109
-  %149 = fmul double %44, 8.000000e+00
-  %150 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %24, ptr noundef nonnull %12)
-  %151 = fcmp ogt double %149, 1.000000e+06
-  %152 = load i64, ptr %0, align 8
-  br i1 %151, label %162, label %153
+148:                                              ; preds = %137, %148
+  %149 = phi i64 [ %153, %148 ], [ 0, %137 ]
+  %150 = getelementptr inbounds double, ptr %44, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = getelementptr inbounds double, ptr %26, i64 %149
+  store double %151, ptr %152, align 8
+  %153 = add nuw nsw i64 %149, 1
+  %154 = icmp eq i64 %153, %142
+  br i1 %154, label %144, label %148
 
-153:                                              ; preds = %148, %137
-  %154 = phi i64 [ %135, %137 ], [ %152, %148 ]
-  %155 = phi double [ %140, %137 ], [ %149, %148 ]
-  %156 = phi double [ %99, %137 ], [ %150, %148 ]
-  %157 = phi double [ %106, %137 ], [ %47, %148 ]
-  %158 = add nuw nsw i64 %46, 1
-  %159 = icmp slt i64 %158, %6
-  %160 = fcmp ugt double %156, %7
-  %161 = select i1 %159, i1 %160, i1 false
-  br i1 %161, label %42, label %162
+155:                                              ; preds = %116
+  %156 = fmul double %51, 8.000000e+00
+  %157 = call fastcc double @look(ptr noundef nonnull %0, ptr noundef %1, ptr noundef %26, ptr noundef nonnull %12)
+  %158 = fcmp ogt double %156, 1.000000e+06
+  %159 = load i64, ptr %0, align 8
+  br i1 %158, label %169, label %160
 
-162:                                              ; preds = %53, %137, %148, %153, %35
-  %163 = phi double [ %25, %35 ], [ %156, %153 ], [ %45, %53 ], [ %150, %148 ], [ %99, %137 ]
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #13
-  %164 = getelementptr inbounds double, ptr %8, i64 %21
-  store double %163, ptr %164, align 8
-  %165 = add nuw nsw i64 %21, 1
-  %166 = icmp eq i64 %165, %5
-  br i1 %166, label %19, label %20
+160:                                              ; preds = %155, %144
+  %161 = phi i64 [ %142, %144 ], [ %159, %155 ]
+  %162 = phi double [ %147, %144 ], [ %156, %155 ]
+  %163 = phi double [ %106, %144 ], [ %157, %155 ]
+  %164 = phi double [ %113, %144 ], [ %54, %155 ]
+  %165 = add nuw nsw i64 %53, 1
+  %166 = icmp slt i64 %165, %6
+  %167 = fcmp ugt double %163, %7
+  %168 = select i1 %166, i1 %167, i1 false
+  br i1 %168, label %49, label %169
+
+169:                                              ; preds = %60, %144, %155, %160, %42
+  %170 = phi double [ %32, %42 ], [ %163, %160 ], [ %52, %60 ], [ %157, %155 ], [ %106, %144 ]
+  call void @llvm.lifetime.end.p0(i64 160, ptr nonnull %12) #13
+  %171 = getelementptr inbounds double, ptr %8, i64 %23
+  store double %170, ptr %171, align 8
+  %172 = add nuw nsw i64 %23, 1
+  %173 = icmp eq i64 %172, %5
+  br i1 %173, label %21, label %22
 }
 
 define dso_local i64 @manipplan_are_poses(ptr noundef readonly %0, i64 noundef %1, double noundef %2) local_unnamed_addr #5 {
@@ -6893,378 +6909,466 @@ define internal fastcc double @look(ptr nocapture noundef readonly %0, ptr nocap
   %10 = load double, ptr %9, align 8
   %11 = getelementptr inbounds double, ptr %6, i64 11
   %12 = load double, ptr %11, align 8
-  br label %25
+  br label %34
 
-13:                                               ; preds = %25
-  %14 = load i64, ptr %0, align 8
-  %15 = icmp sgt i64 %14, 0
-  br i1 %15, label %16, label %229
+13:                                               ; preds = %34
+  %14 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 6
+  %15 = load i64, ptr %14, align 8
+  %16 = icmp sgt i64 %15, 0
+  br i1 %16, label %20, label %17
 
-16:                                               ; preds = %13
-  %17 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 1
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 2
-  %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 1
+17:                                               ; preds = %13
+  %18 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 7
+  %19 = load ptr, ptr %18, align 8
+  br label %49
+
+20:                                               ; preds = %13
+  %21 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 1
   %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 3
+  %23 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 2
   %24 = load ptr, ptr %23, align 8
-  br label %40
+  %25 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 7
+  %28 = load ptr, ptr %27, align 8
+  %29 = icmp eq ptr %28, null
+  %30 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 8
+  %31 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 9
+  %32 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 3
+  %33 = load ptr, ptr %32, align 8
+  br label %65
 
-25:                                               ; preds = %25, %4
-  %26 = phi i64 [ 0, %4 ], [ %38, %25 ]
-  %27 = getelementptr inbounds double, ptr %6, i64 %26
-  %28 = load double, ptr %27, align 8
-  %29 = add nuw nsw i64 %26, 4
-  %30 = getelementptr inbounds double, ptr %6, i64 %29
-  %31 = load double, ptr %30, align 8
-  %32 = add nuw nsw i64 %26, 8
-  %33 = getelementptr inbounds double, ptr %6, i64 %32
-  %34 = load double, ptr %33, align 8
-  %35 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %26
-  store double %28, ptr %35, align 8
-  %36 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %26
-  store double %31, ptr %36, align 8
-  %37 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %26
-  store double %34, ptr %37, align 8
-  %38 = add nuw nsw i64 %26, 1
-  %39 = icmp eq i64 %38, 3
-  br i1 %39, label %13, label %25
+34:                                               ; preds = %34, %4
+  %35 = phi i64 [ 0, %4 ], [ %47, %34 ]
+  %36 = getelementptr inbounds double, ptr %6, i64 %35
+  %37 = load double, ptr %36, align 8
+  %38 = add nuw nsw i64 %35, 4
+  %39 = getelementptr inbounds double, ptr %6, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = add nuw nsw i64 %35, 8
+  %42 = getelementptr inbounds double, ptr %6, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %35
+  store double %37, ptr %44, align 8
+  %45 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %35
+  store double %40, ptr %45, align 8
+  %46 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %35
+  store double %43, ptr %46, align 8
+  %47 = add nuw nsw i64 %35, 1
+  %48 = icmp eq i64 %47, 3
+  br i1 %48, label %13, label %34
 
-40:                                               ; preds = %224, %16
-  %41 = phi i64 [ %14, %16 ], [ %45, %224 ]
-  %42 = phi double [ %12, %16 ], [ %227, %224 ]
-  %43 = phi double [ %10, %16 ], [ %226, %224 ]
-  %44 = phi double [ %8, %16 ], [ %225, %224 ]
-  %45 = add nsw i64 %41, -1
-  %46 = mul nsw i64 %45, 3
-  %47 = getelementptr inbounds double, ptr %18, i64 %46
-  %48 = load double, ptr %47, align 8
-  %49 = add nsw i64 %46, 1
-  %50 = getelementptr inbounds double, ptr %18, i64 %49
-  %51 = load double, ptr %50, align 8
-  %52 = add nsw i64 %46, 2
-  %53 = getelementptr inbounds double, ptr %18, i64 %52
-  %54 = load double, ptr %53, align 8
-  %55 = getelementptr inbounds double, ptr %20, i64 %46
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %20, i64 %49
-  %58 = load double, ptr %57, align 8
-  %59 = getelementptr inbounds double, ptr %20, i64 %52
-  %60 = load double, ptr %59, align 8
-  %61 = getelementptr inbounds [6 x double], ptr %22, i64 %45
-  %62 = getelementptr inbounds i8, ptr %24, i64 %45
-  %63 = load i8, ptr %62, align 1
-  %64 = icmp eq i8 %63, 0
-  %65 = getelementptr inbounds double, ptr %2, i64 %45
-  %66 = load double, ptr %65, align 8
-  br i1 %64, label %77, label %67
+49:                                               ; preds = %265, %17
+  %50 = phi ptr [ %19, %17 ], [ %28, %265 ]
+  %51 = phi double [ %8, %17 ], [ %266, %265 ]
+  %52 = phi double [ %10, %17 ], [ %267, %265 ]
+  %53 = phi double [ %12, %17 ], [ %268, %265 ]
+  %54 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 3
+  store double %51, ptr %54, align 8
+  %55 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 3
+  store double %52, ptr %55, align 8
+  %56 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 3
+  store double %53, ptr %56, align 8
+  %57 = icmp eq ptr %50, null
+  br i1 %57, label %271, label %58
 
-67:                                               ; preds = %40
-  %68 = fmul double %48, %66
-  %69 = fmul double %51, %66
-  %70 = fmul double %54, %66
-  %71 = fadd double %44, %68
-  %72 = fadd double %43, %69
-  %73 = fadd double %42, %70
-  store double %48, ptr %61, align 8
-  %74 = getelementptr inbounds double, ptr %61, i64 1
-  store double %51, ptr %74, align 8
-  %75 = getelementptr inbounds double, ptr %61, i64 2
-  store double %54, ptr %75, align 8
-  %76 = getelementptr inbounds double, ptr %61, i64 3
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %76, i8 0, i64 24, i1 false)
+58:                                               ; preds = %49
+  %59 = load i64, ptr %0, align 8
+  %60 = icmp sgt i64 %59, 0
+  br i1 %60, label %61, label %270
+
+61:                                               ; preds = %58
+  %62 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 1
+  %63 = load ptr, ptr %62, align 8
+  %64 = mul nuw i64 %59, 48
+  tail call void @llvm.memset.p0.i64(ptr align 8 %63, i8 0, i64 %64, i1 false)
+  br label %270
+
+65:                                               ; preds = %265, %20
+  %66 = phi i64 [ %15, %20 ], [ %70, %265 ]
+  %67 = phi double [ %12, %20 ], [ %268, %265 ]
+  %68 = phi double [ %10, %20 ], [ %267, %265 ]
+  %69 = phi double [ %8, %20 ], [ %266, %265 ]
+  %70 = add nsw i64 %66, -1
+  %71 = mul nsw i64 %70, 3
+  %72 = getelementptr inbounds double, ptr %22, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = add nsw i64 %71, 1
+  %75 = getelementptr inbounds double, ptr %22, i64 %74
+  %76 = load double, ptr %75, align 8
+  %77 = add nsw i64 %71, 2
+  %78 = getelementptr inbounds double, ptr %22, i64 %77
+  %79 = load double, ptr %78, align 8
+  %80 = getelementptr inbounds double, ptr %24, i64 %71
+  %81 = load double, ptr %80, align 8
+  %82 = getelementptr inbounds double, ptr %24, i64 %74
+  %83 = load double, ptr %82, align 8
+  %84 = getelementptr inbounds double, ptr %24, i64 %77
+  %85 = load double, ptr %84, align 8
+  %86 = getelementptr inbounds [6 x double], ptr %26, i64 %70
+  br i1 %29, label %100, label %87
+
+87:                                               ; preds = %65
+  %88 = load ptr, ptr %30, align 8
+  %89 = getelementptr inbounds double, ptr %88, i64 %70
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr inbounds i64, ptr %28, i64 %70
+  %92 = load i64, ptr %91, align 8
+  %93 = getelementptr inbounds double, ptr %2, i64 %92
+  %94 = load double, ptr %93, align 8
+  %95 = fmul double %90, %94
+  %96 = load ptr, ptr %31, align 8
+  %97 = getelementptr inbounds double, ptr %96, i64 %70
+  %98 = load double, ptr %97, align 8
+  %99 = fadd double %95, %98
+  br label %103
+
+100:                                              ; preds = %65
+  %101 = getelementptr inbounds double, ptr %2, i64 %70
+  %102 = load double, ptr %101, align 8
+  br label %103
+
+103:                                              ; preds = %100, %87
+  %104 = phi double [ %99, %87 ], [ %102, %100 ]
+  %105 = getelementptr inbounds i8, ptr %33, i64 %70
+  %106 = load i8, ptr %105, align 1
+  %107 = icmp eq i8 %106, 0
+  br i1 %107, label %118, label %108
+
+108:                                              ; preds = %103
+  %109 = fmul double %73, %104
+  %110 = fmul double %76, %104
+  %111 = fmul double %79, %104
+  %112 = fadd double %69, %109
+  %113 = fadd double %68, %110
+  %114 = fadd double %67, %111
+  store double %73, ptr %86, align 8
+  %115 = getelementptr inbounds double, ptr %86, i64 1
+  store double %76, ptr %115, align 8
+  %116 = getelementptr inbounds double, ptr %86, i64 2
+  store double %79, ptr %116, align 8
+  %117 = getelementptr inbounds double, ptr %86, i64 3
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %117, i8 0, i64 24, i1 false)
+  br label %265
+
+118:                                              ; preds = %103
+  %119 = tail call double @llvm.cos.f64(double %104)
+  %120 = tail call double @llvm.sin.f64(double %104)
+  %121 = fsub double %69, %81
+  %122 = fsub double %68, %83
+  %123 = fsub double %67, %85
+  %124 = fmul double %73, %121
+  %125 = fmul double %76, %122
+  %126 = fadd double %124, %125
+  %127 = fmul double %79, %123
+  %128 = fadd double %126, %127
+  %129 = fsub double 1.000000e+00, %119
+  %130 = fmul double %128, %129
+  %131 = fmul double %79, %122
+  %132 = fmul double %79, %121
+  %133 = fmul double %73, %123
+  %134 = fsub double %132, %133
+  %135 = fmul double %73, %122
+  %136 = fmul double %76, %121
+  %137 = fsub double %135, %136
+  %138 = fmul double %73, %130
+  %139 = fmul double %134, %120
+  %140 = fmul double %76, %130
+  %141 = fmul double %123, %119
+  %142 = fmul double %137, %120
+  %143 = fadd double %141, %142
+  %144 = fmul double %79, %130
+  %145 = fadd double %143, %144
+  br label %160
+
+146:                                              ; preds = %160
+  %147 = fmul double %76, %123
+  %148 = fsub double %147, %131
+  %149 = fmul double %148, %120
+  %150 = fmul double %122, %119
+  %151 = fadd double %150, %139
+  %152 = fadd double %151, %140
+  %153 = fadd double %83, %152
+  %154 = fmul double %121, %119
+  %155 = fadd double %154, %149
+  %156 = fadd double %155, %138
+  %157 = fadd double %81, %156
+  %158 = fadd double %85, %145
+  %159 = icmp slt i64 %66, %15
+  br i1 %159, label %200, label %203
+
+160:                                              ; preds = %160, %118
+  %161 = phi i64 [ 0, %118 ], [ %198, %160 ]
+  %162 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %161
+  %163 = load double, ptr %162, align 8
+  %164 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %161
+  %165 = load double, ptr %164, align 8
+  %166 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %161
+  %167 = load double, ptr %166, align 8
+  %168 = fmul double %73, %163
+  %169 = fmul double %76, %165
+  %170 = fadd double %168, %169
+  %171 = fmul double %79, %167
+  %172 = fadd double %170, %171
+  %173 = fmul double %129, %172
+  %174 = fmul double %76, %167
+  %175 = fmul double %79, %165
+  %176 = fsub double %174, %175
+  %177 = fmul double %79, %163
+  %178 = fmul double %73, %167
+  %179 = fsub double %177, %178
+  %180 = fmul double %73, %165
+  %181 = fmul double %76, %163
+  %182 = fsub double %180, %181
+  %183 = fmul double %119, %163
+  %184 = fmul double %120, %176
+  %185 = fadd double %183, %184
+  %186 = fmul double %73, %173
+  %187 = fadd double %186, %185
+  %188 = fmul double %119, %165
+  %189 = fmul double %120, %179
+  %190 = fadd double %188, %189
+  %191 = fmul double %76, %173
+  %192 = fadd double %191, %190
+  %193 = fmul double %119, %167
+  %194 = fmul double %120, %182
+  %195 = fadd double %193, %194
+  %196 = fmul double %79, %173
+  %197 = fadd double %195, %196
+  store double %187, ptr %162, align 8
+  store double %192, ptr %164, align 8
+  store double %197, ptr %166, align 8
+  %198 = add nuw nsw i64 %161, 1
+  %199 = icmp eq i64 %198, 3
+  br i1 %199, label %146, label %160
+
+200:                                              ; preds = %146, %221
+  %201 = phi i64 [ %222, %221 ], [ %66, %146 ]
+  %202 = getelementptr inbounds [6 x double], ptr %26, i64 %201
   br label %224
 
-77:                                               ; preds = %40
-  %78 = tail call double @llvm.cos.f64(double %66)
-  %79 = tail call double @llvm.sin.f64(double %66)
-  %80 = fsub double %44, %56
-  %81 = fsub double %43, %58
-  %82 = fsub double %42, %60
-  %83 = fmul double %48, %80
-  %84 = fmul double %51, %81
-  %85 = fadd double %83, %84
-  %86 = fmul double %54, %82
-  %87 = fadd double %85, %86
-  %88 = fsub double 1.000000e+00, %78
-  %89 = fmul double %87, %88
-  %90 = fmul double %54, %81
-  %91 = fmul double %54, %80
-  %92 = fmul double %48, %82
-  %93 = fsub double %91, %92
-  %94 = fmul double %48, %81
-  %95 = fmul double %51, %80
-  %96 = fsub double %94, %95
-  %97 = fmul double %48, %89
-  %98 = fmul double %93, %79
-  %99 = fmul double %51, %89
-  %100 = fmul double %82, %78
-  %101 = fmul double %96, %79
-  %102 = fadd double %100, %101
-  %103 = fmul double %54, %89
-  %104 = fadd double %102, %103
-  br label %119
+203:                                              ; preds = %221, %146
+  %204 = fsub double %157, %81
+  %205 = fsub double %153, %83
+  %206 = fsub double %158, %85
+  %207 = fmul double %76, %206
+  %208 = fmul double %79, %205
+  %209 = fsub double %207, %208
+  %210 = fmul double %79, %204
+  %211 = fmul double %73, %206
+  %212 = fsub double %210, %211
+  %213 = fmul double %73, %205
+  %214 = fmul double %76, %204
+  %215 = fsub double %213, %214
+  store double %209, ptr %86, align 8
+  %216 = getelementptr inbounds double, ptr %86, i64 1
+  store double %212, ptr %216, align 8
+  %217 = getelementptr inbounds double, ptr %86, i64 2
+  store double %215, ptr %217, align 8
+  %218 = getelementptr inbounds double, ptr %86, i64 3
+  store double %73, ptr %218, align 8
+  %219 = getelementptr inbounds double, ptr %86, i64 4
+  store double %76, ptr %219, align 8
+  %220 = getelementptr inbounds double, ptr %86, i64 5
+  store double %79, ptr %220, align 8
+  br label %265
 
-105:                                              ; preds = %119
-  %106 = fmul double %51, %82
-  %107 = fsub double %106, %90
-  %108 = fmul double %107, %79
-  %109 = fmul double %81, %78
-  %110 = fadd double %109, %98
-  %111 = fadd double %110, %99
-  %112 = fadd double %58, %111
-  %113 = fmul double %80, %78
-  %114 = fadd double %113, %108
-  %115 = fadd double %114, %97
-  %116 = fadd double %56, %115
-  %117 = fadd double %60, %104
-  %118 = icmp slt i64 %41, %14
-  br i1 %118, label %159, label %162
+221:                                              ; preds = %224
+  %222 = add nsw i64 %201, 1
+  %223 = icmp eq i64 %222, %15
+  br i1 %223, label %203, label %200
 
-119:                                              ; preds = %119, %77
-  %120 = phi i64 [ 0, %77 ], [ %157, %119 ]
-  %121 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %120
-  %122 = load double, ptr %121, align 8
-  %123 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %120
-  %124 = load double, ptr %123, align 8
-  %125 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %120
-  %126 = load double, ptr %125, align 8
-  %127 = fmul double %48, %122
-  %128 = fmul double %51, %124
-  %129 = fadd double %127, %128
-  %130 = fmul double %54, %126
-  %131 = fadd double %129, %130
-  %132 = fmul double %88, %131
-  %133 = fmul double %51, %126
-  %134 = fmul double %54, %124
-  %135 = fsub double %133, %134
-  %136 = fmul double %54, %122
-  %137 = fmul double %48, %126
-  %138 = fsub double %136, %137
-  %139 = fmul double %48, %124
-  %140 = fmul double %51, %122
-  %141 = fsub double %139, %140
-  %142 = fmul double %78, %122
-  %143 = fmul double %79, %135
-  %144 = fadd double %142, %143
-  %145 = fmul double %48, %132
-  %146 = fadd double %145, %144
-  %147 = fmul double %78, %124
-  %148 = fmul double %79, %138
-  %149 = fadd double %147, %148
-  %150 = fmul double %51, %132
-  %151 = fadd double %150, %149
-  %152 = fmul double %78, %126
-  %153 = fmul double %79, %141
-  %154 = fadd double %152, %153
-  %155 = fmul double %54, %132
-  %156 = fadd double %154, %155
-  store double %146, ptr %121, align 8
-  store double %151, ptr %123, align 8
-  store double %156, ptr %125, align 8
-  %157 = add nuw nsw i64 %120, 1
-  %158 = icmp eq i64 %157, 3
-  br i1 %158, label %105, label %119
+224:                                              ; preds = %224, %200
+  %225 = phi i1 [ true, %200 ], [ false, %224 ]
+  %226 = phi i64 [ 0, %200 ], [ 3, %224 ]
+  %227 = getelementptr inbounds double, ptr %202, i64 %226
+  %228 = load double, ptr %227, align 8
+  %229 = add nuw nsw i64 %226, 1
+  %230 = getelementptr inbounds double, ptr %202, i64 %229
+  %231 = load double, ptr %230, align 8
+  %232 = add nuw nsw i64 %226, 2
+  %233 = getelementptr inbounds double, ptr %202, i64 %232
+  %234 = load double, ptr %233, align 8
+  %235 = fmul double %73, %228
+  %236 = fmul double %76, %231
+  %237 = fadd double %235, %236
+  %238 = fmul double %79, %234
+  %239 = fadd double %237, %238
+  %240 = fmul double %129, %239
+  %241 = fmul double %76, %234
+  %242 = fmul double %79, %231
+  %243 = fsub double %241, %242
+  %244 = fmul double %79, %228
+  %245 = fmul double %73, %234
+  %246 = fsub double %244, %245
+  %247 = fmul double %73, %231
+  %248 = fmul double %76, %228
+  %249 = fsub double %247, %248
+  %250 = fmul double %119, %228
+  %251 = fmul double %120, %243
+  %252 = fadd double %250, %251
+  %253 = fmul double %73, %240
+  %254 = fadd double %253, %252
+  %255 = fmul double %119, %231
+  %256 = fmul double %120, %246
+  %257 = fadd double %255, %256
+  %258 = fmul double %76, %240
+  %259 = fadd double %258, %257
+  %260 = fmul double %119, %234
+  %261 = fmul double %120, %249
+  %262 = fadd double %260, %261
+  %263 = fmul double %79, %240
+  %264 = fadd double %262, %263
+  store double %254, ptr %227, align 8
+  store double %259, ptr %230, align 8
+  store double %264, ptr %233, align 8
+  br i1 %225, label %224, label %221
 
-159:                                              ; preds = %105, %180
-  %160 = phi i64 [ %181, %180 ], [ %41, %105 ]
-  %161 = getelementptr inbounds [6 x double], ptr %22, i64 %160
-  br label %183
+265:                                              ; preds = %203, %108
+  %266 = phi double [ %157, %203 ], [ %112, %108 ]
+  %267 = phi double [ %153, %203 ], [ %113, %108 ]
+  %268 = phi double [ %158, %203 ], [ %114, %108 ]
+  %269 = icmp sgt i64 %66, 1
+  br i1 %269, label %65, label %49
 
-162:                                              ; preds = %180, %105
-  %163 = fsub double %116, %56
-  %164 = fsub double %112, %58
-  %165 = fsub double %117, %60
-  %166 = fmul double %51, %165
-  %167 = fmul double %54, %164
-  %168 = fsub double %166, %167
-  %169 = fmul double %54, %163
-  %170 = fmul double %48, %165
-  %171 = fsub double %169, %170
-  %172 = fmul double %48, %164
-  %173 = fmul double %51, %163
-  %174 = fsub double %172, %173
-  store double %168, ptr %61, align 8
-  %175 = getelementptr inbounds double, ptr %61, i64 1
-  store double %171, ptr %175, align 8
-  %176 = getelementptr inbounds double, ptr %61, i64 2
-  store double %174, ptr %176, align 8
-  %177 = getelementptr inbounds double, ptr %61, i64 3
-  store double %48, ptr %177, align 8
-  %178 = getelementptr inbounds double, ptr %61, i64 4
-  store double %51, ptr %178, align 8
-  %179 = getelementptr inbounds double, ptr %61, i64 5
-  store double %54, ptr %179, align 8
-  br label %224
+270:                                              ; preds = %61, %58
+  br i1 %16, label %272, label %271
 
-180:                                              ; preds = %183
-  %181 = add nsw i64 %160, 1
-  %182 = icmp eq i64 %181, %14
-  br i1 %182, label %162, label %159
+271:                                              ; preds = %284, %49, %270
+  br label %298
 
-183:                                              ; preds = %183, %159
-  %184 = phi i1 [ true, %159 ], [ false, %183 ]
-  %185 = phi i64 [ 0, %159 ], [ 3, %183 ]
-  %186 = getelementptr inbounds double, ptr %161, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = add nuw nsw i64 %185, 1
-  %189 = getelementptr inbounds double, ptr %161, i64 %188
-  %190 = load double, ptr %189, align 8
-  %191 = add nuw nsw i64 %185, 2
-  %192 = getelementptr inbounds double, ptr %161, i64 %191
-  %193 = load double, ptr %192, align 8
-  %194 = fmul double %48, %187
-  %195 = fmul double %51, %190
-  %196 = fadd double %194, %195
-  %197 = fmul double %54, %193
-  %198 = fadd double %196, %197
-  %199 = fmul double %88, %198
-  %200 = fmul double %51, %193
-  %201 = fmul double %54, %190
-  %202 = fsub double %200, %201
-  %203 = fmul double %54, %187
-  %204 = fmul double %48, %193
-  %205 = fsub double %203, %204
-  %206 = fmul double %48, %190
-  %207 = fmul double %51, %187
-  %208 = fsub double %206, %207
-  %209 = fmul double %78, %187
-  %210 = fmul double %79, %202
-  %211 = fadd double %209, %210
-  %212 = fmul double %48, %199
-  %213 = fadd double %212, %211
-  %214 = fmul double %78, %190
-  %215 = fmul double %79, %205
-  %216 = fadd double %214, %215
-  %217 = fmul double %51, %199
-  %218 = fadd double %217, %216
-  %219 = fmul double %78, %193
-  %220 = fmul double %79, %208
-  %221 = fadd double %219, %220
-  %222 = fmul double %54, %199
-  %223 = fadd double %221, %222
-  store double %213, ptr %186, align 8
-  store double %218, ptr %189, align 8
-  store double %223, ptr %192, align 8
-  br i1 %184, label %183, label %180
+272:                                              ; preds = %270
+  %273 = getelementptr inbounds %struct.Screws, ptr %0, i64 0, i32 8
+  %274 = load ptr, ptr %273, align 8
+  %275 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2
+  %276 = load ptr, ptr %275, align 8
+  %277 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 1
+  %278 = load ptr, ptr %277, align 8
+  br label %279
 
-224:                                              ; preds = %162, %67
-  %225 = phi double [ %116, %162 ], [ %71, %67 ]
-  %226 = phi double [ %112, %162 ], [ %72, %67 ]
-  %227 = phi double [ %117, %162 ], [ %73, %67 ]
-  %228 = icmp sgt i64 %41, 1
-  br i1 %228, label %40, label %229
+279:                                              ; preds = %284, %272
+  %280 = phi i64 [ 0, %272 ], [ %285, %284 ]
+  %281 = getelementptr inbounds double, ptr %274, i64 %280
+  %282 = getelementptr inbounds i64, ptr %50, i64 %280
+  %283 = load i64, ptr %282, align 8
+  br label %287
 
-229:                                              ; preds = %224, %13
-  %230 = phi double [ %8, %13 ], [ %225, %224 ]
-  %231 = phi double [ %10, %13 ], [ %226, %224 ]
-  %232 = phi double [ %12, %13 ], [ %227, %224 ]
-  %233 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 3
-  store double %230, ptr %233, align 8
-  %234 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 3
-  store double %231, ptr %234, align 8
-  %235 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 3
-  store double %232, ptr %235, align 8
-  br label %236
+284:                                              ; preds = %287
+  %285 = add nuw nsw i64 %280, 1
+  %286 = icmp eq i64 %285, %15
+  br i1 %286, label %271, label %279
 
-236:                                              ; preds = %229, %236
-  %237 = phi i64 [ 0, %229 ], [ %246, %236 ]
-  %238 = shl nuw nsw i64 %237, 2
-  %239 = or i64 %238, 3
-  %240 = getelementptr inbounds double, ptr %1, i64 %239
-  %241 = load double, ptr %240, align 8
-  %242 = getelementptr inbounds [3 x [4 x double]], ptr %3, i64 0, i64 %237, i64 3
-  %243 = load double, ptr %242, align 8
-  %244 = fsub double %241, %243
-  %245 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2, i64 %237
-  store double %244, ptr %245, align 8
-  %246 = add nuw nsw i64 %237, 1
-  %247 = icmp eq i64 %246, 3
-  br i1 %247, label %269, label %236
+287:                                              ; preds = %287, %279
+  %288 = phi i64 [ 0, %279 ], [ %296, %287 ]
+  %289 = load double, ptr %281, align 8
+  %290 = getelementptr inbounds [6 x double], ptr %276, i64 %280, i64 %288
+  %291 = load double, ptr %290, align 8
+  %292 = fmul double %289, %291
+  %293 = getelementptr inbounds [6 x double], ptr %278, i64 %283, i64 %288
+  %294 = load double, ptr %293, align 8
+  %295 = fadd double %292, %294
+  store double %295, ptr %293, align 8
+  %296 = add nuw nsw i64 %288, 1
+  %297 = icmp eq i64 %296, 6
+  br i1 %297, label %284, label %287
 
-248:                                              ; preds = %269
-  %249 = fmul double %304, %304
-  %250 = fmul double %305, %305
-  %251 = fadd double %250, %249
-  %252 = fmul double %306, %306
-  %253 = fadd double %252, %251
-  %254 = tail call double @llvm.sqrt.f64(double %253)
-  %255 = fmul double %254, 5.000000e-01
-  %256 = fadd double %294, -1.000000e+00
-  %257 = fmul double %256, 5.000000e-01
-  %258 = tail call double @atan2(double noundef %255, double noundef %257) #14
-  %259 = fcmp ogt double %255, 1.000000e-09
-  %260 = fdiv double %258, %255
-  %261 = fmul double %260, 5.000000e-01
-  %262 = select i1 %259, double %261, double 5.000000e-01
-  %263 = fmul double %304, %262
-  %264 = fmul double %305, %262
-  %265 = fmul double %306, %262
-  %266 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2, i64 3
-  store double %263, ptr %266, align 8
-  %267 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2, i64 4
-  store double %264, ptr %267, align 8
-  %268 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2, i64 5
-  store double %265, ptr %268, align 8
-  br label %310
+298:                                              ; preds = %271, %298
+  %299 = phi i64 [ %308, %298 ], [ 0, %271 ]
+  %300 = shl nuw nsw i64 %299, 2
+  %301 = or i64 %300, 3
+  %302 = getelementptr inbounds double, ptr %1, i64 %301
+  %303 = load double, ptr %302, align 8
+  %304 = getelementptr inbounds [3 x [4 x double]], ptr %3, i64 0, i64 %299, i64 3
+  %305 = load double, ptr %304, align 8
+  %306 = fsub double %303, %305
+  %307 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 3, i64 %299
+  store double %306, ptr %307, align 8
+  %308 = add nuw nsw i64 %299, 1
+  %309 = icmp eq i64 %308, 3
+  br i1 %309, label %331, label %298
 
-269:                                              ; preds = %236, %269
-  %270 = phi double [ %294, %269 ], [ 0.000000e+00, %236 ]
-  %271 = phi i64 [ %307, %269 ], [ 0, %236 ]
-  %272 = phi double [ %304, %269 ], [ 0.000000e+00, %236 ]
-  %273 = phi double [ %305, %269 ], [ 0.000000e+00, %236 ]
-  %274 = phi double [ %306, %269 ], [ 0.000000e+00, %236 ]
-  %275 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %271
-  %276 = load double, ptr %275, align 8
-  %277 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %271
-  %278 = load double, ptr %277, align 8
-  %279 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %271
-  %280 = load double, ptr %279, align 8
-  %281 = getelementptr inbounds double, ptr %1, i64 %271
-  %282 = load double, ptr %281, align 8
-  %283 = add nuw nsw i64 %271, 4
-  %284 = getelementptr inbounds double, ptr %1, i64 %283
-  %285 = load double, ptr %284, align 8
-  %286 = add nuw nsw i64 %271, 8
-  %287 = getelementptr inbounds double, ptr %1, i64 %286
-  %288 = load double, ptr %287, align 8
-  %289 = fmul double %276, %282
-  %290 = fmul double %278, %285
-  %291 = fadd double %289, %290
-  %292 = fmul double %280, %288
-  %293 = fadd double %291, %292
-  %294 = fadd double %270, %293
-  %295 = fmul double %278, %288
-  %296 = fmul double %280, %285
-  %297 = fsub double %295, %296
-  %298 = fmul double %280, %282
-  %299 = fmul double %276, %288
-  %300 = fsub double %298, %299
-  %301 = fmul double %276, %285
-  %302 = fmul double %278, %282
-  %303 = fsub double %301, %302
-  %304 = fadd double %272, %297
-  %305 = fadd double %273, %300
-  %306 = fadd double %274, %303
-  %307 = add nuw nsw i64 %271, 1
-  %308 = icmp eq i64 %307, 3
-  br i1 %308, label %248, label %269
+310:                                              ; preds = %331
+  %311 = fmul double %366, %366
+  %312 = fmul double %367, %367
+  %313 = fadd double %312, %311
+  %314 = fmul double %368, %368
+  %315 = fadd double %314, %313
+  %316 = tail call double @llvm.sqrt.f64(double %315)
+  %317 = fmul double %316, 5.000000e-01
+  %318 = fadd double %356, -1.000000e+00
+  %319 = fmul double %318, 5.000000e-01
+  %320 = tail call double @atan2(double noundef %317, double noundef %319) #14
+  %321 = fcmp ogt double %317, 1.000000e-09
+  %322 = fdiv double %320, %317
+  %323 = fmul double %322, 5.000000e-01
+  %324 = select i1 %321, double %323, double 5.000000e-01
+  %325 = fmul double %366, %324
+  %326 = fmul double %367, %324
+  %327 = fmul double %368, %324
+  %328 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 3, i64 3
+  store double %325, ptr %328, align 8
+  %329 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 3, i64 4
+  store double %326, ptr %329, align 8
+  %330 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 3, i64 5
+  store double %327, ptr %330, align 8
+  br label %372
 
-309:                                              ; preds = %310
-  ret double %317
+331:                                              ; preds = %298, %331
+  %332 = phi double [ %356, %331 ], [ 0.000000e+00, %298 ]
+  %333 = phi i64 [ %369, %331 ], [ 0, %298 ]
+  %334 = phi double [ %366, %331 ], [ 0.000000e+00, %298 ]
+  %335 = phi double [ %367, %331 ], [ 0.000000e+00, %298 ]
+  %336 = phi double [ %368, %331 ], [ 0.000000e+00, %298 ]
+  %337 = getelementptr inbounds [4 x double], ptr %3, i64 0, i64 %333
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr inbounds [4 x double], ptr %3, i64 1, i64 %333
+  %340 = load double, ptr %339, align 8
+  %341 = getelementptr inbounds [4 x double], ptr %3, i64 2, i64 %333
+  %342 = load double, ptr %341, align 8
+  %343 = getelementptr inbounds double, ptr %1, i64 %333
+  %344 = load double, ptr %343, align 8
+  %345 = add nuw nsw i64 %333, 4
+  %346 = getelementptr inbounds double, ptr %1, i64 %345
+  %347 = load double, ptr %346, align 8
+  %348 = add nuw nsw i64 %333, 8
+  %349 = getelementptr inbounds double, ptr %1, i64 %348
+  %350 = load double, ptr %349, align 8
+  %351 = fmul double %338, %344
+  %352 = fmul double %340, %347
+  %353 = fadd double %351, %352
+  %354 = fmul double %342, %350
+  %355 = fadd double %353, %354
+  %356 = fadd double %332, %355
+  %357 = fmul double %340, %350
+  %358 = fmul double %342, %347
+  %359 = fsub double %357, %358
+  %360 = fmul double %342, %344
+  %361 = fmul double %338, %350
+  %362 = fsub double %360, %361
+  %363 = fmul double %338, %347
+  %364 = fmul double %340, %344
+  %365 = fsub double %363, %364
+  %366 = fadd double %334, %359
+  %367 = fadd double %335, %362
+  %368 = fadd double %336, %365
+  %369 = add nuw nsw i64 %333, 1
+  %370 = icmp eq i64 %369, 3
+  br i1 %370, label %310, label %331
 
-310:                                              ; preds = %248, %310
-  %311 = phi i64 [ 0, %248 ], [ %318, %310 ]
-  %312 = phi double [ 0.000000e+00, %248 ], [ %317, %310 ]
-  %313 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 2, i64 %311
-  %314 = load double, ptr %313, align 8
-  %315 = tail call double @llvm.fabs.f64(double %314)
-  %316 = fcmp ogt double %312, %315
-  %317 = select i1 %316, double %312, double %315
-  %318 = add nuw nsw i64 %311, 1
-  %319 = icmp eq i64 %318, 6
-  br i1 %319, label %309, label %310
+371:                                              ; preds = %372
+  ret double %379
+
+372:                                              ; preds = %310, %372
+  %373 = phi i64 [ 0, %310 ], [ %380, %372 ]
+  %374 = phi double [ 0.000000e+00, %310 ], [ %379, %372 ]
+  %375 = getelementptr inbounds %struct.State, ptr %3, i64 0, i32 3, i64 %373
+  %376 = load double, ptr %375, align 8
+  %377 = tail call double @llvm.fabs.f64(double %376)
+  %378 = fcmp ogt double %374, %377
+  %379 = select i1 %378, double %374, double %377
+  %380 = add nuw nsw i64 %373, 1
+  %381 = icmp eq i64 %380, 6
+  br i1 %381, label %371, label %372
 }
 
 define internal fastcc i32 @step(i64 noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, double noundef %3, double noundef %4, ptr nocapture noundef readonly %5, ptr nocapture noundef writeonly %6) unnamed_addr #10 {
@@ -7283,7 +7387,7 @@ define internal fastcc i32 @step(i64 noundef %0, ptr nocapture noundef readonly 
   br label %16
 
 14:                                               ; preds = %41, %7
-  %15 = getelementptr i8, ptr %1, i64 104
+  %15 = getelementptr i8, ptr %1, i64 112
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(48) %9, ptr noundef nonnull align 8 dereferenceable(48) %15, i64 48, i1 false)
   br label %47
 

@@ -13,38 +13,51 @@
 /* An arm as a product of exponentials. */
 typedef struct {
     long n;
-    const double *axes, *points;  /* (n, 3) at q = 0 */
-    const char *slides;           /* (n) whether each joint is prismatic */
-    const double *home;           /* (4, 4) the tool's pose at q = 0 */
+    const double *axes, *points;  /* (links, 3) where all joints are at 0 */
+    const char *slides;           /* (links) whether each joint is prismatic */
+    const double *home;           /* (4, 4) the tool's pose there */
     const char *moves;            /* (n) the joints that may move */
+    long links;                   /* number of joints that carry the tool */
+    const long *leader;           /* (links) each is at ratio q[leader] + offset; 0: at q, and links = n */
+    const double *ratio, *offset;
 } Screws;
 
-/* Where an arm is: the pose of its tool, the columns of its Jacobian (n), LOCAL_WORLD_ALIGNED, and what is missing to a target:
-   displacement and rotation vector. */
-typedef struct { Motion pose; double (*jacobian)[6]; double error[6]; } State;
+/* Where an arm is: the pose of its tool, the columns of its Jacobian (n), LOCAL_WORLD_ALIGNED, those of its joints (links), which
+   are the same without a leader, and what is missing to a target: displacement and rotation vector. */
+typedef struct { Motion pose; double (*jacobian)[6], (*own)[6]; double error[6]; } State;
+
+/* With the columns at the beginning of `work`: (7 n), and with a leader (6 links) after these. */
+static State state_in(const Screws *arm, double *work) {
+    return (State){.jacobian = (double (*)[6])work, .own = (double (*)[6])(arm->leader ? work + 7 * arm->n : work)};
+}
 
 static void forward(const Screws *arm, const double *q, State *at) {
     Motion *pose = &at->pose;
     Vector tip = {arm->home[3], arm->home[7], arm->home[11]};
     for (long j = 0; j < 3; j++) set_column(*pose, j, (Vector){arm->home[j], arm->home[4 + j], arm->home[8 + j]});
-    for (long k = arm->n - 1; k >= 0; k--) {
+    for (long k = arm->links - 1; k >= 0; k--) {
         Vector h = row(arm->axes, k), p = row(arm->points, k);
-        double *own = at->jacobian[k];
+        double *own = at->own[k], position = arm->leader ? arm->ratio[k] * q[arm->leader[k]] + arm->offset[k] : q[k];
         /* the columns of later joints, the tip and the tool rotate with this joint */
         if (arm->slides[k]) {
-            tip = add(tip, scaled(q[k], h));
+            tip = add(tip, scaled(position, h));
             set_row(own, 0, h), set_row(own, 1, (Vector){0, 0, 0});
             continue;
         }
-        Turn turn = turn_by(q[k]);
+        Turn turn = turn_by(position);
         tip = turned_about(h, p, turn, tip);
         for (long j = 0; j < 3; j++) set_column(*pose, j, turned(h, turn, column(*pose, j)));
-        for (long j = k + 1; j < arm->n; j++)
+        for (long j = k + 1; j < arm->links; j++)
             for (long half = 0; half < 2; half++)
-                set_row(at->jacobian[j], half, turned(h, turn, row(at->jacobian[j], half)));
+                set_row(at->own[j], half, turned(h, turn, row(at->own[j], half)));
         set_row(own, 0, cross(h, sub(tip, p))), set_row(own, 1, h);
     }
     set_column(*pose, 3, tip);
+    if (!arm->leader) return;
+    for (long j = 0; j < arm->n; j++)
+        for (long i = 0; i < 6; i++) at->jacobian[j][i] = 0.0;
+    for (long k = 0; k < arm->links; k++)
+        for (long i = 0; i < 6; i++) at->jacobian[arm->leader[k]][i] += arm->ratio[k] * at->own[k][i];
 }
 
 /* The pose, the Jacobian and the error at q; returns the largest entry of the error. */
@@ -115,9 +128,9 @@ static int step(long n, const State *at, const char *held, double damping, doubl
 }
 
 /* Minimum-norm Newton steps from q (n), in place. They end once the pose is reached to `tolerance` [m, rad]; a step that does not
-   reduce the error is rejected. work: (7 n); held (n): scratch space. */
+   reduce the error is rejected. work: see `state_in`; held (n): scratch space. */
 static void refine(const Screws *arm, const double *target, double *q, long steps, double tolerance, double *work, char *held) {
-    State at = {.jacobian = (double (*)[6])work};
+    State at = state_in(arm, work);
     double *trial = work + 6 * arm->n, damping = LEAST, miss = look(arm, target, q, &at);
     for (long j = 0; j < arm->n; j++) held[j] = !arm->moves[j];
     for (long k = 0; k < steps && !(miss <= tolerance || damping > 1e-2); k++) {
@@ -144,7 +157,7 @@ static double squared(const double error[6]) {
    error [m, rad]. work, held: as of `refine`. */
 static double search(const Screws *arm, const double *target, const double *lower, const double *upper, double *q, long steps,
                      double tolerance, double *work, char *held) {
-    State at = {.jacobian = (double (*)[6])work};
+    State at = state_in(arm, work);
     double *trial = work + 6 * arm->n, damping = DAMPING, miss = look(arm, target, q, &at), square = squared(at.error);
     for (long k = 0; k < steps && !(miss <= tolerance); k++) {
         for (long j = 0; j < arm->n; j++) {

@@ -15,16 +15,25 @@ _N, _P = ctypes.c_long, ctypes.c_void_p
 class _Screws(ctypes.Structure):
     """`Screws` of newton.h."""
 
-    _fields_ = [("n", _N), *((name, _P) for name in ("axes", "points", "slides", "home", "moves"))]
+    _fields_ = [
+        ("n", _N),
+        *((name, _P) for name in ("axes", "points", "slides", "home", "moves")),
+        ("links", _N),
+        *((name, _P) for name in ("leader", "ratio", "offset")),
+    ]
 
 
 class MovingArm:
     """An arm whose joints `moves` (n,) may move, the others hold their positions; threads may share it."""
 
     def __init__(self, screws: Screws, moves: NDArray[np.bool_]) -> None:
-        self._n = screws.n
+        self._n, self._links = screws.n, 0 if screws.follow is None else len(screws.axes)
         self._arrays = (real(screws.axes), real(screws.points), truth(screws.slides), real(screws.home), truth(moves))
-        self._screws = _Screws(screws.n, *(each.ctypes.data for each in self._arrays))
+        self._screws = _Screws(screws.n, *(each.ctypes.data for each in self._arrays), len(screws.axes))
+        if screws.follow is not None:
+            leader, ratio, offset = screws.follow
+            self._led = whole(leader), real(ratio), real(offset)
+            self._screws.leader, self._screws.ratio, self._screws.offset = (each.ctypes.data for each in self._led)
         self._address = ctypes.addressof(self._screws)
 
     def refine(self, q: Array, targets: Array, owners: NDArray[np.int64], *, steps: int, tolerance: float) -> Array:
@@ -74,4 +83,4 @@ class MovingArm:
         return q, miss
 
     def _scratch(self) -> tuple[Array, NDArray[np.bool_]]:
-        return np.empty(7 * self._n), np.empty(self._n, dtype=np.bool_)
+        return np.empty(7 * self._n + 6 * self._links), np.empty(self._n, dtype=np.bool_)

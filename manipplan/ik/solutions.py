@@ -260,5 +260,5 @@ def _is_matrix(value: Any) -> bool:
 
 def _directions(robot: Robot, q: Array) -> Array:
     """Equal rows for configurations (k, n) that differ by full turns: lengths, then cosines and sines of angles."""
-    revolute = np.array([kind != "prismatic" for kind in robot.joint_types])
-    return np.hstack([q[:, ~revolute], np.cos(q[:, revolute]), np.sin(q[:, revolute])])
+    turns = robot.turns
+    return np.hstack([q[:, ~turns], np.cos(q[:, turns]), np.sin(q[:, turns])])

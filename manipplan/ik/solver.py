@@ -18,7 +18,19 @@ from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import HeldValues, Starts, StartsOfPoses, bridge, in_turn, line, reach_in, span, spans_turn, window
+from manipplan.ik.window import (
+    HeldValues,
+    Starts,
+    StartsOfPoses,
+    bridge,
+    in_turn,
+    line,
+    reach_in,
+    slides_of,
+    span,
+    spans_turn,
+    window,
+)
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -217,7 +229,7 @@ class Solver:
     @property
     def sweeps_slides(self) -> bool:
         """Whether the grid holds slides, so that it depends on the poses."""
-        return bool(self.screws.slides[list(self.held)].any())
+        return not set(self.held).isdisjoint(slides_of(self.robot))
 
     def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Grid:
         counts = sample_counts(samples, self.names, usual)
@@ -468,7 +480,7 @@ def _check_limits(robot: Robot) -> None:
     half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.endless
     if half.any():
         k = int(half.argmax())
-        wanted = "limits on both sides; revolute joints may have none at all"
+        wanted = "limits on both sides; revolute joints, unless a follower slides or makes no whole turns, may have none at all"
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 

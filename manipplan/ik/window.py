@@ -18,7 +18,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
-from manipplan.robots.arms import lengths_beyond
+from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -31,6 +31,8 @@ BOXES = 256
 ANGLE = 0.2
 #: Maximum number of times that boxes are halved, and of numbers that are compared at once.
 HALVINGS, AT_ONCE = 400, 2_000_000
+#: What joints that move together are taken to bridge, as the bound is about single joints: everything [m].
+BRIDGES_ALL = 1e9
 #: Violation of the bound that rounding may cause [m].
 CLOSE = 1e-9
 #: Smallest share of a regular grid that the bound may leave; below it, values are taken from boxes.
@@ -79,6 +81,9 @@ class Bridge:
     def __init__(self, robot: Robot, swept: Sequence[int], *, whole_pose: bool) -> None:
         self._screws, self._swept, lower, upper = Screws.of(robot), tuple(swept), *span(robot)
         self.lower, self.upper = lower[list(swept)], upper[list(swept)]
+        self._decides, self.reach = self._screws.follow is None, BRIDGES_ALL
+        if not self._decides:
+            return
         slides = self._screws.slides
         turning = [k for k in range(robot.n) if k not in swept and not slides[k]]
         self._whole = whole_pose and bool(turning)
@@ -137,8 +142,10 @@ class Bridge:
 
     def _missing(self, violation: Array, levers: Array, step: Array) -> float:
         """The share of values without a solution for certain, where a step (k, g) exceeds what the others bridge; else 0."""
-        slides = self._screws.slides[list(self._swept)]
         travel = levers * step
+        if not (travel > self.reach).any():
+            return 0.0
+        slides = self._screws.slides[list(self._swept)]
         coarse = (travel > self.reach) & (slides | (levers > self.reach))
         return max(float((violation > 0).mean()), 1 / (1 + len(step))) if coarse.any() else 0.0
 
@@ -169,6 +176,9 @@ class Bridge:
 
     def _bounded(self, lower: Array, upper: Array, poses: Array) -> _Boxes:
         """The boxes between lower and upper (k, g), with what the bound says about them."""
+        if not self._decides:
+            none = np.zeros(len(lower))
+            return _Boxes(lower=lower, upper=upper, violation=none, change=none, levers=np.ones(lower.shape))
         middle, half = (lower + upper) / 2, (upper - lower) / 2
         first, levers = self._carried(self._leading, 1.0, self._points[0], middle, half)
         sides = np.empty((len(middle), len(self._between)))
@@ -225,9 +235,8 @@ def span(robot: Robot) -> tuple[Array, Array]:
 
 
 def spans_turn(robot: Robot) -> NDArray[np.bool_]:
-    """Whether each joint (n,) is revolute and enumerated in one turn only."""
-    slides = np.array([kind == "prismatic" for kind in robot.joint_types])
-    return np.asarray(~slides & (robot.limits.upper - robot.limits.lower > 2 * np.pi * TURNS))
+    """Whether each joint (n,) is enumerated in one turn only, which brings the arm back to the same posture."""
+    return np.asarray(robot.turns & (robot.limits.upper - robot.limits.lower > 2 * np.pi * TURNS))
 
 
 def in_turn(robot: Robot, q: Array) -> Array:
@@ -262,7 +271,7 @@ def within_reach(robot: Robot) -> tuple[Array, Array]:
             lower=np.where(np.isin(np.arange(robot.n), slides), -1e-9, robot.limits.lower),
             upper=np.where(np.isin(np.arange(robot.n), slides), 1e-9, robot.limits.upper),
         )
-        length = float(lengths_beyond(still, robot.tool).max())
+        length = max(each for _, each in lengths_to(still, robot.tool))
         middle = np.clip(0.0, lower[slides], upper[slides])
         lower[slides], upper[slides] = np.maximum(lower[slides], middle - length), np.minimum(upper[slides], middle + length)
     return lower, upper
@@ -325,18 +334,25 @@ def reach_in(robot: Robot, limits: tuple[Array, Array]) -> tuple[Array, float]:
     """A ball that holds every place of the tool with slides inside limits (n,): centre (3,) and radius [m]."""
     screws = Screws.of(robot)
     slides, (lower, upper) = list(slides_of(robot)), limits
+    low, high = robot.limits.lower.copy(), robot.limits.upper.copy()
+    low[slides], high[slides] = lower[slides], upper[slides]
+    if screws.follow is not None:
+        return tool_reach(robot.with_limits(lower=low, upper=high), robot.tool)
     leading = int(np.argmin(np.append(screws.slides, False)))
     middle = np.zeros(robot.n)
     middle[:leading] = (lower + upper)[:leading] / 2
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, middle)
-    low, high = robot.limits.lower.copy(), robot.limits.upper.copy()
-    low[slides], high[slides] = lower[slides], upper[slides]
     radius = float(np.abs((upper - lower)[:leading] / 2).sum())
     if leading == robot.n:
         return screws.home[:3, 3] + middle @ screws.axes, radius
-    lengths = lengths_beyond(robot.with_limits(lower=low, upper=high), robot.tool)
-    return data.oMi[leading + 1].translation.copy(), radius + float(lengths[leading])
+    length = lengths_to(robot.with_limits(lower=low, upper=high), robot.tool)[leading][1]
+    return data.oMi[_joints(robot)[leading]].translation.copy(), radius + length
+
+
+def _joints(robot: Robot) -> list[int]:
+    """For each entry of q the joint of the model that it moves, where it moves only one between base and tool."""
+    return [joint for joint, _ in lengths_to(robot, robot.tool)] if robot.followers else list(range(1, robot.n + 1))
 
 
 @once_per_owner
@@ -349,7 +365,8 @@ def _points_on_axes(robot: Robot, screws: Screws, joints: list[int]) -> Array:
     """A point (j, 3) on the axis of each joint, near those on the axes before and behind it."""
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, pin.neutral(robot.model))
-    points = np.array([data.oMi[joint + 1].translation for joint in joints]).reshape(-1, 3)
+    carriers = _joints(robot)
+    points = np.array([data.oMi[carriers[joint]].translation for joint in joints]).reshape(-1, 3)
     for _ in range(20 if len(joints) > 1 else 0):
         for k, joint in enumerate(joints):
             beside = np.concatenate([points[k - 1 : k] if k else points[:0], points[k + 1 : k + 2]])

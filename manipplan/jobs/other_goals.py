@@ -137,7 +137,7 @@ def other_goals(
 
 def _nearest_turns(robot: Robot, start: Array, solutions: Array) -> Array:
     """Of configurations (k, n) that differ by full turns, the one nearest to the start (n,)."""
-    turns = np.array([kind != "prismatic" for kind in robot.joint_types])
+    turns = robot.turns
     kept: list[Array] = []
     for q in solutions[np.argsort(np.linalg.norm(solutions - start, axis=1), kind="stable")]:
         apart = [q - other for other in kept]

@@ -17,6 +17,7 @@ from manipplan.jobs.goals.read import named_configuration, read_goals
 from manipplan.optimize.optimize import check_options
 from manipplan.optimize.problem import initial_path
 from manipplan.paths.basis import PathShape
+from manipplan.robots.reduced import uncoupled
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import instance, number
@@ -117,12 +118,13 @@ def problem_key(problem: Problem) -> str:
 @once_per_owner
 def robot_key(robot: Robot) -> str:
     """The content of a robot as a key: all that plans depend on, not where it was read from."""
-    parts = {each.name: getattr(robot, each.name) for each in fields(robot) if each.name not in ("geometry", "source")}
+    model, geometry, followers = uncoupled(robot.model, robot.geometry)  # as it is pickled
+    parts = {each.name: getattr(robot, each.name) for each in fields(robot) if each.name not in ("model", "geometry", "source")}
     bodies = [
         (body.name, body.parentJoint, body.parentFrame, body.placement, body.meshScale, body.geometry)
-        for body in robot.geometry.geometryObjects
+        for body in geometry.geometryObjects
     ]
-    return content_key([parts, bodies])
+    return content_key([parts, model, followers, bodies])
 
 
 @once_per_owner

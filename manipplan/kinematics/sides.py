@@ -9,7 +9,6 @@ import numpy as np
 from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
 from manipplan.kinematics.factors import DeterminantFactor, determinant_factors
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.robots.model_tree import axis_of
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
@@ -84,8 +83,8 @@ def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> Side
 
 def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Function:
     chain = SymbolicChain.of(robot.model, robot.tool)
-    joints, places = list(robot.model.joints)[1:], chain.joints[1:]
-    axes = [place.rotation @ ca.DM(axis_of(joint)) for joint, place in zip(joints, places, strict=True)]
+    places = chain.joints[1:]
+    axes = [place.rotation @ ca.DM(axis) for axis, place in zip(chain.tree.axes, places, strict=True)]
     z, o = _vectors(axes), _vectors([place.origin for place in places])
     values = ca.vertcat(*(each.value(z, o) for each in factors))
     return ca.Function("sides", [chain.q], [ca.densify(values)], ["q"], ["values"])

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
-from manipplan.symbolic.motion import Motion
+from manipplan.symbolic.motion import LedMotion, Motion
 from manipplan.symbolic.relative import task_rows
 from manipplan.symbolic.task import Task
 
@@ -29,21 +29,22 @@ class View:
     @classmethod
     def of(cls, chain: SymbolicChain, task: Task) -> "View":
         """The best view of `chain` for `task`; the plain Jacobian if the task depends on the world axes."""
-        n = chain.q.shape[0]
+        n = len(chain.joints) - 1
         smooth = task_rows(chain, task)
         plain = smooth[0]
         if not (task.turns_freely and _straight(chain) and task.relative_to is None):
             return cls(jacobian=plain, smooth=smooth)
         if task.tool_rows:
-            return cls(jacobian=task.rows_of(*_seen_from(chain, n, None)), smooth=smooth)
+            return cls(jacobian=_led(chain, task.rows_of(*_seen_from(chain, n, None))), smooth=smooth)
         middle = (n + 1) // 2
         if len(task.world_rows) < 6:
-            return cls(jacobian=task.rows_of(*_seen_from(chain, middle, None)), smooth=smooth)
+            return cls(jacobian=_led(chain, task.rows_of(*_seen_from(chain, middle, None))), smooth=smooth)
         places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
         views = [(_seen_from(chain, f, at)[0], f) for f, at in places]
         seen, f = min(views, key=lambda view: int(view[0].nnz()))
         rows = ca.sparsify(ca.DM(task.matrices[0]))
-        return cls(jacobian=rows @ seen, smooth=(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows)))
+        smooth = LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows), chain.tree)
+        return cls(jacobian=smooth[0], smooth=smooth)
 
 
 def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
@@ -52,14 +53,14 @@ def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     Such functions depend on the reference point of J. Here it is the origin of the middle joint, at rest in that frame.
     This takes a third more operations than `View.smooth`, and a third of those of the plain Jacobian.
     """
-    n = chain.q.shape[0]
+    n = len(chain.joints) - 1
     is_pose = task.turns_freely and not task.tool_rows and len(task.world_rows) == 6
     if not (_straight(chain) and is_pose and task.relative_to is None):
         return task_rows(chain, task)
     middle = (n + 1) // 2
     seen, _ = _seen_from(chain, middle, middle)
     rows = ca.sparsify(ca.DM(task.matrices[0]))
-    return rows @ seen, ViewMotion(jacobian=seen, f=middle, rows=rows)
+    return LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=middle, rows=rows), chain.tree)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,8 +118,13 @@ class ViewMotion(Motion):
 
 def _straight(chain: SymbolicChain) -> bool:
     """Whether each joint carries the next and the last one the tool, and the expressions are our own."""
-    n = chain.q.shape[0]
+    n = len(chain.joints) - 1
     return chain.own and list(chain.model.parents)[1:] == list(range(n)) and chain.frame.parentJoint == n
+
+
+def _led(chain: SymbolicChain, jacobian: ca.SX) -> ca.SX:
+    """The Jacobian by q of one with a column for each joint."""
+    return jacobian @ ca.sparsify(ca.DM(chain.tree.matrix)) if chain.tree.has_followers else jacobian
 
 
 def _bracket(a: ca.SX, b: ca.SX) -> ca.SX:
@@ -132,13 +138,16 @@ def _dual(b: ca.SX, weights: ca.SX) -> ca.SX:
 
 
 def _seen_from(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
-    """The Jacobian (6, n) along the axes of joint f for the origin of joint `at` (None: the tool), and the tool's rotation."""
-    model, n = chain.model, chain.q.shape[0]
+    """The Jacobian (6, N) along the axes of joint f for the origin of joint `at` (None: the tool), and the tool's rotation.
+
+    It has a column for each joint, whether it follows another or not.
+    """
+    tree, n = chain.tree, len(chain.joints) - 1
     frames = {f: WORLD}
     for i in range(f + 1, n + 1):
-        frames[i] = frames[i - 1] @ step(model, i, chain.q)
+        frames[i] = frames[i - 1] @ step(tree, i, chain.q)
     for i in range(f - 1, 0, -1):
-        frames[i] = frames[i + 1] @ step(model, i + 1, chain.q).inverse()
+        frames[i] = frames[i + 1] @ step(tree, i + 1, chain.q).inverse()
     end = frames[n] @ constant(chain.frame.placement)
     point = end.origin if at is None else frames[at].origin
-    return ca.sparsify(jacobian_of(model, [frames[i] for i in range(1, n + 1)], point)), end.rotation
+    return ca.sparsify(jacobian_of(tree.alone(), [frames[i] for i in range(1, n + 1)], point)), end.rotation

@@ -17,7 +17,6 @@ from manipplan.collision.near_pairs import NearPairs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
-from manipplan.robots.model_tree import axis_of, is_prismatic, joint_tree
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import as_asked
 
@@ -44,7 +43,7 @@ class ClearanceRow:
     distance: float
 
     def column(self, n: int) -> Array:
-        """The row as numbers (column_height(n),) for a robot of n joints: the argument of `row_functions`."""
+        """The row as numbers (column_height(n),) for a tree of n joints: the argument of `row_functions`."""
         one = (np.array([each]) for each in (self.joint, self.point, self.other, self.normal, self.offset, self.distance))
         return np.asarray(columns(n, *one)[0])
 
@@ -58,7 +57,7 @@ def columns(
     offsets: Array,
     distances: Array,
 ) -> Array:
-    """Rows as numbers (m, column_height(n)) for a robot of n joints, from the attributes of `ClearanceRow` (m,) or (m, 3)."""
+    """Rows as numbers (m, column_height(n)) for a tree of n joints, from the attributes of `ClearanceRow` (m,) or (m, 3)."""
     table, each = np.zeros((len(joints), column_height(n))), np.arange(len(joints))
     table[each, joints] = table[each, n + 1 + others] = 1.0
     table[:, -8:-5], table[:, -5:-2], table[:, -2], table[:, -1] = points, normals, offsets, distances
@@ -70,6 +69,11 @@ def column_height(n: int) -> int:
     return 2 * (n + 1) + 8
 
 
+def tree_size(function: ca.Function) -> int:
+    """The number of joints of the tree that one of `row_functions` is for."""
+    return (int(function.size1_in(1)) - 8) // 2 - 1
+
+
 def met_column(n: int) -> Array:
     """The column of a row that is always met: zero normal and offset -1 m, so 0 >= -1."""
     return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
@@ -78,14 +82,16 @@ def met_column(n: int) -> Array:
 def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, one Function each, compiled on request.
 
+    They are first taken by the positions of the N joints of the tree, which are linear in q.
+
     The second argument is a `ClearanceRow.column`. Only joints between the two move the point relative to the plane: the sign
     σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the point as
     carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane. If
     neither of two joints carries the other, at most one, j, carries the point and one, i, the plane: then it is
     -n · (z_i x c_j).
     """
-    chain, model = kinematics.symbolic.chain, kinematics.robot.model
-    q, n = chain.q, kinematics.robot.n
+    chain = kinematics.symbolic.chain
+    tree, q, n = chain.tree, chain.q, len(chain.joints) - 1
     carrier, other = ca.SX.sym("carrier", n + 1), ca.SX.sym("other", n + 1)
     point, normal = ca.SX.sym("point", 3), ca.SX.sym("normal", 3)
     offset, keep = ca.SX.sym("offset"), ca.SX.sym("keep")
@@ -96,11 +102,11 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
         plane_normal += other[k] * (placement.rotation @ normal)
     distance = ca.dot(plane_normal, position - plane_origin) - offset - keep
 
-    _, carries = joint_tree(model)
+    carries = tree.carries
     spin, velocity, sign = [], [], []
     for i in range(1, n + 1):
-        axis = chain.joints[i].rotation @ ca.DM(axis_of(model.joints[i]))
-        slides = is_prismatic(model.joints[i])
+        axis = chain.joints[i].rotation @ ca.DM(tree.axes[i - 1])
+        slides = tree.slides[i - 1]
         spin.append(ca.SX.zeros(3) if slides else axis)
         velocity.append(axis if slides else ca.cross(axis, position - chain.joints[i].origin))
         above = np.flatnonzero(carries[:, i]).tolist()
@@ -117,6 +123,9 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
                 + (1 - sign[i]) * ca.cross(spin[second], velocity[first]),
             )
             hessian[i, j] = hessian[j, i] = bend
+    if tree.has_followers:
+        led = ca.SX(ca.sparsify(ca.DM(tree.matrix)))
+        gradient, hessian = led.T @ gradient, led.T @ hessian @ led
     column = ca.vertcat(carrier, other, point, normal, offset, keep)
     functions = [
         ca.Function("path_row", [q, column], [distance]),

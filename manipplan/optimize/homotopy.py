@@ -178,8 +178,8 @@ def _best_first(results: Sequence[PathResult]) -> list[PathResult]:
 def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
     """The goal and all goals inside the limits that differ from it by one turn in some revolute joints."""
     turns = []
-    for joint, kind in enumerate(robot.joint_types):
-        options = (0,) if kind == "prismatic" else (-1, 0, 1)
+    for joint, can_turn in enumerate(robot.turns.tolist()):
+        options = (-1, 0, 1) if can_turn else (0,)
         turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
     goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
     return [each for each in goals if np.abs(each - start).max() > 1e-9]

@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.cost.density import Density
-from manipplan.optimize.clearance import ClearanceRow, column_height, met_column
+from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, tree_size
 from manipplan.paths.basis import Basis
 from manipplan.paths.rounding import FINE, on_grid, with_bits
 from manipplan.robots.limits import JointLimits
@@ -90,7 +90,7 @@ def ipopt_solver(
         capacity: number of columns in the table of clearance rows.
         n, power: number of joints, and exponent of the measure.
     """
-    size, height = n * free.shape[1], basis.size + 1 + column_height(n)
+    size, height = n * free.shape[1], basis.size + 1 + (column_height(tree_size(rows[0])) if capacity else 0)
     z = ca.MX.sym("z", size + capacity)
     fixed = 2 * n + 2 + n * basis.size
     p = ca.MX.sym("p", fixed + height * capacity)
@@ -239,7 +239,9 @@ class IpoptEnergy:
 
         Unused columns hold a row that is always met.
         """
-        n, size = self.limits.n, self.basis.size
+        if not capacity:
+            return np.zeros((self.basis.size + 1, 0))
+        n, size = tree_size(self.rows[0]), self.basis.size
         table = np.zeros((size + 1 + column_height(n), capacity))
         table[size + 1 :] = met_column(n)[:, None]
         at = np.array([row.s for row in rows])

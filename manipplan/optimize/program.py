@@ -10,7 +10,7 @@ import numpy as np
 
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
-from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import FAILED, descend
 from manipplan.optimize.descents.fixed_rows import FixedRows
@@ -99,7 +99,7 @@ class PathProgram:
     @cached_property
     def _batch_rows(self) -> RowFunctions:
         value, gradient, hessian = (BatchFunction(each) for each in self._rows)
-        return RowFunctions(value=value, gradient=gradient, hessian=hessian)
+        return RowFunctions(joints=tree_size(self._rows[0]), value=value, gradient=gradient, hessian=hessian)
 
     @property
     def _fixes_derivatives(self) -> bool:

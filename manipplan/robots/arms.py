@@ -8,7 +8,8 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.model_tree import frame_index, reduce
+from manipplan.robots.model_tree import JointTree, frame_index
+from manipplan.robots.reduced import reduce
 from manipplan.robots.srdf import NamedStates
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -30,8 +31,9 @@ def check_tools(model: pin.Model, tools: Sequence[str]) -> None:
 
 
 def carriers(model: pin.Model, frame: str) -> list[int]:
-    """Indices of the joints that move a frame, counted from 0."""
-    return [i - 1 for i in model.supports[model.frames[frame_index(model, frame)].parentJoint] if i > 0]
+    """Indices of the joints that move a frame, counted from 0: those that carry it and the leaders of those."""
+    joint = model.frames[frame_index(model, frame)].parentJoint
+    return sorted({int(model.joints[i].idx_q) for i in model.supports[joint] if i > 0})
 
 
 def shared_joints(robot: "Robot") -> list[int]:
@@ -81,7 +83,7 @@ def disabled_within_arms(
     """
     joints = [set(carriers(model, tool)) for tool in tools]
     own = [each.difference(*(joints[:k] + joints[k + 1 :])) for k, each in enumerate(joints)]
-    carrier = {frame.name: frame.parentJoint - 1 for frame in model.frames if frame.type == pin.FrameType.BODY}
+    carrier = {frame.name: model.joints[frame.parentJoint].idx_q for frame in model.frames if frame.type == pin.FrameType.BODY}
 
     def arms(pair: frozenset[str]) -> set[int]:
         return {k for link in pair for k, each in enumerate(own) if carrier.get(link) in each}
@@ -99,6 +101,7 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     """The arm with one tool and some of the joints, by index; the others are locked at q (n,) and remain bodies to check."""
     names = robot.joint_names
     held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
+    held |= {name: mimic.position(held[mimic.leader]) for name, mimic in robot.followers.items() if mimic.leader in held}
     model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
     kept = list(joints)
     limits = {
@@ -120,21 +123,34 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     )
 
 
-def lengths_beyond(robot: "Robot", tool: str) -> Array:
-    """An upper bound on the distance of a tool from the origin of each joint (n,) [m]; 0 for joints that do not move it.
+def tool_reach(robot: "Robot", tool: str) -> tuple[Array, float]:
+    """The place (3,) of the first joint that carries a tool, and the largest distance of the tool from there [m]."""
+    joint, length = lengths_to(robot, tool)[0]
+    return np.array(robot.model.jointPlacements[joint].translation), length
+
+
+def lengths_to(robot: "Robot", tool: str) -> list[tuple[int, float]]:
+    """The joints of the tree that carry a tool, from base to tool, and how far from the origin of each it is at most [m].
 
     It is the sum of the lengths of the links beyond the joint and of the travel of slides, its own included.
     """
-    model, lengths = robot.model, np.zeros(robot.n)
+    tree, model, found = robot.tree, robot.model, list[tuple[int, float]]()
+    travel = farthest(robot, tree)
     frame = model.frames[frame_index(model, tool)]
     length, joint = float(np.linalg.norm(frame.placement.translation)), int(frame.parentJoint)
     while joint > 0:
-        if robot.joint_types[joint - 1] == "prismatic":
-            length += float(max(abs(robot.limits.lower[joint - 1]), abs(robot.limits.upper[joint - 1])))
-        lengths[joint - 1] = length
+        if tree.slides[joint - 1]:
+            length += float(travel[joint - 1])
+        found.insert(0, (joint, length))
         length += float(np.linalg.norm(model.jointPlacements[joint].translation))
         joint = int(model.parents[joint])
-    return lengths
+    return found
+
+
+def farthest(robot: "Robot", tree: JointTree) -> Array:
+    """The largest distance of each joint of the tree from its position 0 within the limits (N,) [rad or m]."""
+    ends = np.array([tree.positions(limit) for limit in (robot.limits.lower, robot.limits.upper)])
+    return np.asarray(np.abs(ends).max(axis=0))
 
 
 def has_few_joints(robot: "Robot") -> bool:

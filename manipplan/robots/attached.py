@@ -97,7 +97,7 @@ def move_base(model: pin.Model, geometry: pin.GeometryModel, motion: pin.SE3) ->
         if frame.parentJoint == 0:
             frame.placement = motion * frame.placement
     for item in geometry.geometryObjects:
-        if item.parentJoint == 0 and 0 < item.parentFrame < model.nframes:  # the floor of an MJCF belongs to no link
+        if item.parentJoint == 0 and item.parentFrame > 0:  # geoms of the world of an MJCF belong to no link
             item.placement = motion * item.placement
     return model, geometry
 

@@ -1,6 +1,8 @@
 """Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
 
-from collections.abc import Mapping, Sequence
+import logging
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -21,6 +23,7 @@ from manipplan.support.errors import InvalidInputError, MissingExtraError, Unkno
 
 #: Endings of the files that hold a robot.
 FILES = (".urdf", ".xacro", ".xml", ".mjcf")
+log = logging.getLogger("manipplan")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -331,7 +334,8 @@ def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
-    robot = _read(folder / entry.urdf, robot_options)
+    with _own_srdf():
+        robot = _read(folder / entry.urdf, robot_options)
     if robot_options["joints"] is None:
         published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
         published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
@@ -339,6 +343,20 @@ def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
             robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
         robot = with_published_limits(robot, options)
     return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=name))
+
+
+@contextmanager
+def _own_srdf() -> Iterator[None]:
+    """Without the warnings about names in an SRDF: those of the catalogue are known, and one serves three arms of UR."""
+
+    def others(record: logging.LogRecord) -> bool:
+        return record.module != "srdf"
+
+    log.addFilter(others)
+    try:
+        yield
+    finally:
+        log.removeFilter(others)
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:

@@ -1,27 +1,16 @@
-"""Robot descriptions: read URDF and MJCF files into Pinocchio models with one plain number per joint."""
+"""Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one."""
 
-import tempfile
-import xml.etree.ElementTree as ET
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
 
-import coal
-import numpy as np
 import pinocchio as pin
 
-from manipplan.robots import attached
-from manipplan.robots.formats import mjcf_bodies, urdf_links
+from manipplan.robots.formats.urdf_check import check_urdf, joined_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
-from manipplan.robots.formats.xml_files import DEEPEST, read_xml
-from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.meshes.files import check_mjcf_meshes, check_urdf_meshes
-from manipplan.robots.mimics import WORLD, Mimic, read_couplings, read_mimics
+from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_sizes, check_visuals
+from manipplan.robots.mimics import Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
-from manipplan.support.errors import FileFormatError
-
-T = TypeVar("T")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,70 +37,32 @@ class Description:
 def read_urdf(file: Path, files: UrdfFiles) -> Description:
     """The robot of a URDF or xacro file; continuous joints become plain angles."""
     root = files.root(file)
-    if root.find("link") is None:
-        raise FileFormatError("file", str(file), "a URDF with at least one <link>")
+    check_urdf(file, root)
+    if files.collision == "visual":
+        check_visuals(file, root)
     mimics = read_mimics(file, root)
-    _check_names(file, root)
-    _check_chain(file, root)
-    urdf_links.check_links(file, root)
-    files.resolve(file, root)
-    folders = files.folders(file)
-    with tempfile.TemporaryDirectory() as place:
-        check_urdf_meshes(file, root, folders, Path(place))
-        text = ET.tostring(root, encoding="unicode")
-        model = _pinocchio(file, "a URDF", lambda: pin.buildModelFromXML(text))
-        geometry = _pinocchio(
-            file,
-            "a URDF whose meshes can be found (packages= and package_dirs= say where, meshes=False leaves them out)",
-            lambda: pin.buildGeomFromUrdfString(model, text, pin.GeometryType.COLLISION, package_dirs=folders),
-        )
-    urdf_links.check_loaded(file, root, model, geometry)
-    _check_meshes(file, geometry)
+    files.without_meshes(file, root, files.collision)
+    model = build_model(file, root)
+    geometry = build_bodies(file, root, model, files, files.collision)
+    check_sizes(file, model, geometry)
     return Description(
         file=file,
         source="URDF",
         model=plain_angles(model),
         geometry=geometry,
         mimics=mimics,
-        unchecked=_adjacent_bodies(model, geometry, _joined_links(root)),
+        unchecked=_adjacent_bodies(model, geometry, joined_links(root)),
     )
 
 
-def read_mjcf(file: Path) -> Description:
-    """The robot of a MuJoCo MJCF file; unlimited hinges become plain angles."""
-    root = read_xml("file", file, "mujoco")
-    _check_names(file, root)
-    mjcf_bodies.check_bodies(file, root)
-    check_mjcf_meshes(file, root)
-    model = _pinocchio(file, "an MJCF file", lambda: pin.buildModelFromMJCF(str(file)))
-    geometry = _pinocchio(
-        file,
-        "an MJCF file whose meshes can be found",
-        lambda: pin.buildGeomFromMJCF(model, str(file), pin.GeometryType.COLLISION),
-    )
-    mjcf_bodies.check_loaded(file, root, model, geometry)
-    mimics = read_couplings(file, root, model)
-    model, geometry = attached.move_base(model, geometry, mjcf_bodies.root_pose(root))
-    _check_meshes(file, geometry)
-    joined = {(str(body.get("name")), str(child.get("name"))) for body in root.iter("body") for child in body.findall("body")}
-    return Description(
-        file=file,
-        source="MJCF",
-        model=plain_angles(model),
-        geometry=geometry,
-        mimics=mimics,
-        unchecked=_adjacent_bodies(model, geometry, joined),
-    )
-
-
-def _joined_links(root: ET.Element) -> set[tuple[str, str]]:
-    """Parent and child link of each joint of a URDF, fixed joints included."""
-    joined = set()
-    for joint in root.findall("joint"):
-        parent, child = joint.find("parent"), joint.find("child")
-        if parent is not None and child is not None:
-            joined.add((str(parent.get("link")), str(child.get("link"))))
-    return joined
+def read_visuals(file: Path, files: UrdfFiles) -> tuple[pin.Model, pin.GeometryModel]:
+    """The model of a URDF or xacro file with its visual bodies."""
+    root = files.root(file)
+    check_urdf(file, root)
+    check_visuals(file, root)
+    files.without_meshes(file, root, "visual")
+    model = build_model(file, root)
+    return model, build_bodies(file, root, model, files, "visual")
 
 
 def _adjacent_bodies(
@@ -125,38 +76,3 @@ def _adjacent_bodies(
         for first, a in bodies[:j]
         if a == b or (a, b) in joined or (b, a) in joined
     }
-
-
-def _check_names(file: Path, root: ET.Element) -> None:
-    if any(joint.get("name") == WORLD for joint in root.iter("joint")):
-        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
-
-
-def _check_chain(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError when a chain has more than `DEEPEST` links, or links form a closed loop."""
-    parents = {child: parent for parent, child in _joined_links(root)}
-    for first in list(parents):
-        link, above = first, 0
-        while link in parents:
-            link, above = parents[link], above + 1
-            if above > DEEPEST:
-                wanted = f"a URDF with at most {DEEPEST} links in one chain, and no closed loop"
-                raise FileFormatError("file", str(file), wanted)
-
-
-def _check_meshes(file: Path, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError for a mesh with a vertex that is not finite, or farther away than `FARTHEST`."""
-    for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.BVHModelBase) and not (np.abs(np.array(item.geometry.vertices())) <= FARTHEST).all():
-            wanted = (
-                f"a description whose meshes have finite vertices within {FARTHEST:g} m, unlike {item.meshPath} of {item.name}"
-            )
-            raise FileFormatError("file", str(file), wanted)
-
-
-def _pinocchio(file: Path, wanted: str, build: Callable[[], T]) -> T:
-    try:
-        return build()
-    except (ValueError, RuntimeError, IndexError, MemoryError) as error:
-        reason = " ".join(str(error).split())[:200]
-        raise FileFormatError("file", str(file), f"{wanted}; Pinocchio says: {reason}") from error

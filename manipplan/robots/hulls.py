@@ -70,12 +70,11 @@ def convex_hull(points: Array) -> Hull:
     return Hull(corners=points[hull.vertices], faces=number[faces])
 
 
-def outer_hull(points: Array) -> Hull:
-    """A convex body that coal takes and that contains points (k, 3) [m] for which `has_hull` is true.
+def outer_hull(exact: Hull) -> Hull:
+    """A convex body that coal takes and that contains a hull.
 
-    It is their hull, unless a corner of that has too many neighbours, or half as many corners stick out by less than SLACK.
+    It is the hull itself, unless a corner has too many neighbours, or half as many corners stick out by less than SLACK.
     """
-    exact = convex_hull(points)
     if exact.fits_coal and len(exact.corners) <= FEW:
         return exact
     hull, slack = _qhull(exact.corners), SLACK

@@ -2,14 +2,12 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import pinocchio as pin
 
-from manipplan.robots.formats.xml_files import numbers
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 #: Pinocchio's name for the world, as a joint and as a frame.
@@ -60,50 +58,15 @@ def read_mimics(file: Path, root: ET.Element) -> dict[str, Mimic]:
                 wanted = f"<mimic> between joints of one number each; in that of {name}, {each} is {kinds[each]}"
                 raise FileFormatError("file", str(file), wanted)
         direct[name] = Mimic(leader=leader, multiplier=factor, offset=offset)
-    return {name: _first_leader(file, name, direct) for name in direct}
+    return first_leaders(file, direct)
 
 
-def read_couplings(file: Path, root: ET.Element, model: pin.Model) -> dict[str, Mimic]:
-    """The followers of an MJCF file: joint1 of each active <equality><joint>, whose leader is joint2.
+def first_leaders(file: Path, direct: Mapping[str, Mimic]) -> dict[str, Mimic]:
+    """The followers in `direct`, with the first leader of all in place of a leader that follows another joint.
 
-    MuJoCo measures both from their reference positions. Without joint2, joint1 stays where it is, as if it mimicked the world.
-
-    Raises FileFormatError when a joint does not exist or has several numbers, the polynomial is not a straight line, or a joint
-    follows itself through others.
+    Raises FileFormatError when a joint follows itself through others.
     """
-    direct = {}
-    for coupling in (each for equality in root.findall("equality") for each in equality.findall("joint")):
-        if coupling.get("active") == "false":
-            continue
-        name, leader = str(coupling.get("joint1")), coupling.get("joint2", WORLD)
-        text = coupling.get("polycoef", "0 1 0 0 0")
-        line = numbers(text, len(text.split()))
-        if line is None or not 1 <= len(line) <= 5 or any(line[2:]):
-            wanted = (
-                f"<equality> joints with a polycoef that is a straight line, such as '0 1 0 0 0'; that of {name} is {text!r}"
-            )
-            raise FileFormatError("file", str(file), wanted)
-        zero, slope = line[0], (*line, 1.0)[1] if leader != WORLD else 0.0
-        offset = zero + _reference(file, model, name)
-        if leader != WORLD:
-            offset -= slope * _reference(file, model, leader)
-        direct[name] = Mimic(leader=leader, multiplier=slope, offset=offset)
     return {name: _first_leader(file, name, direct) for name in direct}
-
-
-def _reference(file: Path, model: pin.Model, name: str) -> float:
-    """Position of a joint in the reference configuration of an MJCF file [rad or m]."""
-    if name not in list(model.names)[1:]:
-        unknown = UnknownNameError("joint", name, list(model.names)[1:])
-        raise FileFormatError("file", str(file), f"<equality> between joints; {unknown}")
-    joint = model.joints[model.getJointId(name)]
-    if joint.nv != 1:
-        raise FileFormatError(
-            "file", str(file), f"<equality> between joints of one number each; {name} is a {joint.shortname()}"
-        )
-    reference = {each.key(): each.data() for each in model.referenceConfigurations}.get("qpos0", pin.neutral(model))
-    values = reference[joint.idx_q : joint.idx_q + joint.nq]
-    return float(values[0] if joint.nq == 1 else np.arctan2(values[1], values[0]))
 
 
 def _first_leader(file: Path, name: str, direct: Mapping[str, Mimic]) -> Mimic:
@@ -118,6 +81,11 @@ def _first_leader(file: Path, name: str, direct: Mapping[str, Mimic]) -> Mimic:
         offset = mimic.multiplier * above.offset + mimic.offset
         mimic = Mimic(leader=above.leader, multiplier=mimic.multiplier * above.multiplier, offset=offset)
     return mimic
+
+
+def moves_with(mimic: Mimic, joints: Collection[str]) -> bool:
+    """Whether a follower moves: its leader is a joint of the model, not fixed and not the world, and the multiplier not 0."""
+    return mimic.multiplier != 0.0 and mimic.leader in joints
 
 
 def follow(held: Mapping[str, float], given: Mapping[str, float], mimics: Mapping[str, Mimic]) -> dict[str, float]:

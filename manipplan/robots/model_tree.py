@@ -1,18 +1,16 @@
 """Joints, frames and bodies of a Pinocchio model, as one plain number per joint."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
-from manipplan.support.errors import FileFormatError
 
 #: Maximum number of active joints: Pinocchio's data hold several numbers for every three of them.
 MOST_ACTIVE = 100
-#: Added to the names of links while joints are locked.
-_LINK = " (link)"
 
 
 def is_revolute(joint: pin.JointModel) -> bool:
@@ -36,22 +34,101 @@ def axis_of(joint: pin.JointModel) -> Array:
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 
-def joint_types(model: pin.Model, unlimited: Sequence[bool]) -> tuple[str, ...]:
-    """'revolute', 'continuous' or 'prismatic' for each joint, of which some have no position limits."""
-    kinds = {False: "revolute", True: "continuous"}
-    joints = zip(list(model.joints)[1:], unlimited, strict=True)
-    return tuple("prismatic" if is_prismatic(joint) else kinds[endless] for joint, endless in joints)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class JointTree:
+    """The joints of a model of plain angles as arrays; some of its N joints may follow others.
 
+    Joint i, counted from 1 as in Pinocchio, is at ratio * q[leader] + offset of entry i - 1. Joints that lead themselves have
+    ratio 1 and offset 0.
 
-def joint_tree(model: pin.Model) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The joint before each joint (n,), 0: the world, and whether joint j carries joint i, as [i, j] of (n + 1, n + 1).
-
-    A joint carries itself; the world, 0, carries every joint.
+    Attributes:
+        before: (N,) the joint before each; 0: the world.
+        carries: (N + 1, N + 1) whether joint j carries joint i, at [i, j]; a joint carries itself, the world every joint.
+        fixed: (N, 12) rotation by rows and origin of each joint in the frame of the joint before it, at position 0.
+        axes: (N, 3) unit axis in the joint's own frame.
+        slides: (N,) whether the joint is prismatic.
+        leader: (N,) the entry of q (n,) that moves each joint.
+        ratio, offset: (N,) see above [1 or rad/m, rad or m].
     """
-    carries = np.zeros((model.njoints, model.njoints), dtype=np.int64)
-    for i in range(model.njoints):
+
+    before: NDArray[np.int64]
+    carries: NDArray[np.int64]
+    fixed: Array
+    axes: Array
+    slides: NDArray[np.bool_]
+    leader: NDArray[np.int64]
+    ratio: Array
+    offset: Array
+
+    @property
+    def has_followers(self) -> bool:
+        """Whether a joint follows another."""
+        return len(self.leader) > len(set(self.leader.tolist()))
+
+    @property
+    def matrix(self) -> Array:
+        """The derivatives (N, n) of the joints' positions by q."""
+        found = np.zeros((len(self.leader), int(self.leader.max(initial=-1)) + 1))
+        found[np.arange(len(self.leader)), self.leader] = self.ratio
+        return found
+
+    def alone(self) -> "JointTree":
+        """The same joints, none of which follows another: each has an entry of its own."""
+        count = len(self.leader)
+        return replace(self, leader=np.arange(count), ratio=np.ones(count), offset=np.zeros(count))
+
+    def positions(self, q: Array) -> Array:
+        """The positions (..., N) of all joints at q (..., n)."""
+        return self.ratio * q[..., self.leader] + self.offset if self.has_followers else q
+
+    def sizes(self, change: Array) -> Array:
+        """The sizes (..., N) of the joints' changes, speeds or accelerations where those of q are (..., n), without sign."""
+        return np.abs(self.ratio) * change[..., self.leader] if self.has_followers else change
+
+    def carriers(self, joint: int) -> list[int]:
+        """The entries of q that move what a joint carries, ascending."""
+        return sorted({int(self.leader[i - 1]) for i in np.flatnonzero(self.carries[joint]) if i > 0})
+
+
+def joint_tree(model: pin.Model) -> JointTree:
+    """The tree of a model whose joints are revolute (plain angle) or prismatic, or Pinocchio's mimic joints of these."""
+    n = model.njoints
+    carries = np.zeros((n, n), dtype=np.int64)
+    for i in range(n):
         carries[i, list(model.supports[i])] = 1
-    return np.array(list(model.parents)[1:], dtype=np.int64), carries
+    axes, slides, ratio, offset = np.zeros((n - 1, 3)), np.zeros(n - 1, dtype=bool), np.ones(n - 1), np.zeros(n - 1)
+    for i, joint in enumerate(list(model.joints)[1:]):
+        if joint.nq == 0:
+            follower, data = joint.extract(), joint.createData()
+            joint.calc(data, np.zeros(model.nq))
+            motion = np.array(data.S).reshape(-1) / follower.scaling
+            slides[i], ratio[i], offset[i] = bool(motion[:3].any()), follower.scaling, follower.offset
+            axes[i] = motion[:3] if slides[i] else motion[3:]
+        else:
+            axes[i], slides[i] = axis_of(joint), is_prismatic(joint)
+    places = [np.concatenate([np.ravel(each.rotation), each.translation]) for each in list(model.jointPlacements)[1:]]
+    return JointTree(
+        before=np.array(list(model.parents)[1:], dtype=np.int64),
+        carries=carries,
+        fixed=np.array(places).reshape(-1, 12),
+        axes=axes,
+        slides=slides,
+        leader=np.array([joint.idx_q for joint in list(model.joints)[1:]], dtype=np.int64),
+        ratio=ratio,
+        offset=offset,
+    )
+
+
+def joint_names(model: pin.Model) -> tuple[str, ...]:
+    """Names of the joints that follow no other, in the order of q."""
+    return tuple(name for name, joint in zip(model.names, model.joints, strict=True) if joint.nq > 0 and joint.idx_q >= 0)
+
+
+def joint_types(model: pin.Model, unlimited: Sequence[bool]) -> tuple[str, ...]:
+    """'revolute', 'continuous' or 'prismatic' for each joint that follows no other, of which some have no position limits."""
+    kinds = {False: "revolute", True: "continuous"}
+    joints = zip((joint for joint in list(model.joints)[1:] if joint.nq > 0), unlimited, strict=True)
+    return tuple("prismatic" if is_prismatic(joint) else kinds[endless] for joint, endless in joints)
 
 
 def plain_angles(model: pin.Model) -> pin.Model:
@@ -83,33 +160,11 @@ def plain_angles(model: pin.Model) -> pin.Model:
     return plain
 
 
-def reduce(
-    model: pin.Model, geometry: pin.GeometryModel, active: Sequence[str], held: Mapping[str, float]
-) -> tuple[pin.Model, pin.GeometryModel]:
-    """Lock every joint of `held` at its value; the geometry follows its link."""
-    q = pin.neutral(model)
-    for name, value in held.items():
-        joint = model.joints[model.getJointId(name)]
-        if joint.nq == 1:
-            q[joint.idx_q] = value
-    # Pinocchio looks up a locked joint, and the frame below it, by name alone: links of the same name are renamed meanwhile.
-    model = model.copy()
-    taken = {frame.name for frame in model.frames if frame.type != pin.FrameType.BODY} | set(model.names)
-    for frame in model.frames:
-        if frame.type == pin.FrameType.BODY and frame.name in taken:
-            frame.name = frame.name + _LINK
-    reduced, [geometry] = pin.buildReducedModel(model, [geometry], [model.getJointId(name) for name in held], q)
-    for frame in reduced.frames:
-        frame.name = frame.name.removesuffix(_LINK)
-    if list(reduced.names)[1:] != list(active):
-        raise FileFormatError("joints", list(active), f"the order of the description: {list(reduced.names)[1:]}")
-    return reduced, geometry
-
-
 def frame_index(model: pin.Model, name: str) -> int:
-    """Index of the frame called `name`; a link takes precedence over a joint of the same name."""
+    """Index of the frame called `name`; a link takes precedence over a site of the same name, and a site over a joint."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]
-    return min(found, key=lambda i: model.frames[i].type != pin.FrameType.BODY)
+    order = {pin.FrameType.BODY: 0, pin.FrameType.OP_FRAME: 1}
+    return min(found, key=lambda i: order.get(model.frames[i].type, 2))
 
 
 def frame_pose(model: pin.Model, name: str, q: Array) -> Array:

@@ -10,20 +10,21 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import attached, description, model_tree
+from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
 from manipplan.robots.attached import AddedFrame, Part, Solid
 from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
+from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
 from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, existing_file, instance, pose_matrix, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.memo import state_without_memo
+from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.self_collisions import SelfCollisions
@@ -39,7 +40,7 @@ MOST_AT_ONCE = 10**9
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Robot(Pictured):
-    """An arm, or several with a tool each: n active joints; every other joint of the description is locked.
+    """An arm, or several with a tool each: n active joints and those that follow them; all others are locked.
 
     Configurations are plain angles [rad] or lengths [m], (n,), also for continuous joints. Build a Robot with
     `load_robot`, `Robot.from_urdf`, `Robot.from_mjcf` or `planar_arm`. A robot holds working data of Pinocchio and IPOPT:
@@ -47,7 +48,7 @@ class Robot(Pictured):
 
     Attributes:
         name: what the arm is called.
-        model: the Pinocchio model of the active joints alone; its nq = nv = n.
+        model: the Pinocchio model of the active joints and of those that follow them as mimic joints; its nq = nv = n.
         geometry: the collision geometry of the description (meshes and shapes), placed on `model`.
         tool: name of the tool frame; of several the first.
         other_tools: names of the further tool frames; `tools` has all.
@@ -97,19 +98,20 @@ class Robot(Pictured):
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
         meshes: bool = True,
+        collision: str = "collision",
         arguments: Mapping[str, str | float | bool] | None = None,
         trust_file: bool = False,
         **limits: ArrayLike,
     ) -> "Robot":
-        """Read an arm from a URDF, or from a xacro file, whose name ends in .xacro.
+        """Read an arm from a URDF or a xacro file.
 
         Args:
             file: the URDF or xacro file.
             tool: frame (link or joint) whose motion counts, or several, one for each arm. Default: the end effector or the
                 chain of the SRDF, or the end of the only arm; where it ends in fingers or a jaw, the body that carries them,
                 so that their joints are locked. `robots.ends` has the rule, and the log says what was chosen.
-            joints: the active joints, from base to tool. Default: all that move a tool. Joints that mimic another follow it;
-                it has to be locked.
+            joints: the active joints, from base to tool. Default: all that move a tool, themselves or by joints that mimic
+                them. A joint that mimics an active one moves with it, one that mimics a locked one is locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
             locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
@@ -119,20 +121,23 @@ class Robot(Pictured):
             packages: folder of each package by its name in `package://name/...`, where the folder has another name.
             meshes: whether collision meshes are read. Without them only the description's primitives are checked, and the log
                 says so.
+            collision: "visual" checks the visual elements of the links instead of the collision elements, for a description
+                that has no others.
             arguments: values of a xacro file's arguments, by name.
             trust_file: whether a xacro file may run Python code and read any file and environment variable. Otherwise it
                 gets arithmetic, text, lists and mappings, and files of its own and the other packages.
-            **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's.
+            **limits: lower, upper, velocity, acceleration, jerk, effort: one number or (n,), instead of the file's. Without
+                them, position and velocity limits are also such that joints that follow stay within theirs; the log says so.
 
         Raises:
             FileFormatError: a file is missing, not XML, cannot be expanded, or Pinocchio cannot read it.
             UnknownNameError: a frame, joint or xacro argument does not exist (the nearest names are listed).
-            UnsupportedJointError: an active joint is a mimic, floating or planar joint, or another joint mimics it.
-            MissingExtraError: the file is a xacro file, and the package xacro is not installed.
+            UnsupportedJointError: an active joint is a mimic, floating or planar joint.
+            MissingExtraError: the file has elements of xacro, and the package xacro is not installed.
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes)
+        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes, collision=collision)
         files = replace(places, arguments=arguments or {}, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
@@ -154,7 +159,7 @@ class Robot(Pictured):
 
         MJCF states no velocity limits: they are infinite unless `velocity` is given.
         """
-        read = description.read_mjcf(existing_file("file", file))
+        read = mjcf.read_mjcf(existing_file("file", file))
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
 
     @classmethod
@@ -174,15 +179,16 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
-        semantic = read_srdf(existing_file("srdf", srdf)) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
         chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
-        active = parts.choose_joints(whole, tools, chain, joints, read.mimics)
+        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
-        model, geometry = model_tree.reduce(whole, read.geometry, active, held)
+        model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
+        base = parts.limits_of_leaders(base, whole, reduced.followers_of(model), active, limits)
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
                 ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
@@ -237,7 +243,17 @@ class Robot(Pictured):
     @property
     def joint_names(self) -> tuple[str, ...]:
         """Names of the active joints, from base to tool; of several arms one after the other."""
-        return tuple(self.model.names)[1:]
+        return model_tree.joint_names(self.model)
+
+    @property
+    def followers(self) -> dict[str, Mimic]:
+        """The joints that move with an active one, by name: position = multiplier * leader's position + offset [rad or m]."""
+        return reduced.followers_of(self.model)
+
+    @property
+    def tree(self) -> model_tree.JointTree:
+        """All joints of `model`, followers included, as arrays."""
+        return _tree(self)
 
     @property
     def joint_types(self) -> tuple[str, ...]:
@@ -246,9 +262,17 @@ class Robot(Pictured):
 
     @property
     def endless(self) -> NDArray[np.bool_]:
-        """Mask (n,) of the revolute joints without a limit on either side."""
-        unlimited = np.isinf(self.limits.lower) & np.isinf(self.limits.upper)
-        return np.asarray(unlimited & np.array([kind != "prismatic" for kind in self.joint_types]))
+        """Mask (n,) of the joints of `turns` without a limit on either side."""
+        return np.asarray(np.isinf(self.limits.lower) & np.isinf(self.limits.upper) & self.turns)
+
+    @property
+    def turns(self) -> NDArray[np.bool_]:
+        """Mask (n,) of the joints whose full turn brings the arm back to the same posture.
+
+        They are revolute, and so are their followers, which make whole turns.
+        """
+        back = ~self.tree.slides & (self.tree.ratio == np.round(self.tree.ratio))
+        return np.asarray(np.bincount(self.tree.leader[~back], minlength=self.n) == 0)
 
     @property
     def default_task(self) -> "Task":
@@ -345,7 +369,7 @@ class Robot(Pictured):
     def at(self, pose: ArrayLike | pin.SE3) -> "Robot":
         """The arm with its base at `pose`, (4, 4) or pin.SE3, in the world; poses and obstacles are given in the world.
 
-        The floor of an MJCF stays where it is.
+        Geoms of the world in an MJCF, such as its floor, stay where they are.
 
         Raises InvalidInputError when the pose is no pose, or takes a planar arm out of the x-y plane.
         """
@@ -393,7 +417,7 @@ class Robot(Pictured):
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 
     def link_of(self, body: pin.GeometryObject) -> str:
-        """The name of the part or link to which a body of `geometry` belongs; "" for the floor of an MJCF.
+        """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own.
 
         Raises InvalidInputError when `body` is no pin.GeometryObject.
         """
@@ -401,7 +425,12 @@ class Robot(Pictured):
         part = next((name for name, part in self.carried.items() if body.name in part.bodies), None)
         if part is not None:
             return part
-        return str(self.model.frames[body.parentFrame].name) if body.parentFrame < self.model.nframes else ""
+        return str(self.model.frames[body.parentFrame].name if body.parentFrame > 0 else body.name)
+
+    @property
+    def world_geoms(self) -> frozenset[str]:
+        """Names of the bodies that an MJCF gives to the world itself, such as its floor: like obstacles, they stay put."""
+        return frozenset(item.name for item in self.geometry.geometryObjects if item.parentFrame == 0)
 
     def to_srdf(self, file: str | Path, states: Mapping[str, ArrayLike] | None = None, *, group: str = "arm") -> None:
         """Write MoveIt's semantic description: the arm as one group, its tool, named states, pairs that need no check.
@@ -416,7 +445,14 @@ class Robot(Pictured):
         write_srdf(self, file, states, group=group)
 
     def __getstate__(self) -> dict[str, Any]:
-        return state_without_memo(self)
+        # Pinocchio writes mimic joints that end the process when they are read
+        model, geometry, followers = reduced.uncoupled(self.model, self.geometry)
+        return state_without_memo(self) | {"model": model, "geometry": geometry, "followers": followers}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        followers = state.pop("followers")
+        state["model"], state["geometry"] = reduced.coupled(state["model"], state["geometry"], followers)
+        vars(self).update(state)
 
     def __repr__(self) -> str:
         tools = f"tool={self.tool!r}" if len(self.tools) == 1 else f"tools={self.tools}"
@@ -424,3 +460,8 @@ class Robot(Pictured):
 
     def __str__(self) -> str:
         return robot_table(self)
+
+
+@once_per_owner
+def _tree(robot: Robot) -> model_tree.JointTree:
+    return model_tree.joint_tree(robot.model)

@@ -31,8 +31,8 @@ class RobotSource:
         name: of kind "catalogue" the name that `load_robot` was given, also one of another collection; else "".
         file: absolute path of the URDF, xacro or MJCF file that was read; None for the planar arm.
         options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
-            package_dirs, packages, meshes, arguments, trust_file and limits of `Robot.from_urdf`; lengths and radius of
-            `planar_arm`.
+            package_dirs, packages, meshes, collision, arguments, trust_file and limits of `Robot.from_urdf`; lengths and
+            radius of `planar_arm`.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class RobotSource:
     @property
     def urdf_files(self) -> UrdfFiles:
         """How a URDF or xacro file is read, and where its meshes are."""
-        names = ("package_dirs", "packages", "arguments", "trust_file")
+        names = ("package_dirs", "packages", "collision", "arguments", "trust_file")
         return UrdfFiles(**{name: self.options[name] for name in names if name in self.options})
 
     def load(self) -> "Robot":

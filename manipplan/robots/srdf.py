@@ -1,5 +1,7 @@
 """MoveIt's semantic description of a robot (SRDF): end effector, named states, pairs that need no check; read and written."""
 
+import difflib
+import logging
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -7,15 +9,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots.formats.xml_files import read_xml
+from manipplan.robots.formats.xml_files import numbers, read_xml
 from manipplan.support.checks import Array, distinct_names, finite_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes
 
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
+
+log = logging.getLogger("manipplan")
+
+#: Pinocchio's name for the joint of a floating base.
+FLOATING = "root_joint"
+#: Elements of an SRDF that are read; and others, which change nothing here.
+READ = ("disable_collisions", "group_state", "end_effector")
+PASSED = ("enable_collisions", "disable_default_collisions", "group", "gripper", "virtual_joint", "passive_joint")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,32 +60,81 @@ class NamedStates(dict[str, Array]):
         raise UnknownNameError("named state", str(name), self, empty="none: the robot was read without an SRDF that names any")
 
 
-def read_srdf(file: Path) -> Semantics:
-    """End effector, disabled pairs and named states of an SRDF."""
+def read_srdf(file: Path, model: pin.Model) -> Semantics:
+    """End effector, disabled pairs and named states of an SRDF for the robot of `model`.
+
+    An SRDF is often shared by variants of a robot: names of links and joints that this one does not have are in the log.
+
+    Raises FileFormatError for a misspelt element or attribute, for a state or a joint of a state that is given twice, and for
+    values that are not finite numbers, one per joint.
+    """
     root = read_xml("srdf", file, "robot")
+    if root.get("name", model.name) != model.name:
+        log.warning("%s is for the robot %s, not for %s", file, root.get("name"), model.name)
+    for element in root:
+        near = difflib.get_close_matches(element.tag.lower(), READ, n=1, cutoff=0.8)
+        if near and element.tag not in (*READ, *PASSED):
+            raise FileFormatError("srdf", str(file), f"elements of SRDF; <{element.tag}>: did you mean <{near[0]}>?")
+    links = {frame.name for frame in model.frames if frame.type == pin.FrameType.BODY}
     effector = root.find("end_effector")
-    disabled = {frozenset((str(pair.get("link1")), str(pair.get("link2")))) for pair in root.findall("disable_collisions")}
-    states = []
-    for state in root.findall("group_state"):
-        # a floating base has several values: it is not a joint of an arm
-        single = [j for j in state.findall("joint") if len(str(j.get("value")).split()) == 1]
-        try:
-            values = {str(j.get("name")): float(str(j.get("value"))) for j in single}
-        except ValueError as error:
-            raise FileFormatError("srdf", str(file), f"numbers as joint values ({error})") from error
-        for name, value in values.items():
-            if not np.isfinite(value):
-                raise FileFormatError("srdf", str(file), f"finite joint values; {name} is {value}")
-        called = state.get("name")
-        if not called:
-            raise FileFormatError("srdf", str(file), "a name for every <group_state>")
-        states.append((called, values))
+    disabled = {_disabled(file, pair) for pair in root.findall("disable_collisions")}
+    _warn(file, "links in <disable_collisions>", {link for pair in disabled for link in pair} - links)
+    states = _states(file, root, model)
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
         chains=tuple((str(chain.get("base_link")), str(chain.get("tip_link"))) for chain in root.findall("group/chain")),
         disabled=frozenset(disabled),
-        states=tuple(states),
+        states=states,
     )
+
+
+def _disabled(file: Path, pair: ET.Element) -> frozenset[str]:
+    """The two links of a <disable_collisions>."""
+    for name in ("link1", "link2", *pair.attrib):
+        if name not in pair.attrib or name not in ("link1", "link2", "reason"):
+            wanted = f"<disable_collisions> with link1, link2 and a reason, not with {', '.join(pair.attrib)}"
+            raise FileFormatError("srdf", str(file), wanted)
+    return frozenset((pair.attrib["link1"], pair.attrib["link2"]))
+
+
+def _states(file: Path, root: ET.Element, model: pin.Model) -> tuple[tuple[str, Mapping[str, float]], ...]:
+    """Name and joint values of each named state."""
+    sizes = {name: model.joints[k].nq for k, name in enumerate(model.names)}
+    known = (
+        {frame.name for frame in model.frames} | {FLOATING} | {str(each.get("name")) for each in root.findall("virtual_joint")}
+    )
+    states, seen, unknown = [], set[tuple[str, str | None]](), set[str]()
+    for state in root.findall("group_state"):
+        called = state.get("name")
+        if not called:
+            raise FileFormatError("srdf", str(file), "a name for every <group_state>")
+        if (called, state.get("group")) in seen:
+            raise FileFormatError("srdf", str(file), f"each state of a group once; {called} is there twice")
+        seen.add((called, state.get("group")))
+        values: dict[str, float] = {}
+        for joint in state.findall("joint"):
+            name, text = str(joint.get("name")), joint.get("value")
+            value = numbers(text, 1)
+            if name in values and value != (values[name],):
+                wanted = f"one value per joint of a state; {name} of {called} is {values[name]:g} and {text!r}"
+                raise FileFormatError("srdf", str(file), wanted)
+            if name not in known:
+                unknown.add(name)
+            several = numbers(text, len(str(text).split())) is not None and sizes.get(name, 0) != 1
+            if value is not None:
+                values[name] = value[0]
+            elif not several:  # a floating base has several values: it is not a joint of an arm
+                wanted = f"finite joint values, one number per joint; {name} of the state {called} is {text!r}"
+                raise FileFormatError("srdf", str(file), wanted)
+        states.append((called, values))
+    _warn(file, "joints in <group_state>", unknown)
+    return tuple(states)
+
+
+def _warn(file: Path, where: str, unknown: set[str]) -> None:
+    if unknown:
+        more = f" and {len(unknown) - 12} more" if len(unknown) > 12 else ""
+        log.warning("%s: %s that the robot does not have: %s%s", file, where, ", ".join(sorted(unknown)[:12]), more)
 
 
 def write_srdf(

@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -11,7 +12,7 @@ from manipplan.robots import model_tree
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
-from manipplan.robots.mimics import WORLD, Mimic, follow
+from manipplan.robots.mimics import WORLD, Mimic, follow, moves_with
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, configurations, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
@@ -32,44 +33,52 @@ def choose_tools(read: Description, tool: str | Sequence[str] | None, semantic: 
 
 
 def choose_joints(
-    model: pin.Model, tools: Sequence[str], chain: list[str], joints: Sequence[str] | None, mimics: Mapping[str, Mimic]
+    model: pin.Model,
+    tools: Sequence[str],
+    chain: list[str],
+    joints: Sequence[str] | None,
+    mimics: Mapping[str, Mimic],
+    locked: Mapping[str, float],
 ) -> list[str]:
-    """Names of the active joints: the given ones, or all that move a tool, but for followers of a joint that does not.
+    """Names of the active joints, in the order of q: the given ones, or all that move a tool.
 
-    A leader cannot be active: chains, kinematics and collision checks have one joint per number of q.
+    A joint that mimics another moves a tool by its leader, which need not be in the `chain` of joints that carry one; such a
+    leader is not chosen where it is `locked`. A leader has the place of its first follower if that comes before it.
     """
     if isinstance(joints, str):
         raise InvalidInputError("joints", joints, "a list of names")
     tool = " or ".join(tools)
-    held = [joint for joint in chain if joint in mimics and mimics[joint].leader not in chain]
-    active = [joint for joint in chain if joint not in held] if joints is None else list(joints)
+    known = list(model.names)[1:]
+    leaders = {name: mimic.leader for name, mimic in mimics.items() if name in known and moves_with(mimic, known)}
+    fixed = [name for name in mimics if name not in leaders]
+    moving = {leaders.get(joint, joint) for joint in chain if joint not in fixed}
+    order = list(dict.fromkeys(leaders.get(joint, joint) for joint in known))
+    movers = [joint for joint in order if joint in moving]
+    active = list(joints) if joints is not None else [joint for joint in movers if joint in chain or joint not in locked]
     for joint in active:
-        if joint not in list(model.names)[1:]:
-            raise UnknownNameError("joints", str(joint), list(model.names)[1:])
-        if joint not in chain:
-            raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(chain)}")
+        if joint not in known:
+            raise UnknownNameError("joints", str(joint), known)
         if joint in mimics:
-            leader = mimics[joint].leader
-            wanted = f"independent joints; {joint} mimics {leader}. Leave both out of joints=, and lock the leader:"
-            remedy = f"locked={{{leader!r}: value}} holds {joint} at {mimics[joint]}"
-            raise UnsupportedJointError("joints", joint, f"{wanted} {remedy}")
-        followers = [follower for follower, mimic in mimics.items() if mimic.leader == joint]
-        if followers:
-            wanted = (
-                f"joints that no other joint mimics; {followers[0]} mimics it, and would have to move with it, which is not"
-            )
-            remedy = f"leave {joint} out of joints= and lock it: locked={{{joint!r}: value}}"
-            raise UnsupportedJointError("joints", joint, f"{wanted} supported; {remedy}")
+            wanted = f"independent joints; {joint} mimics another, as {mimics[joint]}, and moves with it: name"
+            raise UnsupportedJointError("joints", joint, f"{wanted} {mimics[joint].leader} instead")
+        if joint not in movers:
+            raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(movers)}")
         kind = model.joints[model.getJointId(joint)]
         if kind.nv != 1 or not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
             raise UnsupportedJointError(
                 "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
             )
-    ordered = [joint for joint in chain if joint in active]
+    for name, leader in leaders.items():
+        kind = model.joints[model.getJointId(name)]
+        if leader in active and not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
+            wanted = f"revolute, continuous and prismatic joints as followers of the active {leader}"
+            raise UnsupportedJointError("joints", f"{name} ({kind.shortname()})", wanted)
+    ordered = [joint for joint in movers if joint in active]
     if active != ordered:
         raise InvalidInputError("joints", active, f"each joint once, from base to tool: {', '.join(ordered)}")
-    if len(active) > model_tree.MOST_ACTIVE:
-        raise InvalidInputError("joints", f"{len(active)} joints", f"at most {model_tree.MOST_ACTIVE} active joints")
+    count = len(active) + sum(leader in active for leader in leaders.values())
+    if count > model_tree.MOST_ACTIVE:
+        raise InvalidInputError("joints", f"{count} joints", f"at most {model_tree.MOST_ACTIVE} active joints and followers")
     if not active:
         raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
     return active
@@ -82,11 +91,15 @@ def locked_values(
     semantic: Semantics | None,
     mimics: Mapping[str, Mimic],
 ) -> dict[str, float]:
-    """Every other joint of the description with its locked value [rad or m]."""
-    others = [name for name in list(model.names)[1:] if name not in active]
+    """Every joint of the description that is neither active nor follows one, with its locked value [rad or m]."""
+    followers = {name: mimic.leader for name, mimic in mimics.items() if mimic.leader in active and mimic.multiplier}
+    others = [name for name in list(model.names)[1:] if name not in active and name not in followers]
     if not isinstance(given, Mapping):
         raise InvalidInputError("locked", given, "a mapping from names of joints to their values")
     for name, value in given.items():
+        if name in followers:
+            wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
+            raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name not in others:
             raise UnknownNameError("locked", name, others)
         number(f"locked[{name!r}]", value)
@@ -115,7 +128,7 @@ def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> 
     """The limits of the description, replaced by the given ones where there are any."""
     inf = np.full(model.nv, np.inf)
     lower, upper, velocity = model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit
-    for i, name in enumerate(list(model.names)[1:]):
+    for i, name in enumerate(model_tree.joint_names(model)):
         if "velocity" not in given and not velocity[i] > 0:
             raise InvalidInputError(f"velocity limit of {name}", float(velocity[i]), "above zero; give velocity= to set it")
         if not {"lower", "upper"} & set(given) and not lower[i] < upper[i]:
@@ -132,6 +145,43 @@ def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> 
         sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
     )
     return described.with_changes(given) if given else described
+
+
+def limits_of_leaders(
+    limits: JointLimits,
+    model: pin.Model,
+    followers: Mapping[str, Mimic],
+    active: Sequence[str],
+    given: Mapping[str, ArrayLike],
+) -> JointLimits:
+    """The limits of the active joints, so narrow that their followers stay within those of the description.
+
+    Limits that are `given` remain.
+
+    Raises InvalidInputError when a follower leaves its leader no room, or has no velocity limit above zero.
+    """
+    lower, upper, velocity = limits.lower.copy(), limits.upper.copy(), limits.velocity.copy()
+    for name, mimic in followers.items():
+        joint, k = model.joints[model.getJointId(name)], list(active).index(mimic.leader)
+        low, high = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+        ends = sorted((end - mimic.offset) / mimic.multiplier for end in (low, high))
+        fastest = float(model.velocityLimit[joint.idx_v])
+        if "velocity" not in given and not fastest > 0:
+            raise InvalidInputError(f"velocity limit of {name}", fastest, "above zero; give velocity= to set it")
+        changes = {}
+        if "lower" not in given and ends[0] > lower[k]:
+            changes["lower"] = lower[k] = ends[0]
+        if "upper" not in given and ends[1] < upper[k]:
+            changes["upper"] = upper[k] = ends[1]
+        if "velocity" not in given and fastest / abs(mimic.multiplier) < velocity[k]:
+            changes["velocity"] = velocity[k] = fastest / abs(mimic.multiplier)
+        if not lower[k] < upper[k]:
+            wanted = f"limits that leave its leader room: it moves as {mimic}; lower= and upper= set those of the leader"
+            raise InvalidInputError(f"position limits of {name}", [float(low), float(high)], wanted)
+        if changes:
+            told = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
+            log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, told)
+    return replace(limits, lower=lower, upper=upper, velocity=velocity) if followers else limits
 
 
 def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:

@@ -24,6 +24,10 @@ def robot_table(robot: "Robot") -> str:
         cells = [c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(row, widths, strict=True))]
         lines.append("  ".join(cells).rstrip())
     lines += [f"{kind} limits: {source}" for kind, source in limits.sources.items()]
+    if robot.followers:
+        shown = [f"{joint} = {mimic}" for joint, mimic in list(robot.followers.items())[:NAMED]]
+        more = f", ... ({len(robot.followers)} in all)" if len(robot.followers) > NAMED else ""
+        lines.append(f"followers: {', '.join(shown)}{more}")
     if robot.carried:
         lines.append(f"carried: {', '.join(robot.carried)}")
     if robot.locked:

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from manipplan.collision.body_motion import BodyMotion, body_motion
 from manipplan.collision.kernel import DistanceKernel, find_kernel
 from manipplan.collision.model import CollisionModel
+from manipplan.robots.arms import farthest
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.cells import LAST, Barrier, Indices, Space, find_barrier
@@ -83,18 +84,21 @@ class _FirstJoints(_Condition):
     @classmethod
     def of(cls, task: SeedTask, kernel: DistanceKernel, k: int) -> "_FirstJoints":
         """Those of a task, within the bounds of its searches; beyond them, where the limits allow it, nothing is blocked."""
-        motion, limits, (low, high) = body_motion(task.model), task.model.robot.limits, task.bounds()
+        motion, robot, (low, high) = body_motion(task.model), task.model.robot, task.bounds()
+        limits, tree = robot.limits, robot.tree
+        last = np.array([max(tree.carriers(joint), default=-1) + 1 for joint in range(robot.model.njoints)])
+        slide = not tree.has_followers and tree.slides[:k].all()
         return cls(
             low=low[:k],
             high=high[:k],
             goes_on=~((low <= limits.lower) & (high >= limits.upper))[:k],
-            pairs=np.flatnonzero(motion.joint[motion.body] <= k).astype(np.int64),
+            pairs=np.flatnonzero(np.maximum(last[motion.joint[motion.body]], last[motion.below]) <= k).astype(np.int64),
             least=task.clearance,
             most=MOST_FOR_JOINTS,
             kernel=kernel,
             motion=motion,
             start=task.start,
-            slides=_axes(task, k) if motion.slides[:k].all() else None,
+            slides=_axes(task, k) if slide else None,
             ends=(task.start[:k], task.goal[:k]),
         )
 
@@ -115,7 +119,7 @@ class _FirstJoints(_Condition):
         nearest = int(np.argmin(task.model.pair_distances(q, barrier.pairs)))
         first, second = task.model.pair_names[barrier.pairs[nearest]]
         contact = f"closer than the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else "into contact"
-        turns = ~self.motion.slides[: len(names)] & (self.high - self.low >= 2 * np.pi)
+        turns = task.model.robot.turns[: len(names)] & (self.high - self.low >= 2 * np.pi)
         turned = "; Seeding(shifts='within-limits') tries goals a full turn away as well" if turns.any() else ""
         one = f"{first} and {second} {contact}"
         several = f"two bodies {contact}; at the {ENDS[barrier.end]} {first} and {second} are the nearest of them"
@@ -185,7 +189,7 @@ def _balls(task: SeedTask) -> Iterator[_Centres]:
     if kernel is None:
         return
     names = [objects[k].name for k in still]
-    for joint in range(model.robot.n, 0, -1):
+    for joint in range(model.robot.model.njoints - 1, 0, -1):
         largest: tuple[int, Ball] | None = None
         for body in range(model.bodies):
             if objects[body].parentJoint == joint and any((body, k) in known for k in still):
@@ -234,11 +238,11 @@ def _place(robot: Robot, q: Array, joint: int, ball: Ball) -> Array:
 
 def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
     """The place (3,) of the first joint that carries a joint, and the largest distance from there of a point it carries [m]."""
-    model, slides = robot.model, [kind == "prismatic" for kind in robot.joint_types]
-    farthest = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))
+    model, tree = robot.model, robot.tree
+    travel = farthest(robot, tree)
     _, first, *others = model.supports[joint]
     links = sum(float(np.linalg.norm(model.jointPlacements[j].translation)) for j in others)
-    slid = sum(float(farthest[j - 1]) for j in (first, *others) if slides[j - 1])
+    slid = sum(float(travel[j - 1]) for j in (first, *others) if tree.slides[j - 1])
     return np.array(model.jointPlacements[first].translation), float(np.linalg.norm(centre)) + links + slid + ROUNDING
 
 

@@ -24,7 +24,7 @@ def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
         wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge builds have it)"
         raise InvalidInputError("backend", backend, wanted)
     if backend == "auto":
-        backend = "bindings" if bindings_installed() else "chain"
+        backend = "bindings" if bindings_installed() and not robot.followers else "chain"
     return _chain(robot, backend)
 
 
@@ -46,6 +46,7 @@ class PinocchioChain(SymbolicChain):
         matrices = ca.horzsplit(functions.joints(q), 4)
         chain = cls(
             model=robot.model,
+            tree=robot.tree,
             frame=robot.model.frames[frame_index(robot.model, robot.tool)],
             q=q,
             joints=tuple(_placement(matrix) for matrix in matrices),

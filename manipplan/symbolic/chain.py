@@ -3,7 +3,8 @@
 Symbols: R, p rotation (3, 3) and origin (3,) of a frame in the world; S_i = (v_i, w_i) the i-th joint's motion.
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
 
@@ -11,7 +12,7 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.model_tree import axis_of, frame_index, is_prismatic
+from manipplan.robots.model_tree import JointTree, frame_index, joint_tree
 from manipplan.support.checks import Array
 
 
@@ -43,9 +44,10 @@ class SymbolicChain:
 
     Attributes:
         model: the Pinocchio model of the arm.
+        tree: its N >= n joints, some of which may follow others.
         frame: Pinocchio's description of the tool frame.
         q: (n, 1) symbols [rad or m].
-        joints: n + 1 placements in the world; the first is the world itself, as in Pinocchio.
+        joints: N + 1 placements in the world; the first is the world itself, as in Pinocchio.
         tool: placement of the tool frame.
         jacobian: (6, n) LOCAL_WORLD_ALIGNED Jacobian of the tool, linear rows [m/rad] first.
         own: whether the expressions are our own, so that they can also be built in other frames.
@@ -53,6 +55,7 @@ class SymbolicChain:
 
     own: ClassVar[bool] = True
     model: pin.Model
+    tree: JointTree
     frame: pin.Frame
     q: ca.SX
     joints: tuple[Placement, ...]
@@ -62,28 +65,36 @@ class SymbolicChain:
     @classmethod
     def of(cls, model: pin.Model, tool: str) -> "SymbolicChain":
         """Build the chain of `model`, whose joints are revolute (plain angle) or prismatic."""
-        q = ca.SX.sym("q", model.nv)
+        q, tree = ca.SX.sym("q", model.nv), joint_tree(model)
         placements = [WORLD]
         for i in range(1, model.njoints):
-            placements.append(placements[model.parents[i]] @ step(model, i, q))
+            placements.append(placements[model.parents[i]] @ step(tree, i, q))
         frame = model.frames[frame_index(model, tool)]
         end = placements[frame.parentJoint] @ constant(frame.placement)
-        supports = set(model.supports[frame.parentJoint])
-        carriers = [placements[i] if i in supports else None for i in range(1, model.njoints)]
-        jacobian = jacobian_of(model, carriers, end.origin)
-        return cls(model=model, frame=frame, q=q, joints=tuple(placements), tool=end, jacobian=jacobian)
+        carriers = carriers_of(tree, frame.parentJoint, placements)
+        jacobian = jacobian_of(tree, carriers, end.origin)
+        return cls(model=model, tree=tree, frame=frame, q=q, joints=tuple(placements), tool=end, jacobian=jacobian)
+
+    def carriers(self, joint: int) -> list[Placement | None]:
+        """The placements of the joints that carry one joint, None for the others."""
+        return carriers_of(self.tree, joint, self.joints)
+
+    @cached_property
+    def alone(self) -> "SymbolicChain":
+        """The same chain as if no joint followed another: its Jacobian (6, N) has a column for each joint."""
+        tree = self.tree.alone()
+        jacobian = jacobian_of(tree, self.carriers(self.frame.parentJoint), self.tool.origin)
+        return replace(self, tree=tree, jacobian=jacobian)
 
     @cached_property
     def mass_matrix(self) -> ca.SX:
         """M(q), (n, n), with the rotors' inertia (armature): the sum of Jᵀ I J over the bodies."""
-        model, n = self.model, self.model.nv
+        model = self.model
         matrix = ca.diag(_sparse(model.armature))
-        for i in range(1, n + 1):
+        for i in range(1, model.njoints):
             inertia, body = model.inertias[i], self.joints[i]
             centre = body.origin + body.rotation @ _sparse(inertia.lever)
-            supports = set(model.supports[i])
-            carriers = [self.joints[j] if j in supports else None for j in range(1, n + 1)]
-            jacobian = jacobian_of(model, carriers, centre)
+            jacobian = jacobian_of(self.tree, self.carriers(i), centre)
             spin = body.rotation.T @ jacobian[3:, :]
             matrix += inertia.mass * (jacobian[:3, :].T @ jacobian[:3, :]) + spin.T @ _sparse(inertia.inertia) @ spin
         return matrix
@@ -92,29 +103,35 @@ class SymbolicChain:
 WORLD = Placement(rotation=ca.SX.eye(3), origin=ca.SX(3, 1))
 
 
-def step(model: pin.Model, i: int, q: ca.SX) -> Placement:
-    """Placement of joint i, moved by its q, relative to the joint before it."""
-    return constant(model.jointPlacements[i]) @ _joint_motion(model.joints[i], q[i - 1])
+def step(tree: JointTree, i: int, q: ca.SX) -> Placement:
+    """Placement of joint i of the tree, moved by q (n,), relative to the joint before it."""
+    fixed = tree.fixed[i - 1]
+    position = q[int(tree.leader[i - 1])]
+    if tree.has_followers:
+        position = float(tree.ratio[i - 1]) * position + float(tree.offset[i - 1])
+    place = Placement(rotation=_sparse(fixed[:9].reshape(3, 3)), origin=_sparse(fixed[9:]))
+    return place @ _joint_motion(tree.axes[i - 1], bool(tree.slides[i - 1]), position)
 
 
-def jacobian_of(model: pin.Model, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
+def carriers_of(tree: JointTree, joint: int, placements: Sequence[Placement]) -> list[Placement | None]:
+    """Of the placements of the world and of all joints those of the joints that carry one joint, None for the others."""
+    return [placements[i] if tree.carries[joint, i] else None for i in range(1, len(placements))]
+
+
+def jacobian_of(tree: JointTree, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
     """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
-    columns = []
-    for i, joint in enumerate(carriers, start=1):
+    columns = [ca.SX(6, 1)] * (int(tree.leader.max(initial=-1)) + 1)
+    for i, joint in enumerate(carriers):
         if joint is None:
-            columns.append(ca.SX(6, 1))
             continue
-        axis = joint.rotation @ _sparse(axis_of(model.joints[i]))
-        if is_prismatic(model.joints[i]):
-            columns.append(ca.vertcat(axis, ca.SX(3, 1)))
-        else:
-            columns.append(ca.vertcat(ca.cross(axis, point - joint.origin), axis))
+        axis = joint.rotation @ _sparse(tree.axes[i])
+        moved = (axis, ca.SX(3, 1)) if tree.slides[i] else (ca.cross(axis, point - joint.origin), axis)
+        columns[tree.leader[i]] += float(tree.ratio[i]) * ca.vertcat(*moved)
     return ca.horzcat(*columns)
 
 
-def _joint_motion(joint: pin.JointModel, q: ca.SX) -> Placement:
-    axis = axis_of(joint)
-    if is_prismatic(joint):
+def _joint_motion(axis: Array, slides: bool, q: ca.SX) -> Placement:
+    if slides:
         return Placement(rotation=ca.SX.eye(3), origin=_sparse(axis) * q)
     # Rodrigues: R = a aᵀ + cos q (I - a aᵀ) + sin q [a]x
     outer = np.outer(axis, axis)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from manipplan.robots.model_tree import JointTree
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.task import Task
 
@@ -170,6 +171,33 @@ class TaskMotion(Motion):
 
     def second(self, weights: ca.SX) -> ca.SX:
         return sum(columns.second(rows.T @ weights[at, :], in_tool=in_tool) for rows, columns, in_tool, at in self._groups())
+
+
+@dataclass(frozen=True, kw_only=True)
+class LedMotion(Motion):
+    """A matrix J G (m, n) of the positions G q + b of N joints, of which some follow others, by the motion of J (m, N)."""
+
+    inner: Motion
+    matrix: ca.DM
+
+    @classmethod
+    def of(cls, jacobian: ca.SX, inner: Motion, tree: JointTree) -> tuple[ca.SX, Motion]:
+        """J G and its motion; J and its own where no joint follows another."""
+        if not tree.has_followers:
+            return jacobian, inner
+        matrix = ca.sparsify(ca.DM(tree.matrix))
+        return jacobian @ matrix, cls(inner=inner, matrix=matrix)
+
+    def kinematic_hessian(self) -> list[ca.SX]:
+        derivatives = self.inner.kinematic_hessian()
+        led = [self.matrix[:, k] for k in range(self.matrix.shape[1])]
+        return [sum(float(c[i]) * derivatives[i] for i in c.row()) @ self.matrix for c in led]
+
+    def first(self, weights: ca.SX) -> ca.SX:
+        return self.matrix.T @ self.inner.first(weights @ self.matrix.T)
+
+    def second(self, weights: ca.SX) -> ca.SX:
+        return self.matrix.T @ self.inner.second(weights @ self.matrix.T) @ self.matrix
 
 
 def _split(weights: ca.SX) -> tuple[list[ca.SX], list[ca.SX]]:

@@ -72,6 +72,9 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
         raise InvalidInputError("robot", robot, "a Robot, such as mp.load_robot('panda')")
     if source not in SOURCES:
         raise UnknownNameError("source", str(source), SOURCES)
+    if robot.followers:
+        wanted = f"a robot without joints that follow others, unlike {', '.join(robot.followers)}: backend='chain' has them"
+        raise InvalidInputError("robot", robot.name, f"{wanted}; Pinocchio's mimic joints cannot be handed over")
     if source == "auto":
         source = "bindings" if bindings_installed() else "bridge"
     return _by_bindings(robot) if source == "bindings" else _by_bridge(robot)

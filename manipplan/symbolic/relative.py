@@ -10,7 +10,7 @@ import pinocchio as pin
 
 from manipplan.robots.model_tree import frame_index
 from manipplan.symbolic.chain import Placement, SymbolicChain, constant, jacobian_of
-from manipplan.symbolic.motion import MatrixMotion, Motion, TaskMotion
+from manipplan.symbolic.motion import LedMotion, MatrixMotion, Motion, TaskMotion
 from manipplan.symbolic.task import Task
 
 
@@ -32,9 +32,7 @@ class Seen:
         if task.relative_to is None:
             return cls(tool=chain.tool, jacobian=chain.jacobian)
         frame, carrier = _placed(chain, task.relative_to)
-        own = jacobian_of(
-            chain.model, _carriers(chain, carrier), chain.tool.origin
-        )  # of the tool's origin, were it fixed there
+        own = jacobian_of(chain.tree, chain.carriers(carrier), chain.tool.origin)  # of the tool's origin, were it fixed there
         turned = frame.rotation.T
         apart = chain.jacobian - own
         jacobian = ca.vertcat(turned @ apart[:3, :], turned @ apart[3:, :])
@@ -43,10 +41,11 @@ class Seen:
 
 def task_rows(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     """The task's Jacobian (m, n), and how it changes with q."""
+    if task.relative_to is None:
+        alone = chain.alone if chain.tree.has_followers else chain
+        return LedMotion.of(task.rows_of(alone.jacobian, chain.tool.rotation), TaskMotion(chain=alone, task=task), chain.tree)
     seen = Seen.of(chain, task)
     jacobian = task.rows_of(seen.jacobian, seen.tool.rotation)
-    if task.relative_to is None:
-        return jacobian, TaskMotion(chain=chain, task=task)
     return jacobian, MatrixMotion(matrix=jacobian, q=chain.q)
 
 
@@ -54,9 +53,3 @@ def _placed(chain: SymbolicChain, name: str) -> tuple[Placement, int]:
     """A frame in the world, and the index of the joint that carries it."""
     frame: pin.Frame = chain.model.frames[frame_index(chain.model, name)]
     return chain.joints[frame.parentJoint] @ constant(frame.placement), int(frame.parentJoint)
-
-
-def _carriers(chain: SymbolicChain, joint: int) -> list[Placement | None]:
-    """The placements of the joints that carry one joint, None for the others."""
-    above = set(chain.model.supports[joint])
-    return [chain.joints[i] if i in above else None for i in range(1, chain.model.njoints)]

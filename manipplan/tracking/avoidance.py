@@ -10,7 +10,6 @@ from manipplan.collision import shapes
 from manipplan.collision.build import check_names
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
-from manipplan.robots.model_tree import axis_of, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.display import one_line
@@ -140,11 +139,11 @@ def _row(avoidance: Avoidance, near: Nearest, rate: ca.SX, approach: ca.SX) -> t
 
 
 def _lines(chain: SymbolicChain) -> ca.SX:
-    """Velocity fields of the joints, (6, n): that of joint i at a point p is lines[:3, i] + lines[3:, i] x p."""
+    """Velocity fields of the N joints, (6, N): that of joint i at a point p is lines[:3, i] + lines[3:, i] x p."""
     columns = []
-    for i, joint in enumerate(chain.joints[1:], start=1):
-        axis = joint.rotation @ ca.sparsify(ca.DM(axis_of(chain.model.joints[i])))
-        if is_prismatic(chain.model.joints[i]):
+    for i, joint in enumerate(chain.joints[1:]):
+        axis = joint.rotation @ ca.sparsify(ca.DM(chain.tree.axes[i]))
+        if chain.tree.slides[i]:
             columns.append(ca.vertcat(axis, ca.SX(3, 1)))
         else:
             columns.append(ca.vertcat(ca.cross(joint.origin, axis), axis))
@@ -153,9 +152,12 @@ def _lines(chain: SymbolicChain) -> ca.SX:
 
 def _rate(chain: SymbolicChain, lines: ca.SX, joint: int, point: ca.SX, normal: ca.SX) -> ca.SX:
     """nᵀ J(q, p) of a point on the body that `joint` carries, (1, n): nᵀ (a x p) = aᵀ (p x n)."""
-    supports = set(chain.model.supports[joint])
+    tree = chain.tree
     wrench = ca.vertcat(normal, ca.cross(point, normal)).T
-    return ca.horzcat(*(wrench @ lines[:, i - 1] if i in supports else ca.SX(1, 1) for i in range(1, chain.model.njoints)))
+    rates = [ca.SX(1, 1)] * chain.q.shape[0]
+    for i in np.flatnonzero(tree.carries[joint, 1:]):
+        rates[tree.leader[i]] += float(tree.ratio[i]) * (wrench @ lines[:, i])
+    return ca.horzcat(*rates)
 
 
 def _capsule(chain: SymbolicChain, body: Body) -> Capsule:

@@ -88,13 +88,14 @@ def drawn_tools(robot: Robot, task: Task | None = None) -> tuple[DrawnTool, ...]
 
 
 def skeleton(robot: Robot, q: Array) -> Array:
-    """Origins of base, joints and tool at q (n,), (n + 2, 3) [m]; of several arms along each, and back between them."""
+    """Origins of base, joints and tool at q (n,), (k, 3) [m]; of several arms along each, and back between them."""
     data = robot.model.createData()
     pin.framesForwardKinematics(robot.model, data, q)
     line: list[Array] = []
     for tool in robot.tools:
-        joints = [data.oMi[i].translation for i in (0, *(j + 1 for j in robot.joints_of(tool)))]
-        line += [*line[::-1], *joints, data.oMf[frame_index(robot.model, tool)].translation]
+        frame = frame_index(robot.model, tool)
+        joints = [data.oMi[i].translation for i in robot.model.supports[robot.model.frames[frame].parentJoint]]
+        line += [*line[::-1], *joints, data.oMf[frame].translation]
     return np.array(line)
 
 

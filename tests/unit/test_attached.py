@@ -125,7 +125,7 @@ def test_the_floor_of_an_mjcf_stays(tmp_path):
     file = tmp_path / "arm.xml"
     file.write_text(
         "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 1' pos='0 0 -1'/><body name='a'><joint name='i' type='hinge' "
-        "axis='0 0 1' range='-1 1'/><body name='b'><joint name='j' type='hinge' axis='0 1 0' range='-1 1'/>"
+        "axis='0 0 1' range='-1 1'/><geom size='.01'/><body name='b'><joint name='j' type='hinge' axis='0 1 0' range='-1 1'/>"
         "<geom type='sphere' size='0.1' pos='0.5 0 0'/></body></body></worldbody></mujoco>"
     )
     robot = mp.Robot.from_mjcf(file, tool="b", velocity=1.0)

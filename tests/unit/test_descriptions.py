@@ -49,12 +49,13 @@ def mjcf(tmp_path):
 @pytest.mark.parametrize(
     ("elements", "message"),
     [
-        (collision('<capsule radius="0.1" length="1"/>'), "collision element 1 of link arm: <capsule> is not a shape"),
+        (collision('<cone radius="0.1" length="1"/>'), "collision element 1 of link arm: <cone> is not a shape"),
+        (collision('<capsule radius="0.1"/>'), "<capsule> needs length with a number above zero, not None"),
         (SPHERE + collision('<cylinder radius="0.1"/>'), "element 2 of link arm: <cylinder> needs length with a number"),
         (collision('<cylinder radius="0,04" length="1"/>'), "radius with a number above zero, not '0,04'"),
         (collision('<sphere radius="nan"/>'), "not 'nan'"),
         (collision('<sphere radius="-0.1"/>'), "above zero, not '-0.1'"),
-        (collision('<sphere radius="0"/>'), "above zero, not '0'"),
+        (collision('<box size="0 0 1"/>'), "above zero, not '0 0 1'"),
         (collision('<box size="1 1"/>'), "<box> needs size with 3 numbers"),
         (collision('<mesh filename="a.stl" scale="1"/>'), "scale with 3 numbers other than zero, not '1'"),
         (collision('<mesh filename="a.stl" scale="1 1 0"/>'), "scale with 3 numbers other than zero"),
@@ -64,10 +65,11 @@ def mjcf(tmp_path):
         (collision('<sphere radius="1"/>', "<origin/><origin/>"), "more than one <origin>"),
         (collision('<sphere radius="1"/><sphere radius="2"/>'), "one <geometry> with one shape"),
         ("<collision/>", "one <geometry> with one shape"),
-        # Python reads these two numbers, urdfdom does not; an unreadable visual element takes the link's bodies with it
-        (collision('<sphere radius=" 0.1 "/>'), "collision elements of link arm: 1 in the file, 0 loaded"),
-        (SPHERE + collision('<sphere radius="1_0"/>'), "2 in the file, 0 loaded"),
-        ("<visual><geometry><capsule/></geometry></visual>" + SPHERE, "1 in the file, 0 loaded"),
+        (
+            SPHERE + collision('<sphere radius="1_0"/>'),
+            "element 2 of link arm: <sphere> needs radius with a number .* not '1_0'",
+        ),
+        (SPHERE + collision('<sphere radius="١"/>'), "<sphere> needs radius"),
         ('<inertial><mass value="a"/></inertial>', "inertial element of link arm: <mass> needs a value"),
         ('<inertial><mass value="1"/></inertial>', "it needs an <inertia>"),
         ('<inertial><mass value="1"/><inertia ixx="1"/></inertial>', "<inertia> needs ixy"),
@@ -98,43 +100,6 @@ def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
         mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj"/>')))
 
 
-@pytest.mark.parametrize(
-    ("elements", "message"),
-    [
-        ('<geom type="sphere"/>', "<geom> of arm: it needs a size with 1 number above zero, not ''"),
-        ('<geom name="g" size="0,04"/>', "<geom name='g'> of arm: it needs a size"),
-        ('<geom size="nan"/>', "size with 1 number"),
-        ('<geom size="-0.1"/>', "above zero"),
-        ('<geom type="box" size="1 1"/>', "size with 3 numbers"),
-        ('<geom type="capsule" size="0.1"/>', "size with 2 numbers"),
-        ('<geom type="capsule" size="0.1" fromto="0 0 0 1"/>', "fromto with 6 finite numbers, not '0 0 0 1'"),
-        ('<geom size="0.1" pos="0 1"/>', "pos with 3 finite numbers"),
-        ('<geom size="0.1" pos="0 0 1e400"/>', "pos with 3 finite numbers"),
-        ('<geom size="0.1" euler="0 1"/>', "euler with 3 finite numbers"),
-        ('<body name="b" pos="0 1"/>', "<body name='b'> needs pos with 3 finite numbers"),
-        ('<frame pos="0 0 1"><geom size="0.1"/></frame>', "<frame> is not supported"),
-        ('<include file="b.xml"/>', "<include> is not supported"),
-        ('<replicate count="3"><geom size="0.1"/></replicate>', "<replicate> is not supported"),
-        ('<body><geom size="0.1"/></body>', "collision geoms of body '': 1 in the file, 0 loaded; give the body a name"),
-    ],
-)
-def test_no_geom_of_a_body_is_left_out(mjcf, elements, message):
-    with pytest.raises(mp.FileFormatError, match=message):
-        mp.load_robot(mjcf(elements), tool="arm", velocity=1.0)
-
-
-def test_one_worldbody(mjcf):
-    with pytest.raises(mp.FileFormatError, match="one <worldbody>, not 2"):
-        mp.load_robot(mjcf(GEOM, after='<worldbody><body name="b"/></worldbody>'), velocity=1.0)
-
-
-def test_several_bodies_in_the_world(mjcf):
-    file = mjcf(GEOM)
-    file.write_text(file.read_text().replace("</worldbody>", '<body name="b"/></worldbody>'))
-    with pytest.raises(mp.FileFormatError, match="one <body> in <worldbody>, not 2: Pinocchio leaves out all but the first"):
-        mp.load_robot(file, velocity=1.0)
-
-
 def test_the_number_of_bodies_is_bounded(urdf, mjcf):
     assert mp.load_robot(urdf(SPHERE * 200)).geometry.ngeoms == 200
     with pytest.raises(mp.FileFormatError, match="at most 1000 collision elements, not 1001"):
@@ -157,7 +122,7 @@ def test_the_number_of_bodies_is_bounded(urdf, mjcf):
             "</body>",
             1,
         ),
-        ("", '<geom type="plane" size="1 1 1"/><geom type="box" size="0.1" fromto="0 0 0 0 0 1"/>', 2),
+        ("", GEOM + '<geom type="box" size="0.1" fromto="0 0 0 0 0 1"/>', 2),
     ],
 )
 def test_geoms_for_collision(mjcf, before, elements, count):
@@ -166,7 +131,7 @@ def test_geoms_for_collision(mjcf, before, elements, count):
 
 def test_a_joint_called_as_the_world(urdf, mjcf):
     for file in (urdf(SPHERE, joint="universe"), mjcf(GEOM, joint="universe")):
-        with pytest.raises(mp.FileFormatError, match="joints with other names than 'universe'"):
+        with pytest.raises(mp.FileFormatError, match="joints.* with other names than 'universe'"):
             mp.load_robot(file, velocity=1.0)
 
 
@@ -187,7 +152,7 @@ def test_deep_descriptions(urdf, mjcf):
     file = urdf(SPHERE)
     joints = "".join(
         f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="{f"l{i - 1}" if i else "arm"}"/><child link="l{i}"/></joint>'
-        for i in range(10_000)
+        for i in range(600)
     )
     file.write_text(file.read_text().replace("</robot>", joints + "</robot>"))
     with pytest.raises(mp.FileFormatError, match="at most 500 links in one chain"):
@@ -199,7 +164,6 @@ def test_deep_descriptions(urdf, mjcf):
     "place", ["pos='0.1 0.2 1'", "pos='0 0 1' euler='0 0 90'", "quat='0.5 0.5 0.5 0.5'", "pos='1 0 0' axisangle='0 1 0 30'", ""]
 )
 def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, place):
-    """Pinocchio leaves out the pose of a first body without a joint."""
     file = tmp_path / "arm.xml"
     file.write_text(
         f"<mujoco><worldbody><geom name='floor' type='plane' size='1 1 1' pos='0 0 -2'/><body name='a' {place}>{joint}"
@@ -228,30 +192,13 @@ def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, p
 
 
 @pytest.mark.parametrize(
-    ("before", "elements", "message"),
-    [
-        (
-            "",
-            "<joint name='i' type='slide' axis='0 1 0' range='0 1'/>" * 3000,
-            "at most 6 joints in <body name='arm'>, not 3001",
-        ),
-        ("", "".join(f"<body name='b{i}'><joint/><joint/></body>" for i in range(500)), "at most 1000 <joint>, not 1001"),
-        ("", "<body/>" * 1000, "at most 1000 <body>, not 1001"),
-        ("<default>" + 2 * "<geom friction='1'/>" + "</default>", GEOM, "<default> with each element once, not several <geom>"),
-        ("<default class='a'/>" * 1001, GEOM, "at most 1000 <default>, not 1001"),
-        ("", "<geom size='0.1' fromto='0 0 1e308 1 0 0'/>", "fromto with 6 finite numbers"),
-        ("", "<body name='b' axisangle='0 0 1e308 1'/>", "axisangle with 4 finite numbers"),
-    ],
-)
-def test_what_pinocchio_takes_all_memory_for(mjcf, before, elements, message):
-    with pytest.raises(mp.FileFormatError, match=message):
-        mp.load_robot(mjcf(elements, before=before), velocity=1.0)
-
-
-@pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 nan"/>', "joint turn: <axis> needs xyz with 3 numbers, not '0 0 nan'"),
+        (
+            '<axis xyz="0 0 1"/>',
+            '<axis xyz="0 0 nan"/>',
+            "joint turn: <axis> needs xyz with 3 numbers, not all zero, not '0 0 nan'",
+        ),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1e308"/>', "joint turn: <axis> needs xyz"),
         ("<axis", '<origin xyz="0 0 1e308"/><axis', "joint turn: <origin> needs xyz with 3 numbers"),
         ("<axis", '<origin rpy="0 0"/><axis', "joint turn: <origin> needs rpy with 3 numbers"),

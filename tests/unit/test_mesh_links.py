@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.collision import described
+from manipplan.collision import build
 from manipplan.collision.model import CollisionModel
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'
@@ -134,7 +134,7 @@ def test_sleeves_with_a_gap_of_a_millimetre_are_taken_by_sectors(tmp_path, rng):
 
 
 def test_sleeves_with_a_gap_of_a_millimetre_are_decided_by_their_triangles(tmp_path, rng, monkeypatch):
-    monkeypatch.setattr(described, "FINE", ())
+    monkeypatch.setattr(build, "FINE", ())
     robot = wrist(tmp_path, tube(0.041, 0.05, 0.2, 24), tube(0.03, 0.0395, 0.3, 24), 0.02)
     model = mp.Scene().collision_model(robot)
     assert ("l3_0.mesh", "l1_0.mesh") in model.pair_names and len(model.solids) == 2

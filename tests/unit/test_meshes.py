@@ -15,10 +15,11 @@ import pytest
 from broken_files import count_refused
 
 import manipplan as mp
-from manipplan.collision.formats.collada import read_collada
-from manipplan.collision.formats.polygons import split_polygons
-from manipplan.collision.surfaces.meshes import mesh_parts, triangle_tree
+from manipplan.collision.surfaces.meshes import mesh_parts
 from manipplan.collision.surfaces.shells import merged_corners, shells, winding_number
+from manipplan.robots.meshes.collada import read_collada
+from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.meshes.polygons import split_polygons
 
 trimesh = pytest.importorskip("trimesh")
 

@@ -6,7 +6,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.ik.window import random_near, reach_in, window
-from manipplan.robots.arms import lengths_beyond
+from manipplan.robots.arms import lengths_to
 from manipplan.robots.model_tree import frame_index
 
 #: Parent, child, place and axis of the six revolute joints.
@@ -88,7 +88,7 @@ def test_a_pose_that_is_out_of_reach_is_told_with_a_true_distance(arm):
 @pytest.mark.parametrize("name", ["panda", "tiago", "so100"])
 def test_no_configuration_takes_the_tool_farther_from_a_joint_than_its_bound(name):
     robot = mp.load_robot(name)
-    lengths = lengths_beyond(robot, robot.tool)
+    lengths = np.array([length for _, length in lengths_to(robot, robot.tool)])
     data, frame = robot.model.createData(), frame_index(robot.model, robot.tool)
     farthest = np.zeros(robot.n)
     for q in robot.random_configuration(np.random.default_rng(0), size=500):

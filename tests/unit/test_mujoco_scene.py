@@ -106,7 +106,7 @@ def test_names_are_in_utf_8(tmp_path):
 @pytest.mark.parametrize("size", ["1e308", "1e7"])
 def test_sizes_are_bounded(tmp_path, size):
     (tmp_path / "cell.xml").write_text(f"<mujoco><worldbody><geom type='box' size='1 1 {size}'/></worldbody></mujoco>")
-    with pytest.raises(mp.InvalidInputError, match=r"size: got .*(from -1e\+06 to 1e\+06|finite numbers)"):
+    with pytest.raises(mp.InvalidInputError, match=r"size: got .*from -1e\+06 to 1e\+06|finite numbers"):
         mp.Scene.from_mjcf(tmp_path / "cell.xml")
 
 

@@ -243,7 +243,7 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
         '<joint name="j" type="revolute"><parent link="b"/><child link="l"/>'
         '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>'
     )
-    with pytest.raises(mp.FileFormatError, match=r"m\.ply: a face names corner 1e\+07 of 4"):
+    with pytest.raises(mp.FileFormatError, match=r"m\.ply.*a face names corner 1e\+07 of 4"):
         mp.load_robot(tmp_path / "arm.urdf")
 
 

@@ -7,7 +7,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -169,6 +169,7 @@ def test_the_srdf_has_all_pairs_that_are_left_out(tmp_path):
 
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6))
+@example(577)
 def test_random_trees_are_checked_as_by_pinocchio_and_coal(tmp_path_factory, seed):
     """Links with boxes on revolute and fixed joints; adjacent are the parent and the child link of one joint and no others."""
     rng, folder = np.random.default_rng(seed), tmp_path_factory.mktemp("trees")
@@ -216,8 +217,10 @@ def test_random_trees_are_checked_as_by_pinocchio_and_coal(tmp_path_factory, see
         whole[:, model.joints[model.getJointId(name)].idx_q] = value
     touching = np.zeros((100, len(names)), dtype=bool)
     for k, each in enumerate(whole):
-        pin.computeCollisions(model, data, geometry, geometry_data, each, False)
-        touching[k] = [result.isCollision() for result in geometry_data.collisionResults]
+        pin.computeDistances(
+            model, data, geometry, geometry_data, each
+        )  # coal's yes or no misses overlaps of 2 mm of two boxes
+        touching[k] = [result.min_distance <= 0 for result in geometry_data.distanceResults]
     always = [pair in left_out for pair in names]
     assert (touching[:, always].mean(axis=0) > 0.85).all()
     np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), touching[:, ~np.array(always, dtype=bool)].any(axis=1))

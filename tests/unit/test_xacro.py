@@ -154,7 +154,6 @@ def test_nothing_of_the_library_stays_in_this_process(read):
     modules = set(sys.modules)
     read()
     assert not {name.partition(".")[0] for name in set(sys.modules) - modules} & {"xacro", "rospkg"}
-    assert "xacro" not in sys.modules
 
 
 def test_warnings_of_the_library_are_logged(read, caplog):
@@ -411,11 +410,10 @@ def test_other_files(arm, tmp_path):
         named = arm()
         named.write_text(named.read_text().replace("www.ros.org/wiki", namespace))
         assert mp.load_robot(named).n == 2
-        with pytest.raises(mp.FileFormatError, match=r"rename a xacro file so that it ends in \.xacro"):
-            mp.load_robot(shutil.copy(named, named.with_suffix("")))
+        assert mp.load_robot(shutil.copy(named, named.with_suffix(""))).n == 2  # the same file as .urdf
     plain = tmp_path / "plain.urdf"
     plain.write_text('<robot name="r"><link name="a"/></robot>')
-    with pytest.raises(mp.InvalidInputError, match=r"only a file whose name ends in \.xacro has arguments"):
+    with pytest.raises(mp.InvalidInputError, match="only a xacro file has arguments"):
         mp.load_robot(plain, arguments={"a": 1})
     with pytest.raises(mp.FileFormatError, match="at least one <link>"):
         mp.load_robot(arm(text=""))

@@ -288,4 +288,4 @@ plt.show()
 # - ``fill="hull"`` of a mesh fills its cavity: nothing could reach in here.
 # - The arm itself has to be cut out of a scan first, and so has the workpiece: the
 #   library does not know which points are theirs.
-# - A carried part has to be convex. ``robot.detach`` takes it off again.
+# - A carried mesh that is not convex is checked as convex pieces. ``robot.detach`` takes it off again.

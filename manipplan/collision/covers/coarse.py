@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle, Part, PointCloud
+from manipplan.robots.arms import farthest
 from manipplan.robots.hulls import convex_hull, has_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -114,7 +115,8 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     middle = np.asarray(model.jointPlacements[1].translation)
     places = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
     lengths = sum(float(np.linalg.norm(each)) for each in places)
-    slides = np.maximum(np.abs(robot.limits.lower), np.abs(robot.limits.upper))[np.array(robot.joint_types) == "prismatic"]
+    tree = robot.tree
+    slides = farthest(robot, tree)[tree.slides]
     bodies = 0.0
     for item in robot.geometry.geometryObjects:
         if item.parentJoint > 0:

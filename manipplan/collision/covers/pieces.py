@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import Hull, has_hull, outer_hull
+from manipplan.robots.hulls import Hull, convex_hull, has_hull, outer_hull
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -57,7 +57,7 @@ def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
         for count in (most, most // 2):
             around = _cut_up(mesh, _sectors(mesh, triangles, count), most)
             found = min(found, around, key=lambda parts: sum(_volume(part.hull.corners) for part in parts))
-    return [Piece(hull=part.hull, excess=part.excess) for part in found]
+    return [part.piece() for part in found]
 
 
 def _cut_up(mesh: "_Mesh", open_pieces: list["_Part"], most: int) -> list["_Part"]:
@@ -114,8 +114,14 @@ class _Part:
         if not has_hull(points):
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
             points = (points[:, None] + box).reshape(-1, 3)
-        self.hull = outer_hull(points)
+        self.hull, self._mesh = convex_hull(points), mesh
         self.excess, self._worst = mesh.excess(self.hull.triangles, cuts)
+
+    def piece(self) -> Piece:
+        """The part as a body that coal takes."""
+        hull = outer_hull(self.hull)
+        excess = self.excess if hull is self.hull else self._mesh.excess(hull.triangles, self.cuts)[0]
+        return Piece(hull=hull, excess=excess)
 
     def best_cut(self, long: float) -> Plane | None:
         """The plane, normal to a main axis, whose sides need the smallest volume; None if the part is too small to cut.

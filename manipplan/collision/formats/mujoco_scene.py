@@ -1,5 +1,6 @@
 """The static bodies of a MuJoCo model (MJCF) as obstacles, read by MuJoCo itself."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -7,11 +8,12 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere
-from manipplan.robots.formats.xml_files import read_xml
-from manipplan.support.errors import FileFormatError, MissingExtraError, UnknownNameError
+from manipplan.robots.formats.mjcf_files import compile_mjcf
+from manipplan.robots.mjcf import SHAPES, fixed_pose, local_pose, surface_of
+from manipplan.support.errors import UnknownNameError
 
 #: Shapes of MuJoCo that become obstacles.
-SHAPES = ("plane", "sphere", "capsule", "cylinder", "box", "mesh")
+TAKEN = ("plane", "hfield", "sphere", "capsule", "cylinder", "box", "mesh")
 
 
 def read_static_bodies(file: Path) -> list[Obstacle]:
@@ -22,51 +24,27 @@ def read_static_bodies(file: Path) -> list[Obstacle]:
         UnknownNameError: a static geom has another shape, such as an ellipsoid.
         MissingExtraError: MuJoCo is not installed.
     """
-    read_xml("file", file, "mujoco")
-    try:
-        import mujoco
-    except ImportError as error:
-        raise MissingExtraError("mujoco", "mujoco") from error
-    mujoco.mj_clearCache(mujoco.mj_getCache())  # it keeps a mesh whose file is changed within one second
-    try:
-        model = mujoco.MjModel.from_xml_path(str(file))
-    except ValueError as error:
-        reason = " ".join(str(error).split())[:200]
-        raise FileFormatError("file", str(file), f"an MJCF file; MuJoCo says: {reason}") from error
-    try:
-        model.names.decode()
-    except UnicodeDecodeError as error:  # in an included file
-        raise FileFormatError("file", str(file), f"an MJCF file with names in UTF-8 ({error})") from error
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    static = model.body_weldid[model.geom_bodyid] == 0
-    collides = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
-    obstacles, meshes = list[Obstacle](), dict[int, Mesh]()
-    for k in np.flatnonzero(static & collides):
-        geom = model.geom(k)
-        body = model.body(geom.bodyid[0]).name
-        name = geom.name or f"{body}.{k}"
-        shape = mujoco.mjtGeom(int(geom.type[0])).name.removeprefix("mjGEOM_").lower()
-        position, rotation = data.geom_xpos[k].copy(), data.geom_xmat[k].reshape(3, 3).copy()
-        if shape == "mesh":  # several geoms may show one mesh
-            number = int(geom.dataid[0])
-            meshes[number] = meshes.get(number) or _mesh(model, number)
-            obstacles.append(meshes[number].at(pin.SE3(rotation, position)).called(name))
+    mj = compile_mjcf(file)
+    static = mj.body_weldid[mj.geom_bodyid] == 0
+    collides = (mj.geom_contype != 0) | (mj.geom_conaffinity != 0)
+    obstacles, surfaces = list[Obstacle](), dict[tuple[str, int], Mesh]()
+    for k in np.flatnonzero(static & collides).tolist():
+        body, shape = int(mj.geom_bodyid[k]), SHAPES[mj.geom_type[k]]
+        name = mj.geom(k).name or f"{mj.body(body).name}.{k}"
+        pose = fixed_pose(mj, body) * local_pose(mj.geom_pos[k], mj.geom_quat[k])
+        if shape in ("mesh", "hfield"):  # several geoms may show one mesh
+            data = shape, int(mj.geom_dataid[k])
+            if data not in surfaces:
+                vertices, faces = surface_of(file, mj, k)
+                surfaces[data] = Mesh(triangles=vertices[faces])
+            obstacles.append(surfaces[data].at(pose).called(name))
         else:
-            obstacles.append(_obstacle(geom, name, shape, position, rotation))
+            obstacles.append(_obstacle(name, shape, [float(each) for each in mj.geom_size[k]], pose))
     return obstacles
 
 
-def _mesh(model: Any, number: int) -> Mesh:
-    mesh = model.mesh(number)
-    vertices = model.mesh_vert[mesh.vertadr[0] : mesh.vertadr[0] + mesh.vertnum[0]]
-    faces = model.mesh_face[mesh.faceadr[0] : mesh.faceadr[0] + mesh.facenum[0]]
-    return Mesh(triangles=np.asarray(vertices[faces], dtype=float))
-
-
-def _obstacle(geom: Any, name: str, shape: str, position: Any, rotation: Any) -> Obstacle:
-    at = {"name": name, "position": position, "rotation": rotation}
-    size = [float(value) for value in geom.size]
+def _obstacle(name: str, shape: str, size: Sequence[float], pose: pin.SE3) -> Obstacle:
+    at: dict[str, Any] = {"name": name, "position": pose.translation, "rotation": pose.rotation}
     if shape == "plane":
         return Plane(**at)
     if shape == "sphere":
@@ -77,4 +55,4 @@ def _obstacle(geom: Any, name: str, shape: str, position: Any, rotation: Any) ->
         return Cylinder(radius=size[0], length=2 * size[1], **at)
     if shape == "box":
         return Box(size=[2 * value for value in size], **at)
-    raise UnknownNameError(f"shape of the geom {name}", shape, SHAPES)
+    raise UnknownNameError(f"shape of the geom {name}", shape, TAKEN)

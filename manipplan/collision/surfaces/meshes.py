@@ -6,9 +6,9 @@ from pathlib import Path
 import coal
 import numpy as np
 
-from manipplan.collision.formats.mesh_files import read_mesh
-from manipplan.collision.surfaces.shells import Faces, Shell, connected_parts, merged_corners, shells
+from manipplan.collision.surfaces.shells import Shell, connected_parts, merged_corners, shells
 from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.meshes.files import read_mesh, triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
@@ -78,17 +78,6 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
         )
     return hulls
-
-
-def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
-    """A tree over triangles, each three indices of corners (v, 3) [m]."""
-    tree = coal.BVHModelOBBRSS()
-    tree.beginModel(len(faces), len(corners))
-    tree.addVertices(np.ascontiguousarray(corners))
-    tree.addTriangles(np.ascontiguousarray(faces))
-    tree.endModel()
-    tree.computeLocalAABB()
-    return tree
 
 
 def _solid(shell: Shell) -> coal.CollisionGeometry | None:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.robots.meshes.files import first_of_rows
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import needed_code
 
@@ -110,15 +111,6 @@ def _joined(points: Array) -> tuple[Array, Faces]:
     _, place = connected_components(links, directed=False)
     first = np.unique(place, return_index=True)[1]
     return points[first], place.astype(np.int64)
-
-
-def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:
-    """Of equal rows (k, c) the index of one, and for each row its place in that list."""
-    order = np.lexsort(rows.T)
-    new = np.concatenate([np.ones(min(len(rows), 1), dtype=bool), (np.diff(rows[order], axis=0) != 0).any(axis=1)])
-    index = np.empty(len(rows), dtype=np.int64)
-    index[order] = np.cumsum(new) - 1
-    return order[new], index
 
 
 def winding_number(triangles: Array, points: Array) -> Array:

@@ -115,6 +115,6 @@ class LoneArm:
 def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Robot:
     """The arm of some joints of one tool, with the others locked at `posture` (n,) and without the bodies of other arms."""
     others = {i for i in range(robot.n) if i not in robot.joints_of(tool)}
-    away = [item.name for item in robot.geometry.geometryObjects if item.parentJoint - 1 in others]
+    away = [item.name for item in robot.geometry.geometryObjects if robot.model.joints[item.parentJoint].idx_q in others]
     arm = arm_of(robot, tool, joints, posture)
     return replace(arm, geometry=without_bodies(arm.geometry, away), source=None)

@@ -11,8 +11,10 @@ from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.samples import nearest_turns, reaching
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 
 
@@ -23,7 +25,7 @@ class OwnArm:
     Attributes:
         arm: the arm.
         joints: indices of its joints.
-        carrier: index, from 1, of the last joint that moves it and another tool; 0: the world.
+        carrier: index in the model of the last joint before those of the arm alone; 0: the world.
         home: (4, 4) place of that joint in the neutral posture.
     """
 
@@ -67,7 +69,14 @@ def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
     pin.forwardKinematics(robot.model, data, np.asarray(robot.neutral))
     for tool in robot.tools:
         joints = own_joints(robot, tool)
-        carrier = max((i + 1 for i in robot.joints_of(tool) if i in shared), default=0)
+        joint = robot.model.frames[frame_index(robot.model, tool)].parentJoint
+        chain = [int(i) for i in robot.model.supports[joint]]  # the first is the world
+        common = [i for i in chain if i == 0 or robot.model.joints[i].idx_q in shared]
+        if common != chain[: len(common)]:
+            last = robot.model.names[common[-1]]
+            wanted = f"a robot whose joints that move several tools come before those of each arm, unlike {last}"
+            raise InvalidInputError("robot", robot.name, wanted)
+        carrier = common[-1]
         arm = arm_of(robot, tool, joints, robot.neutral)
         found[tool] = OwnArm(arm=arm, joints=tuple(joints), carrier=carrier, home=data.oMi[carrier].homogeneous)
     return found

@@ -11,7 +11,7 @@ from manipplan.ik.nearest import Nearest, descend_to_best, stopped_at
 from manipplan.ik.window import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.robots.arms import lengths_beyond
+from manipplan.robots.arms import tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task
@@ -93,12 +93,13 @@ def _to_goal(missing: "Missing", goal: int) -> Callable[[NDArray[np.intp], Array
 
 def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
     """Why no configuration brings a tool to its goal: its place is beyond the length of all links; "" where it is not."""
-    first = robot.joints_of(tool)[0]
-    length = float(lengths_beyond(robot, tool)[first]) + goal.allowed[0]
-    away = float(np.linalg.norm(goal.matrix[:3, 3] - robot.model.jointPlacements[first + 1].translation))
+    place, length = tool_reach(robot, tool)
+    length += goal.allowed[0]
+    away = float(np.linalg.norm(goal.matrix[:3, 3] - place))
     if away <= length:
         return ""
-    return f"out of reach: {away:.3g} m from {robot.joint_names[first]}, and the links up to the tool are {length:.3g} m long"
+    first = robot.joint_names[robot.joints_of(tool)[0]]
+    return f"out of reach: {away:.3g} m from {first}, and the links up to the tool are {length:.3g} m long"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

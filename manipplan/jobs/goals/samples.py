@@ -180,7 +180,7 @@ def poses_inside(goal: PoseGoal, count: int) -> Array:
 
 def nearest_turns(robot: Robot, q: Array, near: Array, *, kept: bool = True) -> Array:
     """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
-    turn = np.where([kind != "prismatic" for kind in robot.joint_types], 2 * np.pi, np.inf)
+    turn = np.where(robot.turns, 2 * np.pi, np.inf)
     if not kept:
         turns = np.round((near - q) / turn)
         return q + np.where(np.isinf(turn), 0.0, turn) * turns

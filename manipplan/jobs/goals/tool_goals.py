@@ -142,7 +142,8 @@ def _missed(
 
 def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> NDArray[np.bool_]:
     """Whether the arm of one tool touches itself or what stands still, whatever the others do, at q (k, n); (k,)."""
-    joints = {0, *(i + 1 for i in model.robot.joints_of(tool))}
+    tree, own = model.robot.tree, set(model.robot.joints_of(tool))
+    joints = {joint for joint in range(len(tree.carries)) if own.issuperset(tree.carriers(joint))}
     objects, pairs = model.geometry.geometryObjects, model.geometry.collisionPairs
     alone = np.array([{objects[p.first].parentJoint, objects[p.second].parentJoint} <= joints for p in pairs], dtype=bool)
     near = model.near_pairs(q, max(clearance, TOUCHING))

@@ -21,7 +21,7 @@ import numpy as np
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.recordings.spline import Ends, SplineBasis
-from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array
@@ -264,9 +264,8 @@ class TubeProgram:
 
     def _clearance(self, c: ca.MX, rows: Sequence[ClearanceRow]) -> "_Rows":
         """Distances of clearance rows [m]."""
-        n = self.limits.n
         distance, gradient, hessian = row_functions(self.integral.kinematics)
-        columns = ca.DM(np.array([row.column(n) for row in rows]).T)
+        columns = ca.DM(np.array([row.column(tree_size(distance)) for row in rows]).T)
         values = self.basis.values(np.array([row.s for row in rows]))
         q = c @ ca.DM(values.T)
         return _Rows(

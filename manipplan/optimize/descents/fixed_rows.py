@@ -35,7 +35,7 @@ class FixedRows:
     @classmethod
     def of(cls, functions: RowFunctions, curves: Curves, rows: Sequence[ClearanceRow]) -> "FixedRows":
         """The given rows on curves."""
-        s, columns = np.array([row.s for row in rows]), np.array([row.column(len(curves.start)) for row in rows])
+        s, columns = np.array([row.s for row in rows]), np.array([row.column(functions.joints) for row in rows])
         return cls(functions=functions, curves=curves, s=s, columns=columns)
 
     @cached_property

@@ -29,8 +29,12 @@ STRICT = 1e-7
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RowFunctions:
-    """Distance (m, 1, 1), gradient (m, n, 1) and Hessian (m, n, n) in q of m clearance rows, each at its own configuration."""
+    """Distance (m, 1, 1), gradient (m, n, 1) and Hessian (m, n, n) in q of m clearance rows, each at its own configuration.
 
+    `joints` is the number of joints of the tree, for `ClearanceRow.column`.
+    """
+
+    joints: int
     value: BatchFunction
     gradient: BatchFunction
     hessian: BatchFunction

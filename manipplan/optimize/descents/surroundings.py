@@ -67,13 +67,13 @@ class Surroundings:
         """Clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""
         first, second = found.joints.T
         distances = found.radii[:, 0] + self.target
-        return columns(self.model.robot.n, first, found.points, second, found.normals, found.offsets, distances)
+        return columns(self.model.robot.model.njoints - 1, first, found.points, second, found.normals, found.offsets, distances)
 
     def reversed_planes(self, found: Witnesses) -> Array:
         """As `planes`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
         first, second = found.joints.T
         offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
-        return columns(self.model.robot.n, second, found.others, first, found.opposites, offsets, distances)
+        return columns(self.model.robot.model.njoints - 1, second, found.others, first, found.opposites, offsets, distances)
 
     def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
         """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""

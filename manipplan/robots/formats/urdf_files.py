@@ -10,9 +10,12 @@ from manipplan.robots.formats import xacro_files
 from manipplan.robots.formats.packages import PackageFolders
 from manipplan.robots.formats.xml_files import read_xml
 from manipplan.support.checks import instance
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 log = logging.getLogger("manipplan")
+
+#: Elements of a link that can be its bodies.
+BODIES = ("collision", "visual")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,6 +26,7 @@ class UrdfFiles:
         package_dirs: folders in which packages are searched.
         packages: folder of each package, by name.
         meshes: whether collision meshes are read; without them only the primitives of the description are checked.
+        collision: "collision" or "visual": which elements of the links are the bodies that are checked.
         arguments: values of a xacro file's arguments, by name; numbers and booleans become text as in ROS.
         trust_file: whether a xacro file may run Python code, and read any file and environment variable.
 
@@ -32,6 +36,7 @@ class UrdfFiles:
     package_dirs: Sequence[str | Path] = ()
     packages: Mapping[str, str | Path] = field(default_factory=dict)
     meshes: bool = True
+    collision: str = "collision"
     arguments: Mapping[str, str | float | bool] = field(default_factory=dict)
     trust_file: bool = False
 
@@ -44,59 +49,70 @@ class UrdfFiles:
             if not isinstance(folder, str | Path) or not Path(folder).expanduser().is_dir():
                 raise InvalidInputError(f"packages[{name!r}]", str(folder), "an existing folder")
         instance("meshes", self.meshes, bool)
+        if self.collision not in BODIES:
+            raise UnknownNameError("collision", str(self.collision), BODIES)
         instance("trust_file", self.trust_file, bool)
         if not isinstance(self.arguments, Mapping):
             raise InvalidInputError("arguments", self.arguments, "a mapping from names of xacro arguments to their values")
         texts = {str(name): _text(f"arguments[{name!r}]", value) for name, value in self.arguments.items()}
         object.__setattr__(self, "arguments", texts)
 
-    def folders(self, file: Path) -> list[str]:
-        """The folders in which packages are searched: `package_dirs`, and those above the file."""
-        return [str(folder) for folder in (*self.package_dirs, *file.resolve().parents)]
-
     def root(self, file: Path) -> ET.Element:
-        """The root of a URDF; a file whose name ends in .xacro is expanded first.
+        """The root of a URDF; a xacro file, and a URDF with expressions or elements of xacro, is expanded first.
 
         Raises:
-            FileFormatError: the file is not XML, is a xacro file of another name, or cannot be expanded.
+            FileFormatError: the file is not XML, or cannot be expanded.
             InvalidInputError: arguments are given for a file that has none by its kind.
-            MissingExtraError: the file is a xacro file, and the package xacro is not installed.
+            MissingExtraError: the file has to be expanded, and the package xacro is not installed.
         """
-        if file.suffix == ".xacro":
-            text = xacro_files.expand(self._package_folders(file), self._texts(), trust=self.trust_file)
-            return read_xml("file", file, "robot", text)
-        root = read_xml("file", file, "robot")
-        if any("xacro}" in each.tag for each in root.iter()):  # the library takes several namespaces
-            raise FileFormatError(
-                "file", str(file), "a URDF without elements of xacro; rename a xacro file so that it ends in .xacro"
-            )
-        if self.arguments:
-            raise InvalidInputError("arguments", self.arguments, "none: only a file whose name ends in .xacro has arguments")
-        return root
+        if file.suffix != ".xacro":
+            root = read_xml("file", file, "robot")
+            if not _is_xacro(file, root):
+                if self.arguments:
+                    wanted = "none: only a xacro file has arguments"
+                    raise InvalidInputError("arguments", self.arguments, wanted)
+                return root
+        text = xacro_files.expand(self._package_folders(file), self._texts(), trust=self.trust_file)
+        return read_xml("file", file, "robot", text)
 
-    def read(self, file: Path) -> str:
-        """The text of a URDF as `resolve` leaves it."""
-        root = self.root(file)
-        self.resolve(file, root)
-        return ET.tostring(root, encoding="unicode")
-
-    def resolve(self, file: Path, root: ET.Element) -> None:
-        """Put the folders of packages into the paths of a URDF, and leave out collision meshes if `meshes` is False."""
-        folders = self._package_folders(file)
-        for mesh in root.iter("mesh"):
-            name, _, rest = str(mesh.get("filename", "")).removeprefix("package://").partition("/")
-            if mesh.get("filename", "").startswith("package://"):
-                folder = folders.find(name)
-                if folder is not None and (name in self.packages or (folder / rest).is_file()):
-                    mesh.set("filename", str(folder / rest))
+    def without_meshes(self, file: Path, root: ET.Element, kind: str) -> None:
+        """Leave out the bodies that are meshes if `meshes` is False."""
         left_out = 0
         for link in root.findall("link") if not self.meshes else ():
-            for collision in link.findall("collision"):
-                if collision.find("geometry/mesh") is not None:
-                    link.remove(collision)
+            for body in link.findall(kind):
+                if body.find("geometry/mesh") is not None:
+                    link.remove(body)
                     left_out += 1
         if left_out:
-            log.warning("%s: %d collision meshes are left out, and nothing is checked for them", file, left_out)
+            log.warning("%s: %d %s meshes are left out, and nothing is checked for them", file, left_out, kind)
+
+    def mesh_file(self, file: Path, name: str) -> Path | None:
+        """The file of a mesh by its name in a URDF; None if there is none.
+
+        A name without package:// is looked for beside the URDF. One with it stays inside its package.
+        """
+        scheme, mark, rest = name.partition("://")
+        folders = [*map(Path, self.package_dirs), *file.resolve().parents]
+        if mark and scheme in ("package", "model"):
+            rest = rest.lstrip("/")
+            package, _, inner = rest.partition("/")
+            if package in (".", "..") or _leaves(inner):
+                wanted = f"names of meshes that stay inside their package, unlike {name}"
+                raise FileFormatError("file", str(file), wanted)
+            found = self._package_folders(file).find(package)
+            candidates = [found / inner] if found is not None else []
+            if package not in self.packages:
+                candidates += [folder / rest for folder in folders]
+        elif mark and scheme != "file":
+            raise FileFormatError("file", str(file), f"meshes named by package://, model://, file:// or a path, unlike {name}")
+        else:
+            path = Path(rest if mark else name)
+            candidates = [path] if path.is_absolute() else [folder / path for folder in (file.resolve().parent, *folders)]
+        try:
+            return next((each for each in candidates if each.is_file()), None)
+        except OSError as error:
+            wanted = f"names of meshes that can be files ({error.strerror}), unlike {name}"
+            raise FileFormatError("file", str(file), wanted) from error
 
     def _package_folders(self, file: Path) -> PackageFolders:
         return PackageFolders(
@@ -107,6 +123,31 @@ class UrdfFiles:
 
     def _texts(self) -> dict[str, str]:
         return {name: str(value) for name, value in self.arguments.items()}
+
+
+def _is_xacro(file: Path, root: ET.Element) -> bool:
+    """Whether a URDF has something that xacro expands: an element of it, or an expression where xacro is declared.
+
+    ROS's parser passes over elements with the prefix xacro where it is not declared.
+    """
+    declared = [(name, space) for each in root.iter() for name, space in each.attrib.items() if name.startswith("xmlns:")]
+    prefixes = {name.removeprefix("xmlns:") for name, space in declared if "xacro" in space}  # it has several namespaces
+    elements = [each.tag for each in root.iter() if each.tag.partition(":")[0] in {*prefixes, "xacro"} and ":" in each.tag]
+    if not prefixes:
+        if elements:
+            log.warning("%s: %d elements <xacro:...> are passed over: the file has no xmlns:xacro", file, len(elements))
+        return False
+    return bool(elements) or any("${" in text or "$(" in text for each in root.iter() for text in each.attrib.values())
+
+
+def _leaves(inner: str) -> bool:
+    """Whether a path inside a package leads out of it."""
+    depth = 0
+    for part in inner.split("/"):
+        depth += {"..": -1, ".": 0, "": 0}.get(part, 1)
+        if depth < 0:
+            return True
+    return False
 
 
 def _text(argument: str, value: object) -> str:

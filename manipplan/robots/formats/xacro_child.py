@@ -9,15 +9,14 @@ The process runs with an empty package `manipplan`: this module and what it impo
 
 import json
 import os
-import resource
 import sys
 from collections.abc import Mapping
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from manipplan.robots.formats.expressions import RefusedError, evaluate
 from manipplan.robots.formats.packages import PackageFolders
+from manipplan.support.processes.commands import set_limits
 
 #: Maximum number of files that include one another in a row.
 DEEPEST = 50
@@ -53,10 +52,7 @@ def main(folder: str) -> None:
     """Expand the file of `request.json` in `folder`; `answer.json` gets the URDF, or the error."""
     request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
     sys.path[:] = request["path"]
-    for kind, most in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_FSIZE, WRITTEN)):
-        soft, hard = resource.getrlimit(kind)
-        with suppress(OSError, ValueError):  # macOS does not limit memory
-            resource.setrlimit(kind, (most if soft == resource.RLIM_INFINITY else min(most, soft), hard))
+    set_limits(memory=MEMORY, written=WRITTEN)
     Path(folder, "answer.json").write_text(json.dumps(expanded(request)), encoding="utf-8")
 
 

@@ -4,7 +4,6 @@ import importlib.util
 import json
 import logging
 import subprocess
-import sys
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -18,15 +17,6 @@ log = logging.getLogger("manipplan")
 
 #: Longest time for one file [s]. Large robots take less than 2 s.
 TIME_LIMIT = 60.0
-#: An empty package `manipplan`, because the whole one takes a second to import; then the child.
-_START = """
-import sys, types
-package = types.ModuleType("manipplan")
-package.__path__ = [sys.argv[1]]
-sys.modules["manipplan"] = package
-from manipplan.robots.formats.xacro_child import main
-main(sys.argv[2])
-"""
 
 
 def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
@@ -51,14 +41,12 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
         "packages": {name: str(folder) for name, folder in folders.packages.items()},
         "package_dirs": [str(folder) for folder in folders.package_dirs],
         "trust": trust,
-        "path": [each if each else str(Path.cwd()) for each in sys.path],
+        "path": commands.search_path(),
     }
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
-        package = str(Path(__file__).parents[2])
-        command = [sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, folder]
         try:
-            run = commands.run(command, limit=TIME_LIMIT)
+            run = commands.run_module("manipplan.robots.formats.xacro_child", folder, limit=TIME_LIMIT)
         except subprocess.TimeoutExpired as error:
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:

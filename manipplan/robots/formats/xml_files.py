@@ -1,8 +1,9 @@
 """XML files from outside: well-formed, in UTF-8, not too deep; and the numbers in their attributes."""
 
-import io
+import codecs
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from xml.parsers import expat
 
 from manipplan.support.errors import FileFormatError
 
@@ -23,40 +24,67 @@ def read_xml(argument: str, file: Path, root_tag: str, text: str | None = None) 
 
 
 def bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Element:
-    """The root of any XML file in UTF-8, or of the text made from it, whose elements are not nested deeper than `DEEPEST`."""
+    """The root of any XML file in UTF-8, or of the text made from it, whose elements are not nested deeper than `DEEPEST`.
+
+    As in ROS's and MuJoCo's parser, a prefix such as that of <gazebo:link> is a part of the name and may lack its xmlns, and
+    spaces and blank lines may stand before <?xml.
+    """
     try:
-        if text is None:
-            file.read_text(encoding="utf-8")
-        return _bounded(argument, file, file if text is None else io.BytesIO(text.encode()))
+        text = file.read_bytes().decode("utf-8-sig") if text is None else text
+        return _Tree(argument, file).read(text.lstrip())
     except FileFormatError:
         raise
-    except ET.ParseError as error:
+    except expat.ExpatError as error:
         raise FileFormatError(argument, str(file), f"well-formed XML ({error})") from error
-    except (ValueError, LookupError) as error:  # bytes that are not UTF-8, or an unknown encoding
+    except (UnicodeError, LookupError) as error:  # bytes that are not UTF-8, or an unknown encoding
         raise FileFormatError(argument, str(file), f"XML in UTF-8 ({error})") from error
     except OSError as error:
         raise FileFormatError(argument, str(file), f"a file that can be read ({error.strerror})") from error
 
 
-def _bounded(argument: str, file: Path, source: Path | io.BytesIO) -> ET.Element:
-    """The root of XML whose elements are not nested deeper than `DEEPEST`."""
-    depth = 0
-    root: ET.Element | None = None
-    for event, element in ET.iterparse(source, events=("start", "end")):
-        depth += 1 if event == "start" else -1
-        root = element if root is None else root
-        if depth > DEEPEST:
-            raise FileFormatError(argument, str(file), f"XML with elements nested at most {DEEPEST} deep")
-    if root is None:
-        raise ET.ParseError("no element found")
-    return root
+class _Tree:
+    """Builds the elements of a file, with names as they are written: ElementTree's own parser refuses an unbound prefix."""
+
+    def __init__(self, argument: str, file: Path) -> None:
+        self.wanted = argument, str(file)
+        self.depth = 0
+        self.builder = ET.TreeBuilder()
+
+    def read(self, text: str) -> ET.Element:
+        parser = expat.ParserCreate("utf-8")  # whatever the file declares
+        parser.buffer_text = True
+        parser.XmlDeclHandler = self._declared
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self.builder.data
+        parser.SkippedEntityHandler = self._skipped
+        parser.Parse(text.encode(), True)
+        return self.builder.close()
+
+    def _declared(self, _: str, encoding: str | None, __: int) -> None:
+        codecs.lookup(encoding or "utf-8")
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise FileFormatError(*self.wanted, f"XML with elements nested at most {DEEPEST} deep")
+        self.builder.start(tag, attributes)
+
+    def _end(self, tag: str) -> None:
+        self.depth -= 1
+        self.builder.end(tag)
+
+    def _skipped(self, name: str, _: bool) -> None:
+        raise FileFormatError(*self.wanted, f"well-formed XML (there is no entity {name!r})")
 
 
-def numbers(text: str | None, count: int) -> tuple[float, ...] | None:
-    """The `count` numbers within ±`LARGEST` in `text`, separated by spaces; None if `text` is anything else."""
+def numbers(text: str | None, count: int, *, largest: float = LARGEST) -> tuple[float, ...] | None:
+    """The `count` numbers within ±`largest` in `text`, separated by spaces; None if `text` is anything else."""
     words = text.split() if text is not None else []
+    if text is not None and (not text.isascii() or "_" in text):  # Python reads ١ and 1_0
+        return None
     try:
         values = tuple(float(word) for word in words)
     except ValueError:
         return None
-    return values if len(values) == count and all(abs(value) <= LARGEST for value in values) else None
+    return values if len(values) == count and all(abs(value) <= largest for value in values) else None

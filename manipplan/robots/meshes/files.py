@@ -1,60 +1,168 @@
-"""The mesh files of a robot, each judged before the mesh loader reads it."""
+"""Mesh files of robots and scenes: their triangles, and the unit and the vertical axis that they state.
 
-import xml.etree.ElementTree as ET
-from collections.abc import Sequence
+STL and OBJ are read by hand: trimesh 5.2 passes over the lines of an OBJ file that it does not know (F for f), takes corner 0
+for the last one, and covers the dents of concave polygons. A robot with a face less, or one more, passes through things.
+"""
+
+import re
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from manipplan.robots.meshes import collada, ply
-from manipplan.support.errors import FileFormatError
+import coal
+import numpy as np
+from numpy.typing import NDArray
 
-#: Formats of collision meshes, by the end of their names: by the contents of a file with another name the mesh loader would
-#: choose one of its many other formats.
-URDF_MESHES, MJCF_MESHES = (".stl", ".obj", ".dae", ".ply"), (".stl", ".obj")
+from manipplan.robots.meshes.ply import read_ply
+from manipplan.robots.meshes.polygons import split_polygons
+from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError, MissingExtraError
+
+#: Endings of the files that are read.
+ENDINGS = (".stl", ".obj", ".ply", ".dae", ".gltf", ".glb")
+#: A facet of a binary STL: normal, three corners, two bytes.
+FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
+HEADER = 84
+#: Lines of an OBJ file that change no triangle; those of free-form curves and surfaces, and of other files, are not among them.
+PASSED = (
+    *("vt", "vn", "vp", "p", "l", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp"),
+    *("lod", "shadow_obj", "trace_obj"),
+)
+
+Faces = NDArray[np.int64]
 
 
-def fault_of(file: Path) -> str | None:
-    """The fault in a mesh file on which the mesh loader could crash; None if there is none."""
-    name = file.name.lower()
-    if name.endswith(".ply"):
-        return ply.fault_of(file)
-    return collada.fault_of(file) if name.endswith(".dae") else None
+@dataclass(frozen=True, kw_only=True)
+class MeshFile:
+    """The contents of a mesh file, with the transforms of its scene graph applied.
 
-
-def check_urdf_meshes(file: Path, root: ET.Element, folders: Sequence[str], place: Path) -> None:
-    """Judge the meshes of a URDF's collision elements. PLY files are replaced by copies in `place`, also in `root`.
-
-    Raises FileFormatError for a mesh that is not valid, or not in one of the formats `URDF_MESHES`.
+    Attributes:
+        triangles: (t, 3, 3), in the numbers of the file.
+        unit: length of the unit that the file states [m]; 1 when it states none.
+        up: axis that the file states as vertical; "" when it states none.
     """
-    for k, mesh in enumerate(root.iterfind("link/collision/geometry/mesh")):
-        name = mesh.get("filename", "")
-        _check_format(file, name, URDF_MESHES)
-        for scheme in ("package://", "model://", "file://"):  # the first two mean the same to Pinocchio
-            name = name.removeprefix(scheme)
-        path = Path(name)
-        try:
-            found = next((each for each in (Path(folder) / name for folder in folders) if each.is_file()), None)
-            if found is None:
-                continue  # Pinocchio has an error for a missing file
-            path = found
-            if name.lower().endswith(".ply"):
-                ply.write_ply(ply.read_surface(path), place / f"{k}.ply")
-                mesh.set("filename", str(place / f"{k}.ply"))
-            elif (fault := fault_of(path)) is not None:
-                raise ValueError(fault)
-        except (ValueError, OSError) as error:
-            fault = getattr(error, "strerror", None) or str(error)
-            wanted = f"a description whose meshes can be read; {str(path)[-200:]}: {fault}"
-            raise FileFormatError("file", str(file), wanted) from error
+
+    triangles: Array
+    unit: float = 1.0
+    up: str = ""
 
 
-def check_mjcf_meshes(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError for a mesh of an MJCF file that is not in one of the formats `MJCF_MESHES`."""
-    for mesh in root.iter("mesh"):
-        if mesh.get("file") is not None:
-            _check_format(file, str(mesh.get("file")), MJCF_MESHES)
+def read_mesh(argument: str, file: Path) -> MeshFile:
+    """Read a mesh file by its ending; raises FileFormatError with the fault."""
+    ending = file.suffix.lower()
+    if ending not in ENDINGS:
+        raise FileFormatError(argument, str(file), f"a mesh in a file that ends with {', '.join(ENDINGS)}")
+    try:
+        if ending == ".stl":
+            mesh = MeshFile(triangles=_stl(file.read_bytes()))
+        elif ending == ".obj":
+            mesh = MeshFile(triangles=_obj(file.read_text(encoding="utf-8-sig", errors="replace")))
+        elif ending == ".ply":
+            content = read_ply(file)
+            if content.faces and min(map(len, content.faces)) < 3:
+                raise ValueError(f"a face with {min(map(len, content.faces))} corners")
+            mesh = MeshFile(triangles=split_polygons(content.vertices, content.faces))
+        elif ending == ".dae":
+            from manipplan.robots.meshes.collada import read_collada  # it imports what reads descriptions
+
+            triangles, unit, up = read_collada(argument, file)
+            mesh = MeshFile(triangles=triangles, unit=unit, up=up)
+        else:
+            from manipplan.robots.meshes.gltf import read_gltf
+
+            mesh = MeshFile(triangles=read_gltf(file), up="y")
+    except (FileFormatError, MissingExtraError):
+        raise
+    except (ValueError, OSError, OverflowError, MemoryError) as error:
+        reason = " ".join(str(error).split())[:160]
+        raise FileFormatError(argument, str(file), f"a mesh in the format {ending[1:].upper()}; {reason}") from error
+    if not len(mesh.triangles):
+        raise FileFormatError(argument, str(file), "a mesh with at least one triangle")
+    return mesh
 
 
-def _check_format(file: Path, name: str, formats: Sequence[str]) -> None:
-    if not name.lower().endswith(tuple(formats)):
-        wanted = f"a description whose collision meshes are {', '.join(formats)} files, unlike {name}"
-        raise FileFormatError("file", str(file), wanted)
+def numbers(text: str, kind: type = float) -> NDArray[Any]:
+    """The numbers of a text, (k,), whole ones if `kind` is int. Raises ValueError with the first word that is none."""
+    words = text.split()
+    if not text.isascii() or "_" in text:  # Python reads ١ and 1_0
+        raise ValueError(f"numbers are needed, not {next(word for word in words if not word.isascii() or '_' in word)[:40]!r}")
+    return np.array(words, dtype=kind)
+
+
+def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:
+    """Of equal rows (k, c) the index of one, and for each row its place in that list."""
+    order = np.lexsort(rows.T)
+    new = np.concatenate([np.ones(min(len(rows), 1), dtype=bool), (np.diff(rows[order], axis=0) != 0).any(axis=1)])
+    index = np.empty(len(rows), dtype=np.int64)
+    index[order] = np.cumsum(new) - 1
+    return order[new], index
+
+
+def welded(triangles: Array) -> tuple[Array, Faces]:
+    """The corners (v, 3) of triangles (t, 3, 3), each once, and the triangles with three different ones as indices (f, 3)."""
+    points = triangles.reshape(-1, 3)
+    first, index = first_of_rows(points)
+    faces = index.reshape(-1, 3)
+    return points[first], faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+
+
+def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
+    """A tree over triangles, each three indices of corners (v, 3) [m]."""
+    tree = coal.BVHModelOBBRSS()
+    tree.beginModel(len(faces), len(corners))
+    tree.addVertices(np.ascontiguousarray(corners))
+    tree.addTriangles(np.ascontiguousarray(faces))
+    tree.endModel()
+    tree.computeLocalAABB()
+    return tree
+
+
+def _stl(data: bytes) -> Array:
+    """Triangles of an STL file, binary or text; the length tells which of the two it is."""
+    count = int.from_bytes(data[80:HEADER], "little") if len(data) >= HEADER else -1
+    if len(data) == HEADER + FACET.itemsize * count:
+        return np.asarray(np.frombuffer(data, FACET, count, HEADER)["corners"], dtype=float)
+    if not re.match(rb"\s*solid", data, re.IGNORECASE):
+        held = max(len(data) - HEADER, 0) / FACET.itemsize
+        raise ValueError(f"its header announces {max(count, 0)} facets, but it holds {held:g}")
+    if len(re.findall(rb"(?i)^\s*endsolid", data, re.MULTILINE)) != len(re.findall(rb"(?i)^\s*solid", data, re.MULTILINE)):
+        raise ValueError("it is cut off: a solid without endsolid")
+    words = re.sub(rb"(?i)^\s*(end)?solid.*$", b"", data, flags=re.MULTILINE).lower().split()
+    pattern = b"facet normal . . . outer loop vertex . . . vertex . . . vertex . . . endloop endfacet".split()
+    if len(words) % len(pattern):
+        raise ValueError("a facet is cut off, or is not a triangle")
+    table = np.array(words, dtype=object).reshape(-1, len(pattern))
+    for column, word in enumerate(pattern):
+        wrong = table[:, column][table[:, column] != word] if word != b"." else []
+        if len(wrong):
+            raise ValueError(f"{wrong[0].decode(errors='replace')[:40]!r} where {word.decode()!r} is expected")
+    corners = table[:, [8, 9, 10, 12, 13, 14, 16, 17, 18]].ravel()
+    return numbers(b" ".join(corners.tolist()).decode("utf-8", "replace")).reshape(-1, 3, 3)
+
+
+def _obj(text: str) -> Array:
+    """Triangles of all objects of an OBJ file; lines and points are left out."""
+    coordinates: list[str] = []
+    polygons: list[list[int]] = []
+    for line in text.replace("\\\r\n", " ").replace("\\\n", " ").splitlines():
+        words = line.partition("#")[0].split()
+        if not words:
+            continue
+        if words[0] == "v":
+            if len(words) < 4:
+                raise ValueError(f"vertex {len(coordinates) // 3 + 1} has fewer than three coordinates")
+            coordinates += words[1:4]
+        elif words[0] == "f":
+            if len(words) < 4:
+                raise ValueError(f"a face with {len(words) - 1} corners")
+            corners = numbers(" ".join(word.partition("/")[0] for word in words[1:]), int)
+            if not corners.all():
+                raise ValueError("a face names vertex 0; they count from 1")
+            polygons.append([k - 1 if k > 0 else k + len(coordinates) // 3 for k in corners.tolist()])
+        elif words[0] not in PASSED:
+            raise ValueError(f"it has lines {words[0][:40]!r}, which are not read")
+    vertices = numbers(" ".join(coordinates)).reshape(-1, 3)
+    flat = [k for polygon in polygons for k in polygon]
+    if flat and not 0 <= min(flat) <= max(flat) < len(vertices):
+        raise ValueError(f"a face names a vertex outside 1 to {len(vertices)}")
+    return split_polygons(vertices, polygons)

@@ -1,11 +1,22 @@
-"""Run a program with a time limit, and stop it together with all processes that it has started."""
+"""Run a program, or a module of this package, with limits, and stop it together with all processes that it has started."""
 
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
+from pathlib import Path
+
+#: An empty package `manipplan`, because the whole one takes a second to import; then the module's `main`.
+_START = """
+import importlib, sys, types
+package = types.ModuleType("manipplan")
+package.__path__ = [sys.argv[1]]
+sys.modules["manipplan"] = package
+importlib.import_module(sys.argv[2]).main(sys.argv[3])
+"""
 
 
 def run(command: Sequence[str], *, limit: float) -> subprocess.CompletedProcess[str]:
@@ -28,6 +39,32 @@ def run(command: Sequence[str], *, limit: float) -> subprocess.CompletedProcess[
             stream.seek(0)
             texts.append(stream.read().decode(errors="replace"))
     return subprocess.CompletedProcess(command, code, *texts)
+
+
+def run_module(module: str, folder: str | Path, *, limit: float) -> subprocess.CompletedProcess[str]:
+    """Run `main(folder)` of a module in a Python process of its own, as `run` does.
+
+    The module and what it imports need nothing but the standard library, until `main` sets `sys.path`.
+    """
+    package = str(Path(__file__).parents[2])
+    return run([sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, module, str(folder)], limit=limit)
+
+
+def search_path() -> list[str]:
+    """The folders in which this process finds modules, for a process of its own."""
+    return [each if each else str(Path.cwd()) for each in sys.path]
+
+
+def set_limits(*, memory: int, written: int, processor: int | None = None) -> None:
+    """Limit this process's memory and the size of the files it writes [bytes], and its processor time [s]."""
+    import resource
+
+    limits = [(resource.RLIMIT_AS, memory), (resource.RLIMIT_FSIZE, written)]
+    limits += [(resource.RLIMIT_CPU, processor)] if processor is not None else []
+    for kind, most in limits:
+        soft, hard = resource.getrlimit(kind)
+        with suppress(OSError, ValueError):  # macOS does not limit memory
+            resource.setrlimit(kind, (most if soft == resource.RLIM_INFINITY else min(most, soft), hard))
 
 
 def _kill_group(process: subprocess.Popen[bytes]) -> None:

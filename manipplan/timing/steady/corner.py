@@ -3,7 +3,7 @@
 import numpy as np
 
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.robots.arms import lengths_beyond
+from manipplan.robots.arms import lengths_to
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.steady.speed import RAMP, STEADY
@@ -48,10 +48,12 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
 def most_acceleration(robot: Robot) -> float:
     """An upper bound on the acceleration of the tool's origin within the limits, in any configuration [m/s²].
 
-    Each joint adds its own acceleration times its lever, and each pair of joints the product of their velocities times the
-    lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
+    Each joint that carries the tool adds its own acceleration times its lever, and each pair of them the product of their
+    velocities times the lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
     """
-    limits, lengths = robot.limits, lengths_beyond(robot, robot.tool)
-    levers = np.where([kind == "prismatic" for kind in robot.joint_types], lengths > 0, lengths)
-    later = np.maximum.outer(np.arange(robot.n), np.arange(robot.n))
-    return float(limits.acceleration @ levers + (np.outer(limits.velocity, limits.velocity) * levers[later]).sum())
+    tree, lengths = robot.tree, lengths_to(robot, robot.tool)
+    joints = np.array([joint - 1 for joint, _ in lengths])
+    levers = np.array([1.0 if tree.slides[joint - 1] else length for joint, length in lengths])
+    velocity, acceleration = (tree.sizes(each)[joints] for each in (robot.limits.velocity, robot.limits.acceleration))
+    later = np.maximum.outer(np.arange(len(joints)), np.arange(len(joints)))
+    return float(acceleration @ levers + (np.outer(velocity, velocity) * levers[later]).sum())

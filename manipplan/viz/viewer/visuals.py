@@ -2,11 +2,11 @@
 
 import pinocchio as pin
 
-from manipplan.robots import attached, model_tree
-from manipplan.robots.formats import mjcf_bodies
-from manipplan.robots.formats.xml_files import read_xml
+from manipplan.robots import attached, mjcf, reduced
+from manipplan.robots.description import read_visuals
+from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.robot import Robot
-from manipplan.support.errors import ManipplanError
+from manipplan.support.errors import InvalidInputError, ManipplanError
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -16,21 +16,19 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
         return None, "the robot was not read from a file"
     if source.kind == "planar" or source.file is None:
         return None, "a planar arm has no meshes"
-    file, kind = source.file, pin.GeometryType.VISUAL
+    file = source.file
     if not file.is_file():
         return None, f"{file} does not exist any more"
     try:
         if source.kind == "mjcf":
-            whole = pin.buildModelFromMJCF(str(file))
-            geometry = pin.buildGeomFromMJCF(whole, str(file), kind)
-            whole, geometry = attached.move_base(whole, geometry, mjcf_bodies.root_pose(read_xml("file", file, "mujoco")))
+            whole, geometry = mjcf.read_visuals(file)
         else:
-            text, folders = source.urdf_files.read(file), source.urdf_files.folders(file)
-            whole = pin.buildModelFromXML(text)
-            geometry = pin.buildGeomFromUrdfString(whole, text, kind, package_dirs=folders)
-        model, geometry = model_tree.reduce(model_tree.plain_angles(whole), geometry, robot.joint_names, robot.locked)
+            whole, geometry = read_visuals(file, source.urdf_files)
+        parts = plain_angles(whole), geometry
+        model, geometry = reduced.reduce(*parts, robot.joint_names, robot.locked, robot.followers)
     except (ValueError, RuntimeError, IndexError, ManipplanError) as error:
-        return None, f"the visual meshes of {file.name} cannot be read: {' '.join(str(error).split())[:160]}"
+        reason = error.allowed if isinstance(error, InvalidInputError) else str(error)
+        return None, f"the visual meshes of {file.name} cannot be read: {' '.join(reason.split())[:160]}"
     geometry = attached.move_base(model, geometry, pin.SE3(robot.base))[1]
     for item in robot.geometry.geometryObjects:
         if any(item.name in part.bodies for part in robot.carried.values()):

@@ -8,6 +8,9 @@ from numpy.typing import NDArray
 
 from manipplan.support.checks import Array
 
+#: Maximum number of corners that are tried in all searches for a next ear; a polygon that crosses itself may have none.
+MOST_SEARCHES = 20_000
+
 
 def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[Any]]) -> Array:
     """Triangles (t, 3, 3) of polygons, each given by the indices of its corners in `vertices` (v, 3).
@@ -48,23 +51,49 @@ def _triangles(corners: Array) -> Array:
 
 
 def _ears(corners: Array, normal: Array) -> Array:
-    """Triangles (c - 2, 3, 3) of one concave polygon (c, 3), by cutting off ears in the plane of `normal` (3,)."""
+    """Triangles (c - 2, 3, 3) of one concave polygon (c, 3), by cutting off ears in the plane of `normal` (3,).
+
+    Only corners that turn right can lie in an ear. Of a polygon that crosses itself, any triangles are returned.
+    """
     away = int(np.abs(normal).argmax())
     flat = np.delete(corners, away, axis=1) * [1.0, 1.0 if (away == 1) ^ (normal[away] > 0) else -1.0]
-    left, found = list(range(len(corners))), []
+    count = len(corners)
+    before, after = np.roll(np.arange(count), 1).tolist(), np.roll(np.arange(count), -1).tolist()
+    right = np.array([not _turn(flat[before[k]], flat[k], flat[after[k]]) > 0 for k in range(count)])
+    left, found, waiting, searches = dict.fromkeys(range(count)), [], list(range(count))[::-1], 0
     while len(left) > 3:
-        k = next((k for k in range(len(left)) if _is_ear(flat, left, k)), 0)
-        found.append([left[k - 1], left[k], left[(k + 1) % len(left)]])
+        k = waiting.pop() if waiting else -1
+        if k < 0:  # the ears that were found are cut off: others may have become free
+            searches += len(left)
+            k = next((each for each in left if _is_ear(flat, before[each], each, after[each], right)), -1)
+            if k < 0 and searches < MOST_SEARCHES:
+                k = next(iter(left))
+            elif k < 0:
+                rest = list(left)
+                found += [[rest[0], rest[j], rest[j + 1]] for j in range(1, len(rest) - 2)]
+                left = dict.fromkeys([rest[0], *rest[-2:]])
+                break
+        elif k not in left or not _is_ear(flat, before[k], k, after[k], right):
+            continue
+        found.append([before[k], k, after[k]])
         del left[k]
-    return np.asarray(corners[[*found, left]])
+        right[k] = False
+        after[before[k]], before[after[k]] = after[k], before[k]
+        for each in (before[k], after[k]):
+            right[each] = not _turn(flat[before[each]], flat[each], flat[after[each]]) > 0
+            waiting.append(each)
+    return np.asarray(corners[[*found, list(left)]])
 
 
-def _is_ear(flat: Array, left: Sequence[int], k: int) -> bool:
-    """Whether corner k of the polygon can be cut off: it is convex, and no other corner is inside."""
-    a, b, c = (flat[left[j % len(left)]] for j in (k - 1, k, k + 1))
-    others = flat[[j for j in left if not any((flat[j] == corner).all() for corner in (a, b, c))]].reshape(-1, 2)
+def _is_ear(flat: Array, first: int, k: int, last: int, right: NDArray[np.bool_]) -> bool:
+    """Whether corner k of the polygon, between two others, can be cut off: it turns left, and no corner is inside."""
+    if right[k]:
+        return False
+    a, b, c = flat[first], flat[k], flat[last]
+    others = flat[right]
     sides = np.array([_turn(p, q, others) for p, q in ((a, b), (b, c), (c, a))])
-    return bool(_turn(a, b, c) > 0 and not (sides >= 0).all(axis=0).any())
+    inside = others[(sides >= 0).all(axis=0)]
+    return bool(all(any((other == corner).all() for corner in (a, b, c)) for other in inside))
 
 
 def _turn(p: Array, q: Array, r: Array) -> Array:

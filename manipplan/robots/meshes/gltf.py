@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.collision.formats.polygons import moved_triangles
+from manipplan.robots.meshes.polygons import moved_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
 

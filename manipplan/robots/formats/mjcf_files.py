@@ -1,0 +1,152 @@
+"""Compiles MJCF files by MuJoCo, in a process of its own: a file from outside can take all memory or end the process.
+
+MuJoCo expands a few lines into millions of bodies (`<replicate>`), prints warnings and writes a log into the working directory.
+So repetitions are counted first, the file is compiled under limits of memory and time, and this process reads the model.
+"""
+
+import importlib.util
+import json
+import logging
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from typing import Any
+
+from manipplan.robots.formats.xml_files import LARGEST, bounded_xml, numbers, read_xml
+from manipplan.support.errors import FileFormatError, MissingExtraError
+from manipplan.support.processes import commands
+from manipplan.support.untrusted import printable
+
+log = logging.getLogger("manipplan")
+
+#: Longest processor time, and longest time of a process that waits for others [s]. Robots with 100 MB of meshes take 1 to 3 s.
+PROCESSOR, TIME_LIMIT = 20, 120.0
+#: Largest memory of that process, and largest model [bytes].
+MEMORY, WRITTEN = 4 * 2**30, 2**30
+#: Largest number of elements after repetitions: MuJoCo takes minutes for a million.
+MOST_ELEMENTS = 100_000
+#: Numbers of a model that are checked, by the kind of element that they belong to.
+CHECKED = {
+    "body": ("body_pos", "body_quat", "body_ipos", "body_iquat"),
+    "joint": ("jnt_pos", "jnt_axis", "jnt_range", "jnt_actfrcrange"),
+    "geom": ("geom_pos", "geom_quat", "geom_size"),
+    "site": ("site_pos", "site_quat"),
+}
+
+
+def compile_mjcf(file: Path) -> Any:
+    """The `mujoco.MjModel` of an MJCF file.
+
+    Raises:
+        MissingExtraError: MuJoCo is not installed.
+        FileFormatError: MuJoCo cannot read the file, needs too much memory or time for it, or a number in it is too large.
+    """
+    _check_size(file, read_xml("file", file, "mujoco"))
+    if importlib.util.find_spec("mujoco") is None:
+        raise MissingExtraError("mujoco", "mujoco")
+    with tempfile.TemporaryDirectory() as folder:
+        request = {"file": str(file.expanduser().absolute()), "path": commands.search_path(), "processor": PROCESSOR}
+        Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
+        try:
+            run = commands.run_module(__name__, folder, limit=TIME_LIMIT)
+        except subprocess.TimeoutExpired as error:
+            raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
+        except OSError as error:
+            raise _fault(file, f"MuJoCo cannot be started ({error.strerror})") from error
+        try:
+            answer = json.loads(Path(folder, "answer.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise _fault(file, _end_of(run)) from error
+        if "error" in answer:
+            raise _fault(file, f"MuJoCo says: {answer['error']}")
+        model = _read(Path(folder, "model.mjb"))
+    if run.stderr.strip():
+        log.warning("%s: MuJoCo says: %s", file, printable(" ".join(run.stderr[:2000].split())))
+    try:
+        model.names.decode()
+    except UnicodeDecodeError as error:  # in an included file
+        raise _fault(file, f"its names are not in UTF-8 ({error})") from error
+    _check_numbers(file, model)
+    return model
+
+
+def main(folder: str) -> None:
+    """Compile the file of `request.json` in `folder` into `model.mjb`; `answer.json` gets an error, if there is one."""
+    request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
+    sys.path[:] = request["path"]
+    commands.set_limits(memory=MEMORY, written=WRITTEN, processor=request["processor"])
+    os.chdir(folder)  # for MuJoCo's log
+    Path(folder, "answer.json").write_text(json.dumps(_compiled(request["file"])), encoding="utf-8")
+
+
+def _compiled(file: str) -> dict[str, str]:
+    os.environ["MUJOCO_GL"] = "disable"
+    import mujoco
+
+    try:
+        model = mujoco.MjModel.from_xml_path(file)
+        size = mujoco.mj_sizeModel(model)
+        if size > WRITTEN:
+            return {"error": f"the model has {size / 2**20:,.0f} MiB, at most {WRITTEN / 2**20:,.0f} are allowed"}
+        mujoco.mj_saveModel(model, "model.mjb")
+    except Exception as error:
+        return {"error": " ".join(str(error).split()) or type(error).__name__}
+    return {}
+
+
+def _check_size(file: Path, root: ET.Element) -> None:
+    """Raise FileFormatError where `<replicate>` makes too many elements, those of included files counted."""
+    included = {file.absolute()}
+
+    def count(element: ET.Element) -> int:
+        inner = [*element]
+        if element.tag == "include":
+            path = (file.parent / element.get("file", "")).absolute()
+            if path not in included and path.is_file():  # MuJoCo includes a file once
+                included.add(path)
+                inner += [*bounded_xml("file", path)]
+        repeated = numbers(element.get("count"), 1) if element.tag == "replicate" else None
+        return int(max(1.0, repeated[0] if repeated else 1.0)) * (1 + sum(map(count, inner)))
+
+    found = count(root)
+    if found > MOST_ELEMENTS:
+        raise _fault(file, f"at most {MOST_ELEMENTS} elements, and more than that stand in it once <replicate> is expanded")
+
+
+def _read(file: Path) -> Any:
+    import mujoco
+
+    return mujoco.MjModel.from_binary_path(str(file))
+
+
+def _end_of(run: subprocess.CompletedProcess[str]) -> str:
+    """How the process ended that should have compiled a file."""
+    if run.returncode == -signal.SIGXCPU:
+        return f"it takes MuJoCo more than {PROCESSOR} s, as one that repeats bodies without end does"
+    if run.returncode < 0:
+        return f"MuJoCo ended by {signal.Signals(-run.returncode).name}"
+    last = (run.stderr.strip().splitlines() or ["no message"])[-1]
+    return f"MuJoCo ended with code {run.returncode}: {last}"
+
+
+def _check_numbers(file: Path, model: Any) -> None:
+    """Raise FileFormatError, which names the element, where a number is not finite or larger than `LARGEST`."""
+    import numpy as np
+
+    for kind, names in CHECKED.items():
+        for name in names:
+            values = np.abs(getattr(model, name))
+            wrong = np.flatnonzero(~(values <= LARGEST).all(axis=tuple(range(1, values.ndim))))
+            if len(wrong):
+                k = int(wrong[0])
+                called = getattr(model, kind)(k).name or f"number {k}"
+                wanted = f"{name.split('_')[1]} of the {kind} {called} is {getattr(model, name)[k].tolist()}"
+                raise _fault(file, f"finite numbers up to {LARGEST:g}; {wanted}")
+
+
+def _fault(file: Path, reason: str) -> FileFormatError:
+    return FileFormatError("file", str(file), f"an MJCF file that MuJoCo can read; {printable(reason)[:600]}")

@@ -1,0 +1,303 @@
+"""What a URDF must be before urdfdom reads it: that passes over misspelt names and what it cannot read, or prints its reasons.
+
+Every element and attribute that moves a link, limits a joint or shapes a body is known here; a name that resembles one of
+them is refused. What other programs write into a URDF is passed over.
+"""
+
+import difflib
+import logging
+import sys
+import xml.etree.ElementTree as ET
+from collections.abc import Collection, Iterable
+from pathlib import Path
+
+from manipplan.robots.formats.xml_files import DEEPEST, MOST_BODIES, MOST_JOINTS, numbers
+from manipplan.robots.mimics import WORLD
+from manipplan.support.errors import FileFormatError, UnknownNameError
+
+log = logging.getLogger("manipplan")
+
+#: Attributes of each shape, with the number of values of each.
+SHAPES = {
+    "box": {"size": 3},
+    "sphere": {"radius": 1},
+    "cylinder": {"radius": 1, "length": 1},
+    "capsule": {"radius": 1, "length": 1},
+    "mesh": {},
+}
+INERTIA = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+#: Kinds of joints; the first three need an axis, and the first two limits.
+TYPES = ("revolute", "prismatic", "continuous", "planar", "fixed", "floating")
+#: The elements that count in an element. Those of `ONCE` occur at most once.
+COUNTED = {
+    "robot": ("link", "joint"),
+    "link": ("inertial", "collision", "visual"),
+    "joint": ("parent", "child", "origin", "axis", "limit", "mimic"),
+    "collision": ("origin", "geometry"),
+    "inertial": ("origin", "mass", "inertia"),
+}
+ONCE = ("inertial", "parent", "child", "origin", "axis", "limit", "mimic", "geometry", "mass", "inertia")
+#: The attributes of elements in which each one counts, and those that other programs add and that change nothing here.
+ATTRIBUTES = {
+    "origin": ("xyz", "rpy"),
+    "axis": ("xyz",),
+    "limit": ("lower", "upper", "effort", "velocity"),
+    "parent": ("link",),
+    "child": ("link",),
+    "mimic": ("joint", "multiplier", "offset"),
+    "mesh": ("filename", "scale"),
+    **{shape: tuple(sizes) for shape, sizes in SHAPES.items() if sizes},
+}
+ADDED_ATTRIBUTES = {
+    "axis": ("rpy",),
+    "limit": (
+        *("acceleration", "deceleration", "jerk", "command_effort", "current", "gear_velocity"),
+        *("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit"),
+    ),
+}
+#: Elements of other programs and of URDF itself that change neither motion nor collision: passed over without a word.
+PASSED = {
+    "robot": (
+        *(
+            "material",
+            "gazebo",
+            "transmission",
+            "ros2_control",
+            "sensor",
+            "mujoco",
+            "frame",
+            "force_element",
+            "cable",
+            "bullet",
+        ),
+        *("collision_filter_group", "self_collision_checking", "collision_checking", "gripper", "group", "parameter"),
+    ),
+    "link": (
+        *("contact", "self_collision_checking", "collision_checking", "gravity", "kinematic", "surface", "self_filter"),
+        *("sensor", "material", "gazebo", "selfCollide", "audio_source", "bullet"),
+    ),
+    "joint": ("dynamics", "calibration", "safety_controller", "controller_gains", "joint_properties", "traits", "anchor"),
+    "collision": ("material", "verbose", "surface", "contact", "contact_coefficients", "max_contacts"),
+    "inertial": (),
+}
+#: Share of letters in common from which a name counts as a misspelt one, as difflib counts it.
+NEAR = 0.75
+#: Largest limit of a joint; some files write 1e16 where there is none.
+LARGEST_LIMIT = sys.float_info.max
+#: Smallest length of an axis, along its longest coordinate.
+SMALLEST_AXIS = 1e-9
+
+
+def check_urdf(file: Path, root: ET.Element) -> None:
+    """Raise FileFormatError for the first fault of a URDF; the message names the link or joint, the value and what is allowed.
+
+    Elements that are passed over without being known are named in the log.
+    """
+    if not root.get("name"):
+        raise FileFormatError("file", str(file), "a URDF whose <robot> has a name")
+    strange = _check_elements(file, root, "<robot>")
+    links, joints = root.findall("link"), root.findall("joint")
+    if not links:
+        raise FileFormatError("file", str(file), "a URDF with at least one <link>")
+    bodies = len(root.findall("link/collision"))
+    if bodies > MOST_BODIES:
+        raise FileFormatError("file", str(file), f"a URDF with at most {MOST_BODIES} collision elements, not {bodies}")
+    if len(joints) > MOST_JOINTS:
+        raise FileFormatError("file", str(file), f"a URDF with at most {MOST_JOINTS} joints, not {len(joints)}")
+    _check_names(file, "link", links)
+    _check_names(file, "joint", joints)
+    if any(joint.get("name") == WORLD for joint in joints):
+        raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
+    for joint in joints:
+        where = f"joint {joint.get('name')}"
+        strange |= _check_elements(file, joint, where)
+        _raise(file, where, _origin_fault(joint) or _joint_fault(joint))
+    for link in links:
+        name = link.get("name")
+        strange |= _check_elements(file, link, f"link {name}")
+        for k, element in enumerate(link.findall("collision"), start=1):
+            where = f"collision element {k} of link {name}"
+            strange |= _check_elements(file, element, where)
+            _raise(file, where, body_fault(element))
+        for element in link.findall("inertial"):
+            where = f"the inertial element of link {name}"
+            strange |= _check_elements(file, element, where)
+            _raise(file, where, _inertial_fault(element))
+    if strange:
+        log.warning("%s: elements that URDF does not have are passed over: %s", file, ", ".join(sorted(strange)[:12]))
+    _check_tree(file, {str(link.get("name")) for link in links}, joints)
+
+
+def joined_links(root: ET.Element) -> set[tuple[str, str]]:
+    """Parent and child link of each joint of a URDF, fixed joints included."""
+    return {ends_of(joint) for joint in root.findall("joint")}
+
+
+def body_fault(body: ET.Element) -> str | None:
+    """The fault in a collision or visual element; None if there is none."""
+    fault = _origin_fault(body)
+    if fault is not None:
+        return fault
+    shapes = shapes_of(body)
+    if len(shapes) != 1:
+        return "it needs one <geometry> with one shape"
+    [shape] = shapes
+    if shape.tag not in SHAPES:
+        return f"<{shape.tag}> is not a shape of URDF ({', '.join(SHAPES)})"
+    fault = _attribute_fault(shape)
+    if fault is not None:
+        return fault
+    for attribute, count in SHAPES[shape.tag].items():
+        values = numbers(shape.get(attribute), count)
+        if values is None or (min(values) <= 0 and not is_empty(shape)):
+            wanted = f"{count} numbers" if count > 1 else "a number"
+            return f"<{shape.tag}> needs {attribute} with {wanted} above zero, not {shape.get(attribute)!r}"
+    if shape.tag == "mesh":
+        if not shape.get("filename"):
+            return "<mesh> needs a filename"
+        scale = numbers(shape.get("scale", "1 1 1"), 3)
+        if scale is None or 0.0 in scale:
+            return f"<mesh> needs a scale with 3 numbers other than zero, not {shape.get('scale')!r}"
+    return None
+
+
+def shapes_of(body: ET.Element) -> list[ET.Element]:
+    """The shapes of a collision or visual element, without what other programs add."""
+    return [shape for shape in body.iterfind("geometry/*") if ":" not in shape.tag]
+
+
+def is_empty(shape: ET.Element) -> bool:
+    """Whether each length of a shape is 0, as of a box of size 0 0 0, which stands for no body."""
+    sizes = SHAPES[shape.tag]
+    values = [numbers(shape.get(attribute), count) for attribute, count in sizes.items()]
+    return bool(sizes) and all(value is not None and not any(value) for value in values)
+
+
+def _raise(file: Path, where: str, fault: str | None) -> None:
+    if fault is not None:
+        raise FileFormatError("file", str(file), f"a URDF whose links and joints can all be read; {where}: {fault}")
+
+
+def _check_elements(file: Path, element: ET.Element, where: str) -> set[str]:
+    """The names of the elements in an element that nobody knows; one that resembles a known one, or is doubled, is refused."""
+    counted, strange = COUNTED[element.tag], set[str]()
+    for child in element:
+        prefix, _, name = child.tag.rpartition(":")
+        if child.tag in counted:
+            if child.tag in ONCE and len(element.findall(child.tag)) > 1:
+                _raise(file, where, f"it has more than one <{child.tag}>")
+            _raise(file, where, _attribute_fault(child))
+        elif prefix in ("drake", "xacro", "gazebo") or child.tag in PASSED[element.tag]:
+            continue
+        else:
+            near = _nearest(name, counted)
+            if near is not None:
+                _raise(file, where, f"<{child.tag}> is not an element of URDF; did you mean <{near}>?")
+            strange.add(f"<{child.tag}> in <{element.tag}>")
+    return strange
+
+
+def _attribute_fault(element: ET.Element) -> str | None:
+    known = ATTRIBUTES.get(element.tag, ())
+    for name in element.attrib if known else ():
+        if name not in (*known, *ADDED_ATTRIBUTES.get(element.tag, ())) and ":" not in name and name != "xmlns":
+            near = _nearest(name, known)
+            remedy = f"did you mean {near}?" if near is not None else f"it has {', '.join(known)}"
+            return f"<{element.tag}> has no attribute {name!r}; {remedy}"
+    return None
+
+
+def _nearest(name: str, known: Collection[str]) -> str | None:
+    near = difflib.get_close_matches(name.lower(), known, n=1, cutoff=NEAR if len(name) > 3 else 0.6)
+    return near[0] if near else None
+
+
+def _check_names(file: Path, kind: str, elements: Iterable[ET.Element]) -> None:
+    seen = set()
+    for k, element in enumerate(elements, start=1):
+        name = element.get("name")
+        if not name:
+            _raise(file, f"{kind} number {k}", "it has no name")
+        if name in seen:
+            _raise(file, f"{kind} {name}", f"several {kind}s have this name")
+        seen.add(name)
+
+
+def ends_of(joint: ET.Element) -> tuple[str, str]:
+    """The parent and the child link of a joint."""
+    ends = (joint.find("parent"), joint.find("child"))
+    return (str(ends[0].get("link")) if ends[0] is not None else "", str(ends[1].get("link")) if ends[1] is not None else "")
+
+
+def _check_tree(file: Path, links: set[str], joints: list[ET.Element]) -> None:
+    """Raise FileFormatError unless the joints make one tree of the links, with chains of at most `DEEPEST` links."""
+    above: dict[str, tuple[str, str]] = {}
+    for joint in joints:
+        name, (parent, child) = str(joint.get("name")), ends_of(joint)
+        for link in (parent, child):
+            if link not in links:
+                _raise(file, f"joint {name}", str(UnknownNameError("link", link, links)))
+        if child in above:
+            _raise(file, f"joint {name}", f"link {child} is the child of joint {above[child][1]} already")
+        above[child] = parent, name
+    roots = sorted(links - above.keys())
+    if len(roots) != 1:
+        found = f"{len(roots)}: {', '.join(roots[:12])}" if roots else "none: the joints form a loop"
+        raise FileFormatError("file", str(file), f"a URDF with one root link, which is the child of no joint; it has {found}")
+    for first in sorted(links):
+        link, passed = first, list[str]()
+        while link in above:
+            passed.append(link)
+            link = above[link][0]
+            if link == first:
+                raise FileFormatError(
+                    "file", str(file), f"a URDF without a closed loop, unlike that of {', '.join(passed[:12])}"
+                )
+            if len(passed) > DEEPEST:
+                wanted = f"a URDF with at most {DEEPEST} links in one chain, and no closed loop"
+                raise FileFormatError("file", str(file), wanted)
+
+
+def _joint_fault(joint: ET.Element) -> str | None:
+    kind = joint.get("type")
+    if kind not in TYPES:
+        return str(UnknownNameError("type", str(kind), TYPES))
+    for end in ("parent", "child"):
+        if joint.find(end) is None:
+            return f"it needs a <{end}>"
+    axis, limit = joint.find("axis"), joint.find("limit")
+    if axis is not None and kind in TYPES[:4]:
+        xyz = numbers(axis.get("xyz"), 3)
+        if xyz is None or max(map(abs, xyz)) < SMALLEST_AXIS:
+            return f"<axis> needs xyz with 3 numbers, not all zero, not {axis.get('xyz')!r}"
+    if limit is None:
+        return f"a {kind} joint needs a <limit> with lower, upper, velocity and effort" if kind in TYPES[:2] else None
+    if kind in TYPES[:3]:
+        for attribute in ATTRIBUTES["limit"]:
+            text = limit.get(attribute, None if attribute in ("effort", "velocity") else "0")
+            if numbers(text, 1, largest=LARGEST_LIMIT) is None:
+                return f"<limit> needs {attribute} with a number, not {text!r}"
+    return None
+
+
+def _inertial_fault(inertial: ET.Element) -> str | None:
+    fault = _origin_fault(inertial)
+    if fault is not None:
+        return fault
+    mass, inertia = inertial.find("mass"), inertial.find("inertia")
+    if mass is None or numbers(mass.get("value"), 1) is None:
+        return f"<mass> needs a value with a number, not {None if mass is None else mass.get('value')!r}"
+    if inertia is None:
+        return "it needs an <inertia>"
+    for attribute in INERTIA:
+        if numbers(inertia.get(attribute), 1) is None:
+            return f"<inertia> needs {attribute} with a number, not {inertia.get(attribute)!r}"
+    return None
+
+
+def _origin_fault(element: ET.Element) -> str | None:
+    for origin in element.findall("origin"):
+        for attribute in ("xyz", "rpy"):
+            if numbers(origin.get(attribute, "0 0 0"), 3) is None:
+                return f"<origin> needs {attribute} with 3 numbers, not {origin.get(attribute)!r}"
+    return None
