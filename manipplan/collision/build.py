@@ -6,7 +6,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.stored_fits import find_or_cut
-from manipplan.collision.described import MESH, DescribedBodies
+from manipplan.collision.described import FINE, MESH, DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
@@ -215,12 +215,7 @@ def _use_meshes_for_coarse_pairs(
         by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
         by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
         if _is_coarse(by_pieces, by_mesh, rows):
-            finer = (
-                each
-                for each in described.finer(pair)
-                if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows)
-            )
-            chosen[pair] = next(finer, (MESH, MESH))
+            chosen[pair] = _fine_enough(described, pair, samples, by_mesh, rows)
     if not chosen:
         return None
     added: dict[tuple[int, int], list[int]] = {}
@@ -236,6 +231,24 @@ def _use_meshes_for_coarse_pairs(
         if origin_pair in chosen:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
     return described.solids(added)
+
+
+def _fine_enough(
+    described: DescribedBodies, pair: tuple[int, int], samples: Array, by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]
+) -> tuple[int, int]:
+    """By how many pieces to take two objects, or MESH for both where no number helps."""
+    wrong = np.inf
+    for many in FINE:
+        least = np.inf
+        for levels in described.finer(pair, many):
+            by_pieces = described.touching(pair, levels, samples[rows])
+            if not _is_coarse(by_pieces, by_mesh, rows):
+                return levels
+            least = min(least, int((by_pieces & ~by_mesh).sum()))
+        if least > wrong / 2:  # twice as many pieces do not help
+            break
+        wrong = least
+    return MESH, MESH
 
 
 def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]) -> bool:
