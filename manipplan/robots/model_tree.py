@@ -34,6 +34,14 @@ def axis_of(joint: pin.JointModel) -> Array:
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 
+def joint_about(axis: Array, *, slides: bool) -> pin.JointModel:
+    """The prismatic or revolute joint with a unit axis (3,), of the kind that Pinocchio takes for it when it reads a file."""
+    for unit, name in zip(np.eye(3), "XYZ", strict=True):
+        if np.array_equal(axis, unit):
+            return getattr(pin, f"JointModel{'P' if slides else 'R'}{name}")()
+    return (pin.JointModelPrismaticUnaligned if slides else pin.JointModelRevoluteUnaligned)(axis)
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointTree:
     """The joints of a model of plain angles as arrays; some of its N joints may follow others.

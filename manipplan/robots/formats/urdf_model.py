@@ -22,8 +22,9 @@ from manipplan.robots.formats.urdf_check import (
 )
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.xml_files import numbers
-from manipplan.robots.hulls import FARTHEST
+from manipplan.robots.hulls import FARTHEST, box_around
 from manipplan.robots.meshes.files import read_mesh, triangle_tree, welded
+from manipplan.robots.model_tree import is_prismatic
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
@@ -215,9 +216,7 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
     for item in geometry.geometryObjects:
         if isinstance(item.geometry, coal.Halfspace | coal.Plane):
             continue
-        item.geometry.computeLocalAABB()
-        box = item.geometry.aabb_local
-        low, high = np.array(box.min_), np.array(box.max_)
+        low, high = box_around(item.geometry)
         frame = model.frames[item.parentFrame]
         link = (frame.placement.inverse() * item.placement).inverse().translation  # the origin of the link in the body
         distance = float(np.linalg.norm(np.clip(link, low, high) - link))
@@ -240,7 +239,7 @@ def _reach(model: pin.Model) -> tuple[float, float]:
     for k in range(1, model.njoints):
         joint = model.joints[k]
         lengths.append(lengths[model.parents[k]] + float(np.linalg.norm(model.jointPlacements[k].translation)))
-        if joint.shortname().startswith("JointModelP") and joint.nq == 1:
+        if is_prismatic(joint):
             width = float(model.upperPositionLimit[joint.idx_q] - model.lowerPositionLimit[joint.idx_q])
             travel = max(travel, width) if width < TRAVEL else travel
     ends = (lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
