@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from manipplan.robots.description import Description
 from manipplan.robots.formats.mjcf_files import compile_mjcf
-from manipplan.robots.formats.urdf_model import check_sizes
 from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.mimics import WORLD, Mimic, first_leaders
 from manipplan.robots.model_tree import joint_about
+from manipplan.robots.sizes import check_sizes
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 

@@ -71,12 +71,17 @@ class JointTree:
     @property
     def has_followers(self) -> bool:
         """Whether a joint follows another."""
-        return len(self.leader) > len(set(self.leader.tolist()))
+        return len(self.leader) > self.leads
+
+    @property
+    def leads(self) -> int:
+        """The number n of the joints that follow no other, the entries of q."""
+        return int(self.leader.max(initial=-1)) + 1
 
     @property
     def matrix(self) -> Array:
         """The derivatives (N, n) of the joints' positions by q."""
-        found = np.zeros((len(self.leader), int(self.leader.max(initial=-1)) + 1))
+        found = np.zeros((len(self.leader), self.leads))
         found[np.arange(len(self.leader)), self.leader] = self.ratio
         return found
 
