@@ -1,4 +1,4 @@
-"""Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
+"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -27,8 +27,14 @@ FILES = (".urdf", ".xacro", ".xml", ".mjcf")
 class Entry:
     """One arm of the catalogue: where its files are and which part of them is the arm.
 
-    `joints` is their number, and `ik` the method of `inverse_kinematics`, of several arms that of each; `manipplan robots`
-    lists both without loading the arm.
+    Attributes:
+        folder, urdf, srdf: folder in the package, and files in it.
+        tool: the tool frame, or several, one for each arm.
+        joints: number of active joints, which `manipplan robots` lists without loading the arm.
+        ik: method of `inverse_kinematics`; of several arms that of each.
+        first: the first active joint; None: all joints that move a tool are active.
+        neutral: usual posture, one value per joint [rad or m].
+        acceleration, jerk: published limits in SI units, one number or one per joint; `data_sheet` is their source.
     """
 
     folder: str
