@@ -33,6 +33,17 @@ def has_hull(corners: Array) -> bool:
     return bool(sides.min() > max(FLAT * sides.max(), 1e-9)) and _qhull(corners) is not None
 
 
+def box_around(shape: coal.CollisionGeometry) -> tuple[Array, Array]:
+    """Lower and upper corner (3,) of the box around a shape, along the axes of its own frame [m]."""
+    shape.computeLocalAABB()
+    return np.array(shape.aabb_local.min_), np.array(shape.aabb_local.max_)
+
+
+def box_corners(shape: coal.CollisionGeometry) -> Array:
+    """Corners (8, 3) of the box around a shape, in its own frame [m]."""
+    return np.array(np.meshgrid(*zip(*box_around(shape), strict=True))).reshape(3, -1).T
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Hull:
     """A convex body: its corners (k, 3) [m], and the indices (t, 3) of those of each triangle, which faces outward."""

@@ -568,7 +568,7 @@ def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path):
     fake = tmp_path / "fake"
     (fake / "mujoco").mkdir(parents=True)
     (fake / "mujoco" / "__init__.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
-    monkeypatch.setattr(mjcf_files.commands, "search_path", lambda: [str(fake), *sys.path])
+    monkeypatch.syspath_prepend(fake)
     with pytest.raises(mp.FileFormatError, match="MuJoCo ended by SIGSEGV"):
         mp.Robot.from_mjcf(arm(), velocity=1.0)
 
