@@ -1,5 +1,6 @@
 """Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
 
+import difflib
 import logging
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -12,7 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots.collections import GROUP, own_robots, robot_file
+from manipplan.robots.collections import GROUP, MENAGERIE, own_robots, robot_file
 from manipplan.robots.data_sheets import with_published_limits
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
@@ -306,6 +307,9 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         return _read(file, options)
     own = own_robots()
     if str(name) not in own:
+        prefix, colon, folder = str(name).partition(":")
+        if colon and difflib.get_close_matches(prefix.lower() + colon, [MENAGERIE], cutoff=0.7):
+            raise UnknownNameError("name", str(name), [f"{MENAGERIE}{folder}"])
         raise UnknownNameError("name", str(name), [*CATALOG, *own])
     made = own[str(name)].load()(**options)
     if not isinstance(made, Robot):
