@@ -19,7 +19,7 @@ FLAT = 1e-6
 FARTHEST = 1e6
 #: Number of corners below which a hull is not thinned out; by how much one with fewer corners may stick out, as a share of its
 #: longest side; and by how much its planes are moved out, so that rounding leaves no corner outside.
-FEW, SLACK, ROUNDING = 100, 1e-4, 1e-12
+FEW, SLACK, ROUNDING = 250, 1e-4, 1e-12
 #: Maximum number of neighbours of a corner in coal.
 MOST_NEIGHBOURS = 254
 

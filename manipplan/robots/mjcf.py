@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from manipplan.robots.description import Description
 from manipplan.robots.formats.mjcf_files import compile_mjcf
+from manipplan.robots.formats.urdf_model import check_sizes
 from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.mimics import WORLD, Mimic, first_leaders
@@ -53,6 +54,7 @@ def read_mjcf(file: Path) -> Description:
     names = _joint_names(mj)
     model, frames = _tree(file, mj, names)
     geometry = _geometry(file, mj, model, frames, colliding)
+    check_sizes(file, model, geometry)
     _log_left_out(file, mj)
     return Description(
         file=file,

@@ -212,7 +212,7 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
     """
     most = largest_size(model)
     for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.Halfspace | coal.Plane):
+        if isinstance(item.geometry, coal.Halfspace | coal.Plane) or item.parentFrame == 0:  # the world of an MJCF
             continue
         item.geometry.computeLocalAABB()
         box = item.geometry.aabb_local
@@ -221,11 +221,12 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
         link = (frame.placement.inverse() * item.placement).inverse().translation  # the origin of the link in the body
         distance = float(np.linalg.norm(np.clip(link, low, high) - link))
         size = float((high - low).max())
-        largest = most if item.parentJoint or isinstance(item.geometry, coal.BVHModelBase) else FARTHEST
+        is_mesh = isinstance(item.geometry, coal.BVHModelBase)
+        largest = most if item.parentJoint or is_mesh else FARTHEST
         if size > largest or distance > most:
             fault = f"is {size:.3g} m long" if size > largest else f"is {distance:.3g} m away from its link"
-            which = f"mesh {item.meshPath}" if item.meshPath else f"a {type(item.geometry).__name__}"
-            unit = 'scale="0.001 0.001 0.001" in its <mesh> reads millimetres' if item.meshPath else "lengths are in metres"
+            which = f"mesh {item.meshPath}".strip() if is_mesh else f"a {type(item.geometry).__name__}"
+            unit = 'scale="0.001 0.001 0.001" in its <mesh> reads millimetres' if is_mesh else "lengths are in metres"
             wanted = (
                 f"bodies within {most:.3g} m, {REACHES:g} times the length of the arm or {ROOM:g} m; "
                 f"body {item.name} of link {frame.name} ({which}) {fault}. Is it in another unit? {unit}"
