@@ -183,7 +183,9 @@ def test_a_misspelt_prefix_of_menagerie():
 
 
 def test_a_part_of_a_name_is_enough_for_a_suggestion():
-    error = mp.UnknownNameError("name", "fr3", [*"abcdefgh", "franka_fr3", "franka_fr3_v2"])
+    error = mp.UnknownNameError(
+        "name", "fr3", [*("panda", "kinova", "baxter", "talos", "tiago", "icub", "romeo"), "franka_fr3", "franka_fr3_v2"]
+    )
     assert "did you mean franka_fr3, franka_fr3_v2?" in str(error)
 
 

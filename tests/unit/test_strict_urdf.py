@@ -259,7 +259,7 @@ def with_srdf(edited, tmp_path, old, new):
         ('value="1"', 'value="0.1 0.2"', "one number per joint; j1 of the state up is '0.1 0.2'"),
         ('value="1"', 'value="nan"', "one number per joint; j1 of the state up is 'nan'"),
         ('value="1"', 'val="1"', "one number per joint; j1 of the state up is None"),
-        ('<joint name="j2" value', '<joint name="j1" value', "each joint of a state once; j1 of up"),
+        ('<joint name="j2" value', '<joint name="j1" value', "one value per joint of a state; j1 of up is 1 and '0.5'"),
         ("<disable", '<group_state name="up" group="g"/><disable', "each state of a group once; up is there twice"),
     ],
 )
@@ -357,7 +357,7 @@ def test_joints_and_tools_that_cannot_be(edited, options, message):
         mp.load_robot(edited(), **options)
 
 
-@pytest.mark.parametrize("size", [(6.0, 0.1, 0.1), (0.1, 0.1, 200.0)])
+@pytest.mark.parametrize("size", [(30.0, 0.1, 0.1), (0.1, 0.1, 200.0)])
 def test_a_part_in_another_unit_is_refused(edited, size):
     robot = mp.load_robot(edited())
     assert robot.attach(mp.Box(size=np.minimum(size, 4.0), name="rod")).carried
