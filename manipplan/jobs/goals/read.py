@@ -103,8 +103,8 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
     if not isinstance(goal, list | tuple | np.ndarray):
         raise InvalidInputError(argument, goal, FORMS)
     if len(goal) != robot.n and len(goal) in (3, 6, 7) and np.ndim(goal) == 1:
-        pose = "a pose of the tool as a (4, 4) matrix or pin.SE3"
-        wanted = f"one value per joint, shape ({robot.n},), or {pose}, not {len(goal)} numbers"
+        as_pose = "a pose of the tool as a (4, 4) matrix or pin.SE3"
+        wanted = f"one value per joint, shape ({robot.n},), or {as_pose}, not {len(goal)} numbers"
         raise InvalidInputError(argument, goal, wanted)
     return Target(argument=argument, q=_one_configuration(argument, goal, robot))
 
