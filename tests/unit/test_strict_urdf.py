@@ -371,6 +371,14 @@ def test_a_goal_of_as_many_numbers_as_a_pose_says_how_poses_are_given(edited, co
         mp.plan(mp.load_robot(edited()), [0.0, 0.0], [0.1] * count)
 
 
+@pytest.mark.parametrize(
+    "goal", [np.array(0.5), [[0.1], [0.1, 0.2], 0.3], np.zeros((3, 2, 2))], ids=("number", "ragged", "block")
+)
+def test_goals_of_odd_shapes_are_refused(edited, goal):
+    with pytest.raises(mp.InvalidInputError, match="goal"):
+        mp.plan(mp.load_robot(edited()), [0.0, 0.0], goal)
+
+
 def test_an_allowed_pair_with_a_wrong_name_is_named(edited):
     scene = mp.Scene([mp.Sphere(radius=0.1, position=(0, 0, 3), name="ball")]).allow("ball", "l22")
     with pytest.raises(mp.UnknownNameError, match="allowed pair ball - l22: got 'l22'; allowed: did you mean l2?"):

@@ -102,7 +102,7 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
         return Target(argument=argument, pose=pose)
     if not isinstance(goal, list | tuple | np.ndarray):
         raise InvalidInputError(argument, goal, FORMS)
-    if len(goal) != robot.n and len(goal) in (3, 6, 7) and np.ndim(goal) == 1:
+    if getattr(goal, "ndim", 1) == 1 and len(goal) in (3, 6, 7) and len(goal) != robot.n and _is_configuration(goal):
         as_pose = "a pose of the tool as a (4, 4) matrix or pin.SE3"
         wanted = f"one value per joint, shape ({robot.n},), or {as_pose}, not {len(goal)} numbers"
         raise InvalidInputError(argument, goal, wanted)
