@@ -67,7 +67,9 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
             raise InvalidInputError(argument, " ".join(words), f"{robot.n} numbers, one per joint ({joints}), not {len(words)}")
         return numbers
     if not robot.states:
-        raise InvalidInputError(argument, words[0], "one number per joint: the robot has no named states")
+        raise InvalidInputError(
+            argument, words[0], "one number per joint: the robot has no named states with a value for each joint"
+        )
     if words[0] not in robot.states:
         raise UnknownNameError(argument, words[0], robot.states)
     return robot.states[words[0]]

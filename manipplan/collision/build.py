@@ -86,11 +86,17 @@ def check_names(robot: Robot, scene: Scene) -> None:
     known = [*scene.names, *robot.carried, *links, *robot.world_geoms]
     for name in sorted(frozenset[str]().union(*scene.allowed)):
         if name not in known:
-            raise UnknownNameError("allowed", name, known)
+            raise UnknownNameError(_pair_with(scene, name), name, known)
         if name in scene.names and name in links:
             raise InvalidInputError(
-                "allowed", name, f"another name for the obstacle {name!r}: a link of {robot.name} is called so"
+                _pair_with(scene, name), name, f"another name for the obstacle {name!r}: a link of {robot.name} is called so"
             )
+
+
+def _pair_with(scene: Scene, name: str) -> str:
+    """The first allowed pair with this name, for a message."""
+    first, second = min(sorted(pair) for pair in scene.allowed if name in pair)
+    return f"allowed pair {first} - {second}"
 
 
 def _drop_allowed(

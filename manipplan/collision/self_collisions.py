@@ -13,6 +13,8 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.srdf import write_srdf
 from manipplan.support.checks import number
 
+#: Largest number of touching pairs that are printed.
+PRINTED = 30
 #: Reasons of an SRDF, as MoveIt's assistant writes them, by the beginnings of ours.
 _REASONS = {"parent": "Adjacent", "touching": "Always", "no joint": "Fixed"}
 
@@ -42,7 +44,10 @@ class LinkPair:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SelfCollisions:
-    """The pairs of a robot's links, those that touch most often first; printed: those that touch, and how many others."""
+    """The pairs of a robot's links, those that touch most often first.
+
+    Printed: the `PRINTED` pairs that touch most often, and how many others there are.
+    """
 
     robot: Robot
     pairs: tuple[LinkPair, ...]
@@ -112,6 +117,9 @@ class SelfCollisions:
 
     def __str__(self) -> str:
         touching = [f"  {pair}" for pair in self.checked if pair.contact > 0]
+        shown = touching[:PRINTED]
+        if len(touching) > PRINTED:
+            shown.append(f"  ... and {len(touching) - PRINTED} more that touch less often; .checked has all")
         reasons = Counter(pair.reason for pair in self.left_out)
         left_out = [f"  left out, {reason}: {count}" for reason, count in reasons.most_common()]
-        return "\n".join([repr(self), *touching, f"  checked, never touching: {len(self.checked) - len(touching)}", *left_out])
+        return "\n".join([repr(self), *shown, f"  checked, never touching: {len(self.checked) - len(touching)}", *left_out])

@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.model_tree import frame_index
+from manipplan.robots.sizes import largest_size
 from manipplan.support.checks import Array, distinct_names
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
@@ -112,13 +113,21 @@ def with_part(
 ) -> tuple[pin.GeometryModel, tuple[str, ...]]:
     """The geometry with a part posed in the frame `tool`, and the names of its bodies.
 
-    Raises InvalidInputError when the part has no bounded shape, or one of its bodies would have a name that is taken.
+    Raises InvalidInputError when the part has no bounded shape, is larger than the arm makes plausible, or one of its bodies
+    would have a name that is taken.
     """
     shapes = part.shapes()
     if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):
         raise InvalidInputError("shape", part, "a bounded shape: Box, Sphere, Capsule, Cylinder or Mesh")
     if hasattr(part, "parts") and any(each.radius for each in part.parts()):  # obstacles have parts
         raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its Part)")
+    most = largest_size(model)
+    for shape in shapes:
+        shape.computeLocalAABB()
+        size = float((np.array(shape.aabb_local.max_) - np.array(shape.aabb_local.min_)).max())
+        if size > most:
+            wanted = f"a part of at most {most:.3g} m, ten times the length of the arm or 5 m; {name} is {size:.3g} m long."
+            raise InvalidInputError("shape", part, f"{wanted} Is it in another unit? mp.Mesh(scale=0.001) reads millimetres")
     names = number_names(name, len(shapes))
     for each in names:
         check_new_name(each, model, geometry, ())

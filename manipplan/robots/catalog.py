@@ -1,5 +1,6 @@
 """Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
+import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
@@ -10,7 +11,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.robots.collections import GROUP, own_robots, robot_file
+from manipplan.robots.collections import GROUP, MENAGERIE, own_robots, robot_file
 from manipplan.robots.data_sheets import with_published_limits
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
@@ -292,6 +293,9 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         return _read(file, options)
     own = own_robots()
     if str(name) not in own:
+        prefix, colon, folder = str(name).partition(":")
+        if colon and difflib.get_close_matches(prefix.lower() + colon, [MENAGERIE], cutoff=0.7):
+            raise UnknownNameError("name", str(name), [f"{MENAGERIE}{folder}"])
         raise UnknownNameError("name", str(name), [*CATALOG, *own])
     made = own[str(name)].load()(**options)
     if not isinstance(made, Robot):

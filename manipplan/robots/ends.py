@@ -98,6 +98,9 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
     elif len(tree.ends) > 1:
         others = ", ".join(name for name in map(tree.name, tree.ends) if name != chosen)
         log.info("%s: the tool is %s; other ends: %s", read.file.name, chosen, others)
+    sites = [each.name for each in tree.model.frames if each.type == pin.FrameType.OP_FRAME and each.parentJoint == joint]
+    if read.source == "MJCF" and sites:
+        log.info("%s: the tool is the body %s; sites that move with it: %s", read.file.name, chosen, ", ".join(sites[:LISTED]))
     return chosen
 
 

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("manipplan")
 
+#: How far a named state may be outside the limits without a warning, in which its file rounds [rad or m].
+STATE_TOLERANCE = 1e-3
 #: Maximum number of random configurations per call.
 MOST_AT_ONCE = 10**9
 
@@ -192,8 +194,16 @@ class Robot(Pictured):
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
                 ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
-            base = base.with_changes(ramp, source=f"default: full speed in {DEFAULT_RAMP_TIME:g} s")
+            source = f"default: full speed in {DEFAULT_RAMP_TIME:g} s"
+            if np.isinf(base.velocity).all():
+                source = "none, as there are no velocity limits; acceleration= gives them"
+            base = base.with_changes(ramp, source=source)
         states = NamedStates.of(semantic.states if semantic is not None else (), active)
+        for each, q in states.items():
+            over = base.outside(q)
+            if over.max() > STATE_TOLERANCE:
+                worst = int(np.argmax(over))
+                log.warning("state %s of the SRDF is outside the limits: %s is %g", each, active[worst], q[worst])
         if neutral is None:
             neutral = next((q for q in states.values() if not base.outside(q).any()), None)
         robot = cls(

@@ -21,8 +21,7 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
 
     Such a body is drawn in another unit. What stands on no joint, such as a floor, may be large if it is no mesh.
     """
-    reach, travel = _reach(model)
-    most = max(REACHES * reach, travel, ROOM)
+    most = largest_size(model)
     for item in geometry.geometryObjects:
         if isinstance(item.geometry, coal.Halfspace | coal.Plane) or item.parentFrame == 0:  # the world of an MJCF
             continue
@@ -42,6 +41,12 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
                 f"body {item.name} of link {frame.name} ({which}) {fault}. Is it in another unit? {unit}"
             )
             raise FileFormatError("file", str(file), wanted)
+
+
+def largest_size(model: pin.Model) -> float:
+    """The size [m] up to which a body of this arm is plausible."""
+    reach, travel = _reach(model)
+    return max(REACHES * reach, travel, ROOM)
 
 
 def _reach(model: pin.Model) -> tuple[float, float]:

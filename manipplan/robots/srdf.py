@@ -72,6 +72,8 @@ def read_srdf(file: Path, model: pin.Model) -> Semantics:
     root = read_xml("srdf", file, "robot")
     if root.get("name", model.name) != model.name:
         log.info("%s is for the robot %s, not for %s", file, root.get("name"), model.name)
+    if root.find("link") is not None:
+        raise FileFormatError("srdf", str(file), "an SRDF; this file has <link> elements, as a URDF has")
     for element in root:
         near = difflib.get_close_matches(element.tag.lower(), READ, n=1, cutoff=0.8)
         if near and element.tag not in (*READ, *PASSED):

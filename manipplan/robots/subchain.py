@@ -80,6 +80,8 @@ def choose_joints(
     if count > model_tree.MOST_ACTIVE:
         raise InvalidInputError("joints", f"{count} joints", f"at most {model_tree.MOST_ACTIVE} active joints and followers")
     if not active:
+        if joints is None:
+            raise InvalidInputError("tool", tool, "a frame that a joint moves; this one stands still")
         raise InvalidInputError("joints", active, f"at least one joint that moves the tool {tool}")
     return active
 
@@ -100,8 +102,11 @@ def locked_values(
         if name in followers:
             wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
+        if name in active:
+            wanted = f"joints that are not active; {name} moves the tool, and joints= without it locks it"
+            raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name not in others:
-            raise UnknownNameError("locked", name, others)
+            raise UnknownNameError("locked", str(name), others, empty="none: every joint of the robot is active")
         number(f"locked[{name!r}]", value)
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
@@ -135,14 +140,18 @@ def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> 
             raise InvalidInputError(
                 f"position limits of {name}", [lower[i], upper[i]], "lower below upper; give lower= and upper= to set them"
             )
+    effort = np.where(model.effortLimit > 0, model.effortLimit, np.inf)
+    sources = dict.fromkeys(("lower", "upper"), source)
+    for kind, values in (("velocity", velocity), ("effort", effort)):
+        sources[kind] = source if np.isfinite(values).any() else f"none in the {source}; {kind}= gives them"
     described = JointLimits(
         lower=-inf if "lower" in given else lower,
         upper=inf if "upper" in given else upper,
         velocity=inf if "velocity" in given else velocity,
         acceleration=inf,
         jerk=inf,
-        effort=np.where(model.effortLimit > 0, model.effortLimit, np.inf),
-        sources=dict.fromkeys(("lower", "upper", "velocity", "effort"), source),
+        effort=effort,
+        sources=sources,
     )
     return described.with_changes(given) if given else described
 

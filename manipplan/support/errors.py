@@ -48,7 +48,10 @@ class UnknownNameError(InvalidInputError):
         """`empty`: what is allowed where no name is known."""
         self.known, self.empty = sorted(known), empty
         folded = {each.lower(): each for each in self.known}
-        near = [folded[each] for each in difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.5)]
+        nearness = 0.5 if len(self.known) > FEW_NAMES else 0.7  # few names are listed rather than one that is hardly alike
+        near = [folded[each] for each in difflib.get_close_matches(name.lower(), folded, n=3, cutoff=nearness)]
+        if not near and len(name) >= 3:
+            near = [each for each in self.known if name.lower() in each.lower()][:3]
         listed = ", ".join(near or self.known[:12])
         more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
         allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}" if self.known else empty
@@ -178,6 +181,8 @@ class _Plain(reprlib.Repr):
         return super().repr_int(x, level)
 
 
+#: Number of names up to which all are listed where none is much like the one given.
+FEW_NAMES = 8
 #: Number of bits up to which a whole number is written out.
 LONGEST_INT = 1000
 _SHORT = _Plain()

@@ -768,3 +768,11 @@ def test_a_part_inside_a_closed_mesh_touches(tmp_path):
     np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), touching)
     with pytest.raises(mp.InvalidInputError, match="tip and cabinet overlap"):
         mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])
+
+
+def test_sites_that_move_with_the_tool_are_in_the_log(arm, caplog):
+    with caplog.at_level(logging.INFO, "manipplan"):
+        robot = mp.Robot.from_mjcf(arm(tip='<site name="attachment_site" pos="0 0 .1"/>'))
+    assert f"the tool is the body {robot.tool}; sites that move with it: attachment_site" in caplog.text
+    assert robot.limits.sources["velocity"] == "none in the MJCF; velocity= gives them"
+    assert robot.limits.sources["acceleration"].startswith("none, as there are no velocity limits")

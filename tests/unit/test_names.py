@@ -177,6 +177,18 @@ def menagerie(tmp_path, monkeypatch):
     return root
 
 
+def test_a_misspelt_prefix_of_menagerie():
+    with pytest.raises(mp.UnknownNameError, match="did you mean menagerie:franka_fr3"):
+        mp.load_robot("menagrie:franka_fr3")
+
+
+def test_a_part_of_a_name_is_enough_for_a_suggestion():
+    error = mp.UnknownNameError(
+        "name", "fr3", [*("panda", "kinova", "baxter", "talos", "tiago", "icub", "romeo"), "franka_fr3", "franka_fr3_v2"]
+    )
+    assert "did you mean franka_fr3, franka_fr3_v2?" in str(error)
+
+
 @pytest.mark.slow
 def test_the_folder_of_a_checkout(menagerie, tmp_path):
     assert mp.load_robot("menagerie:maker_arm").tool == "arm"

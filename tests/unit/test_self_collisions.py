@@ -11,6 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
+from manipplan.collision.self_collisions import LinkPair, SelfCollisions
 
 LIMIT = '<limit lower="{}" upper="{}" velocity="2" effort="1"/>'
 
@@ -154,6 +155,13 @@ def test_a_pair_that_touches_often_comes_with_the_line_that_allows_it(tmp_path):
     for wrong in (0.0, 1.5, np.nan, "0.5"):
         with pytest.raises(mp.InvalidInputError, match="touching"):
             robot.self_collisions.to_srdf(file, touching=wrong)
+
+
+def test_many_touching_pairs_are_printed_in_part(tmp_path):
+    pair = LinkPair(first="a", second="b", reason="", checked=True, contact=0.5)
+    text = str(SelfCollisions(robot=robot_of(tmp_path, TELESCOPE), pairs=(pair,) * 45))
+    assert text.count("a - b: touching") == 30 and "... and 15 more that touch less often; .checked has all" in text
+    assert "... and" not in str(SelfCollisions(robot=robot_of(tmp_path, TELESCOPE), pairs=(pair,) * 30))
 
 
 def test_the_srdf_has_all_pairs_that_are_left_out(tmp_path):

@@ -301,3 +301,87 @@ def test_the_catalogue_says_nothing(caplog):
         for name in ("ur3", "baxter", "icub"):
             mp.load_robot(name)
     assert not caplog.text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "named"),
+    [
+        ('lower="-2" upper="2"', 'lower="-170" upper="2"', 'joint j1: lower="-170"'),
+        ('<origin xyz="0 0 0.5"/>', '<origin xyz="0 0 0.5" rpy="0 90 0"/>', 'joint j1: rpy="0 90 0"'),
+        ('<origin xyz="0.2 0 0"/>', '<origin xyz="0.2 0 0" rpy="-45 0 0"/>', 'collision element 1 of link l1: rpy="-45 0 0"'),
+        ('lower="-2" upper="2"', 'lower="-12.6" upper="25"', None),
+        ('lower="-2" upper="2"', 'lower="-1e16" upper="1e16"', None),
+        ('lower="-1" upper="1"', 'lower="-90" upper="90"', None),  # a slide, in metres
+    ],
+)
+def test_angles_that_look_like_degrees_are_in_the_log(edited, caplog, old, new, named):
+    mp.load_robot(edited((old, new)))
+    warnings = [each.getMessage() for each in caplog.records if each.levelno >= logging.WARNING]
+    assert any(named in each and "radians" in each for each in warnings) if named else not warnings
+
+
+def test_a_urdf_is_no_srdf(edited):
+    file = edited()
+    with pytest.raises(mp.FileFormatError, match="srdf: .*an SRDF; this file has <link> elements"):
+        mp.load_robot(file, srdf=file)
+
+
+def test_a_kind_of_joint_that_is_like_none_gets_the_list(edited):
+    with pytest.raises(
+        mp.FileFormatError, match="joint j1: type: got 'rotational'; allowed: one of continuous, fixed, .*revolute"
+    ):
+        mp.load_robot(edited(('type="revolute"', 'type="rotational"')))
+
+
+def test_a_state_outside_the_limits_is_in_the_log(edited, tmp_path, caplog):
+    state = '<group_state name="home"><joint name="j1" value="90"/><joint name="j2" value="0.5"/></group_state>'
+    (tmp_path / "arm.srdf").write_text(f'<robot name="arm">{state}</robot>')
+    mp.load_robot(edited(), srdf=tmp_path / "arm.srdf")
+    assert "state home of the SRDF is outside the limits: j1 is 90" in caplog.text
+
+
+def test_limits_that_the_file_does_not_give_have_no_source(edited):
+    robot = mp.load_robot(edited(('effort="10"', 'effort="0"'), ('effort="10"', 'effort="0"')))
+    assert np.isinf(robot.limits.effort).all()
+    assert robot.limits.sources["effort"] == "none in the URDF; effort= gives them"
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"tool": "base"}, "tool: got 'base'; allowed: a frame that a joint moves"),
+        ({"locked": {"j1": 0.0}}, r"locked\['j1'\]: got 0.0; allowed: joints that are not active; j1 moves the tool"),
+        ({"locked": {"j3": 0.0}}, "locked: got 'j3'; allowed: none: every joint of the robot is active"),
+    ],
+)
+def test_joints_and_tools_that_cannot_be(edited, options, message):
+    with pytest.raises(mp.InvalidInputError, match=message):
+        mp.load_robot(edited(), **options)
+
+
+@pytest.mark.parametrize("size", [(30.0, 0.1, 0.1), (0.1, 0.1, 200.0)])
+def test_a_part_in_another_unit_is_refused(edited, size):
+    robot = mp.load_robot(edited())
+    assert robot.attach(mp.Box(size=np.minimum(size, 4.0), name="rod")).carried
+    with pytest.raises(mp.InvalidInputError, match=f"rod is {max(size):g} m long. Is it in another unit"):
+        robot.attach(mp.Box(size=size, name="rod"))
+
+
+@pytest.mark.parametrize("count", [3, 6, 7])
+def test_a_goal_of_as_many_numbers_as_a_pose_says_how_poses_are_given(edited, count):
+    with pytest.raises(mp.InvalidInputError, match=rf"goal: .*pose of the tool as a \(4, 4\) matrix.*not {count} numbers"):
+        mp.plan(mp.load_robot(edited()), [0.0, 0.0], [0.1] * count)
+
+
+@pytest.mark.parametrize(
+    "goal", [np.array(0.5), [[0.1], [0.1, 0.2], 0.3], np.zeros((3, 2, 2))], ids=("number", "ragged", "block")
+)
+def test_goals_of_odd_shapes_are_refused(edited, goal):
+    with pytest.raises(mp.InvalidInputError, match="goal"):
+        mp.plan(mp.load_robot(edited()), [0.0, 0.0], goal)
+
+
+def test_an_allowed_pair_with_a_wrong_name_is_named(edited):
+    scene = mp.Scene([mp.Sphere(radius=0.1, position=(0, 0, 3), name="ball")]).allow("ball", "l22")
+    with pytest.raises(mp.UnknownNameError, match="allowed pair ball - l22: got 'l22'; allowed: did you mean l2?"):
+        scene.in_collision(mp.load_robot(edited()), [0.0, 0.0])

@@ -102,6 +102,10 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
         return Target(argument=argument, pose=pose)
     if not isinstance(goal, list | tuple | np.ndarray):
         raise InvalidInputError(argument, goal, FORMS)
+    if getattr(goal, "ndim", 1) == 1 and len(goal) in (3, 6, 7) and len(goal) != robot.n and _is_configuration(goal):
+        as_pose = "a pose of the tool as a (4, 4) matrix or pin.SE3"
+        wanted = f"one value per joint, shape ({robot.n},), or {as_pose}, not {len(goal)} numbers"
+        raise InvalidInputError(argument, goal, wanted)
     return Target(argument=argument, q=_one_configuration(argument, goal, robot))
 
 
@@ -143,7 +147,7 @@ def named_configuration(argument: str, q: Any, robot: Robot) -> Array:
     if not isinstance(q, str):
         return _one_configuration(argument, q, robot)
     if q not in robot.states:
-        none = "one number per joint: the robot has no named states"
+        none = "one number per joint: the robot has no named states with a value for each joint"
         raise UnknownNameError(argument, q, robot.states, empty=none)
     return robot.states[q]
 

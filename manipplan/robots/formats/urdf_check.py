@@ -6,6 +6,7 @@ them is refused. What other programs write into a URDF is passed over.
 
 import difflib
 import logging
+import math
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Collection, Iterable
@@ -72,6 +73,8 @@ PASSED = {
 }
 #: Share of letters in common from which a name counts as a misspelt one, as difflib counts it.
 NEAR = 0.75
+#: Angles between these are probably degrees: eight half turns in radians, four turns in degrees. What is larger means no limit.
+MOST_RADIANS, MOST_DEGREES = 8 * math.pi, 1440.0
 #: Largest limit of a joint; some files write 1e16 where there is none.
 LARGEST_LIMIT = sys.float_info.max
 #: Smallest length of an axis, along its longest coordinate.
@@ -98,10 +101,12 @@ def check_urdf(file: Path, root: ET.Element) -> None:
     _check_names(file, "joint", joints)
     if any(joint.get("name") == WORLD for joint in joints):
         raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
+    degrees: list[str] = []
     for joint in joints:
         where = f"joint {joint.get('name')}"
         strange |= _check_elements(file, joint, where)
         _raise(file, where, _origin_fault(joint) or _joint_fault(joint))
+        degrees += _degrees(where, joint)
     for link in links:
         name = link.get("name")
         strange |= _check_elements(file, link, f"link {name}")
@@ -109,13 +114,28 @@ def check_urdf(file: Path, root: ET.Element) -> None:
             where = f"collision element {k} of link {name}"
             strange |= _check_elements(file, element, where)
             _raise(file, where, body_fault(element))
+            degrees += _degrees(where, element)
         for element in link.findall("inertial"):
             where = f"the inertial element of link {name}"
             strange |= _check_elements(file, element, where)
             _raise(file, where, _inertial_fault(element))
     if strange:
         log.warning("%s: elements that URDF does not have are passed over: %s", file, ", ".join(sorted(strange)[:12]))
+    if degrees:
+        log.warning("%s: angles in a URDF are in radians; these look like degrees: %s", file, "; ".join(degrees[:12]))
     _check_tree(file, {str(link.get("name")) for link in links}, joints)
+
+
+def _degrees(where: str, element: ET.Element) -> list[str]:
+    """The angles of a joint or a body that are probably degrees, each with the place where it is."""
+    texts = [("rpy", text) for origin in element.findall("origin") if (text := origin.get("rpy"))]
+    if element.get("type") == "revolute":
+        texts += [(name, text) for each in element.findall("limit") for name in ("lower", "upper") if (text := each.get(name))]
+    return [
+        f'{where}: {name}="{text}"'
+        for name, text in texts
+        if any(MOST_RADIANS < abs(angle) <= MOST_DEGREES for angle in numbers(text, len(text.split())) or ())
+    ]
 
 
 def joined_links(root: ET.Element) -> set[tuple[str, str]]:
