@@ -37,9 +37,10 @@ class LinkPair:
     contact: float
 
     def __str__(self) -> str:
-        touching = f"touching at {round(self.contact * (SAMPLES + 1))} of {SAMPLES + 1} configurations"
-        state = touching if self.contact > 0 else "checked"
-        return f"{self.first} - {self.second}: {self.reason if not self.checked else state}"
+        state = "checked" if self.checked else self.reason
+        if self.contact > 0:
+            state = f"touching at {round(self.contact * (SAMPLES + 1))} of {SAMPLES + 1} configurations"
+        return f"{self.first} - {self.second}: {state}"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -196,8 +196,8 @@ class Mesh(Obstacle):
 
     Args:
         file: its objects are read together, with the transforms of its scene. Polygons are split into triangles. Units and
-            vertical axes that DAE and glTF files state are not applied, as in URDF: `scale` and `up` say them. A difference is
-            logged as a warning. glTF needs `pip install 'manipplan[mesh]'`.
+            vertical axes that DAE and glTF files state are not applied, unlike the unit of a mesh of a URDF: `scale` and `up`
+            say them. A difference is logged as a warning. glTF needs `pip install 'manipplan[mesh]'`.
         triangles: corners of each triangle; outward sides are not needed, except around cavities.
         scale: metres per unit of the file.
         up: its vertical axis, which becomes z: "z" or "y".

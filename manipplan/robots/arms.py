@@ -30,10 +30,14 @@ def check_tools(model: pin.Model, tools: Sequence[str]) -> None:
                 raise InvalidInputError("tool", list(tools), wanted)
 
 
+def supports(model: pin.Model, frame: str) -> list[int]:
+    """Indices in the model of the joints that carry a frame, from base to frame."""
+    return [int(i) for i in model.supports[model.frames[frame_index(model, frame)].parentJoint] if i > 0]
+
+
 def carriers(model: pin.Model, frame: str) -> list[int]:
-    """Indices of the joints that move a frame, counted from 0: those that carry it and the leaders of those."""
-    joint = model.frames[frame_index(model, frame)].parentJoint
-    return sorted({int(model.joints[i].idx_q) for i in model.supports[joint] if i > 0})
+    """Entries of q of the joints that move a frame: those that carry it and the leaders of those."""
+    return sorted({int(model.joints[i].idx_q) for i in supports(model, frame)})
 
 
 def shared_joints(robot: "Robot") -> list[int]:

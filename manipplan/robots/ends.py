@@ -34,7 +34,7 @@ from manipplan.robots.hulls import box_corners
 from manipplan.robots.mimics import Mimic
 from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute
 from manipplan.robots.srdf import Semantics
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import FileFormatError, InvalidInputError
 
 log = logging.getLogger("manipplan")
 
@@ -83,6 +83,8 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
             log.info("%s: the tool is %s, the tip of the SRDF's chain", read.file.name, tips[0])
             return tips[0]
     places = tree.places()
+    if not places:
+        raise FileFormatError("file", str(read.file), "a robot with at least one body")
     if len(places) > 1:
         places.sort(key=lambda joint: -len(tree.model.supports[joint]))  # the arm before the wheels
         raise _several(tree, "the description has several ends", [name for joint in places for name in tree.shown(joint)])

@@ -52,7 +52,7 @@ def read_mjcf(file: Path) -> Description:
         FileFormatError: MuJoCo cannot read the file, or it has something in it that a robot cannot have; the message names it.
     """
     mj = compile_mjcf(file)
-    colliding = _colliding(file, mj)
+    colliding = colliding_geoms(file, mj)
     names = _joint_names(mj)
     model, frames = _tree(file, mj, names)
     geometry = _geometry(file, mj, model, frames, colliding)
@@ -80,6 +80,13 @@ def local_pose(position: Array, quaternion: Array) -> pin.SE3:
     """A pose from MuJoCo's position (3,) and quaternion (4,), whose real part is the first."""
     w, x, y, z = quaternion
     return pin.SE3(pin.Quaternion(w, x, y, z).normalized().matrix(), np.asarray(position))
+
+
+def stands_still(mj: Any, body: int) -> bool:
+    """Whether no joint moves a body."""
+    while body > 0 and not mj.body_jntnum[body]:
+        body = int(mj.body_parentid[body])
+    return body == 0
 
 
 def fixed_pose(mj: Any, body: int) -> pin.SE3:
@@ -111,6 +118,19 @@ def surface_of(file: Path, mj: Any, geom: int) -> tuple[Array, NDArray[np.int64]
         wanted = f"meshes with triangles and finite vertices within {FARTHEST:g} m, unlike {mj.mesh(number).name}"
         raise FileFormatError("file", str(file), wanted)
     return vertices.astype(float), faces.astype(np.int64)
+
+
+def colliding_geoms(file: Path, mj: Any) -> list[int]:
+    """The geoms that can touch others: by their masks, or because a `<pair>` names them.
+
+    Raises FileFormatError for more than `MOST_BODIES`.
+    """
+    collides = (mj.geom_contype != 0) | (mj.geom_conaffinity != 0)
+    collides[mj.pair_geom1] = collides[mj.pair_geom2] = True
+    found: list[int] = np.flatnonzero(collides).tolist()
+    if len(found) > MOST_BODIES:
+        raise FileFormatError("file", str(file), f"at most {MOST_BODIES} colliding geoms, not {len(found)}")
+    return found
 
 
 # ---- bodies and joints
@@ -222,16 +242,6 @@ def _new(name: str, taken: set[str]) -> str:
 
 
 # ---- geoms
-
-
-def _colliding(file: Path, mj: Any) -> list[int]:
-    """The geoms that can touch others: by their masks, or because a `<pair>` names them."""
-    collides = (mj.geom_contype != 0) | (mj.geom_conaffinity != 0)
-    collides[mj.pair_geom1] = collides[mj.pair_geom2] = True
-    found: list[int] = np.flatnonzero(collides).tolist()
-    if len(found) > MOST_BODIES:
-        raise FileFormatError("file", str(file), f"at most {MOST_BODIES} colliding geoms, not {len(found)}")
-    return found
 
 
 def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geoms: Sequence[int]) -> pin.GeometryModel:

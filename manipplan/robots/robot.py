@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
-from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm
+from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
 from manipplan.robots.attached import AddedFrame, Part, Solid
 from manipplan.robots.configuration import checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
@@ -184,7 +184,7 @@ class Robot(Pictured):
         semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
-        chain = [whole.names[i + 1] for i in sorted({i for each in tools for i in carriers(whole, each)})]
+        chain = [whole.names[i] for i in sorted({i for each in tools for i in supports(whole, each)})]
         active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
         held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
         model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)

@@ -437,6 +437,24 @@ def test_ball_joints_are_held(arm, rng):
     assert judged(arm(tip=tip), rng, tool="tcp", joints=["j1", "j2", "j3"]).locked == {"ball": 0.0}
 
 
+@pytest.mark.parametrize("kind", ["ball", "hinge"])
+def test_the_chain_of_one_arm_beside_a_head(written, kind):
+    def arm(name):
+        upper = f'<joint name="{name}1" axis="0 0 1"/><geom size=".02"/>'
+        fore = f'<joint name="{name}2" axis="0 1 0"/><geom size=".02"/><site name="{name}" pos="0 0 .1"/>'
+        return f'<body>{upper}<body pos="0 0 .2">{fore}</body></body>'
+
+    head = f'<body pos="0 1 0"><joint name="neck" type="{kind}"/><geom size=".02"/></body>'
+    file = written(f"<mujoco><worldbody>{head}{arm('left')}{arm('right')}</worldbody></mujoco>")
+    for name in ("left", "right"):
+        assert mp.Robot.from_mjcf(file, velocity=1.0, tool=name).joint_names == (f"{name}1", f"{name}2")
+
+
+def test_a_file_without_bodies_is_refused(written):
+    with pytest.raises(mp.FileFormatError, match="at least one body"):
+        mp.Robot.from_mjcf(written("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>"))
+
+
 def test_masses_forces_and_gravity(written):
     file = written("""<mujoco><option gravity="0 1 -5"/><worldbody><body name="a" pos="0 0 .3"><joint name="j" axis="0 1 0" pos="0 .1 0"
     armature=".3" actuatorfrcrange="-4 5"/><geom type="box" size=".1 .2 .3" pos=".1 0 0" euler="10 20 30"/><body name="b" pos=".5 0 0">

@@ -37,6 +37,24 @@ def test_static_bodies_that_collide_are_obstacles(cell):
     assert scene.names == ("floor", "top", "table.2", "cup", "ball", "wedge")
 
 
+def test_pairs_and_mocap_bodies_are_obstacles_of_robot_and_scene_alike(tmp_path):
+    file = tmp_path / "cell.xml"
+    off = 'contype="0" conaffinity="0"'
+    file.write_text(f"""<mujoco><worldbody><geom name="wall" type="box" size=".1 .1 .1" pos="1 0 0" {off}/>
+        <geom name="drawn" size=".1" {off}/><body name="stand" mocap="true" pos="0 1 0"><geom name="stand" size=".1"/>
+        <body><geom name="top" size=".1" pos="0 0 1"/></body></body>
+        <body name="arm"><joint name="j" axis="0 0 1"/><geom name="g" type="capsule" size=".05" fromto="0 0 0 1 0 0"/>
+        <site name="tip" pos="1 0 0"/></body></worldbody><contact><pair geom1="wall" geom2="g"/></contact></mujoco>""")
+    scene, alone = mp.Scene.from_mjcf(file), mp.Robot.from_mjcf(file, tool="tip")
+    assert scene.names == ("wall", "stand", "top")
+    q = np.array([[0.0], [0.5], [np.pi / 2], [3.0]])
+    assert mp.Scene().in_collision(alone, q).tolist() == [True, False, True, False]
+    (tmp_path / "arm.xml").write_text("""<mujoco><worldbody><body name="arm"><joint name="j" axis="0 0 1"/>
+        <geom name="g" type="capsule" size=".05" fromto="0 0 0 1 0 0"/><site name="tip" pos="1 0 0"/></body></worldbody></mujoco>""")
+    arm = mp.Robot.from_mjcf(tmp_path / "arm.xml", tool="tip")
+    assert scene.in_collision(arm, q).tolist() == [True, False, True, False]
+
+
 def test_distances_are_those_of_mujoco(cell, panda, rng):
     """A ball carried by the arm is as far from each obstacle as MuJoCo's ball at the same place."""
     scene = mp.Scene.from_mjcf(cell)

@@ -258,6 +258,31 @@ def test_floating_joint_is_named(tmp_path):
         mp.load_robot(file)
 
 
+@pytest.mark.parametrize("kind", ["planar", "floating"])
+@pytest.mark.parametrize("where", [0, 1, 3])
+def test_joints_of_several_numbers_leave_the_chain_as_it_is(tmp_path, kind, where):
+    text, parents = "<robot name='x'><link name='base'/>", ["base"]
+    for k in range(4):
+        limit = "<limit lower='-1' upper='1' velocity='1' effort='1'/>"
+        text += (
+            f"<link name='l{k}'/><joint name='j{k}' type='{kind if k == where else 'revolute'}'><parent link='{parents[-1]}'/>"
+            f"<child link='l{k}'/><origin xyz='0 0 0.2'/><axis xyz='0 {k % 2} {(k + 1) % 2}'/>{limit}</joint>"
+        )
+        parents.append(f"l{k}")
+    # a body that drifts, before and after the arm by its name
+    for name in ("a", "z"):
+        text += f"<link name='{name}'/><joint name='{name}' type='{kind}'><parent link='base'/><child link='{name}'/></joint>"
+    file = tmp_path / "x.urdf"
+    file.write_text(text + "</robot>")
+    with pytest.raises(mp.UnsupportedJointError, match=f"j{where}"):
+        mp.Robot.from_urdf(file, tool="l3")
+    others = [f"j{k}" for k in range(4) if k != where]
+    robot = mp.Robot.from_urdf(file, tool="l3", joints=others)
+    assert robot.joint_names == tuple(others) and set(robot.locked) == {f"j{where}", "a", "z"}
+    turned = [robot.kinematics(mp.Task.pose(length=1.0)).jacobian(np.zeros(3))[3:, k] for k in range(3)]
+    np.testing.assert_allclose(turned, [[0, k % 2, (k + 1) % 2] for k in range(4) if k != where], atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

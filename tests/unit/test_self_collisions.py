@@ -173,6 +173,8 @@ def test_the_srdf_has_all_pairs_that_are_left_out(tmp_path):
     }
     assert pairs == {frozenset(("l2", "l3")): "Adjacent", frozenset(("l3", "tool")): "Fixed"}
     assert "1 checked, 2 left out" in str(robot.self_collisions)
+    reasons = {str(pair).partition(": ")[2] for pair in robot.self_collisions.left_out}
+    assert reasons == {"parent and child link of one joint", "no joint between them moves"}
 
 
 @settings(max_examples=25, deadline=None)

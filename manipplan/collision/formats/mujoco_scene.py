@@ -4,12 +4,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere
 from manipplan.robots.formats.mjcf_files import compile_mjcf
-from manipplan.robots.mjcf import SHAPES, fixed_pose, local_pose, surface_of
+from manipplan.robots.mjcf import SHAPES, colliding_geoms, fixed_pose, local_pose, stands_still, surface_of
 from manipplan.support.errors import UnknownNameError
 
 #: Shapes of MuJoCo that become obstacles.
@@ -17,18 +16,16 @@ TAKEN = ("plane", "hfield", "sphere", "capsule", "cylinder", "box", "mesh")
 
 
 def read_static_bodies(file: Path) -> list[Obstacle]:
-    """Every geom that collides and belongs to a body without a joint between it and the world.
+    """Every geom that collides, by its masks or a `<pair>`, and belongs to a body without a joint between it and the world.
 
     Raises:
-        FileFormatError: MuJoCo cannot read the file.
+        FileFormatError: MuJoCo cannot read the file, or it has too many geoms.
         UnknownNameError: a static geom has another shape, such as an ellipsoid.
         MissingExtraError: MuJoCo is not installed.
     """
     mj = compile_mjcf(file)
-    static = mj.body_weldid[mj.geom_bodyid] == 0
-    collides = (mj.geom_contype != 0) | (mj.geom_conaffinity != 0)
     obstacles, surfaces = list[Obstacle](), dict[tuple[str, int], Mesh]()
-    for k in np.flatnonzero(static & collides).tolist():
+    for k in (each for each in colliding_geoms(file, mj) if stands_still(mj, mj.geom_bodyid[each])):
         body, shape = int(mj.geom_bodyid[k]), SHAPES[mj.geom_type[k]]
         name = mj.geom(k).name or f"{mj.body(body).name}.{k}"
         pose = fixed_pose(mj, body) * local_pose(mj.geom_pos[k], mj.geom_quat[k])
