@@ -62,8 +62,10 @@ class CandidateSampler:
 
     @cached_property
     def _tight(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-        """The pairs (k,) that no configuration brings as far apart as candidates have to be, such as a link that turns in a
-        gap of the one before: from these nothing is to be spared."""
+        """The pairs (k,) that no configuration brings as far apart as candidates have to be, so that nothing is to be spared.
+
+        An example is a link that turns in a gap of the link before.
+        """
         assert self.collision is not None
         q = self.spec.robot.random_configuration(np.random.default_rng(0), size=SHOWN)
         found = self.collision.copy().distance_rows(q, beyond=self.spec.clearance)
