@@ -5,8 +5,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.stored_fits import find_or_cut
-from manipplan.collision.described import MESH, DescribedBodies
+from manipplan.collision.covers.stored_fits import find_or_choose, find_or_cut
+from manipplan.collision.described import FINE, MESH, DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
@@ -208,21 +208,10 @@ def _use_meshes_for_coarse_pairs(
     """
     pairs = [(p.first, p.second) for p in geometry.collisionPairs]
     stands_for = [(origins[i], origins[j]) for i, j in pairs]
-    rows = np.flatnonzero(touching.any(axis=1))
     described = DescribedBodies(robot)
-    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
-    suspects = dict.fromkeys(pair for pair in suspects if any(described.has_triangles(origin) for origin in pair))
-    chosen: dict[tuple[int, int], tuple[int, int]] = {}
-    for pair in suspects:
-        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
-        by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
-        if _is_coarse(by_pieces, by_mesh, rows):
-            finer = (
-                each
-                for each in described.finer(pair)
-                if not _is_coarse(described.touching(pair, each, samples[rows]), by_mesh, rows)
-            )
-            chosen[pair] = next(finer, (MESH, MESH))
+    if not touching.any():
+        return None
+    chosen = find_or_choose(robot, samples, lambda: _levels(described, stands_for, samples, touching))
     if not chosen:
         return None
     added: dict[tuple[int, int], list[int]] = {}
@@ -238,6 +227,48 @@ def _use_meshes_for_coarse_pairs(
         if origin_pair in chosen:
             geometry.removeCollisionPair(pin.CollisionPair(i, j))
     return described.solids(added)
+
+
+def _levels(
+    described: DescribedBodies, stands_for: list[tuple[int, int]], samples: Array, touching: NDArray[np.bool_]
+) -> dict[tuple[int, int], tuple[int, int]]:
+    """How finely the two objects of each pair are taken whose pieces are too coarse.
+
+    Args:
+        described: the objects.
+        stands_for: (k) the two objects that each pair of pieces represents.
+        samples: (m, n) configurations.
+        touching: (m, k) whether each pair of pieces touches there.
+    """
+    rows = np.flatnonzero(touching.any(axis=1))
+    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    chosen: dict[tuple[int, int], tuple[int, int]] = {}
+    for pair in suspects:
+        if not any(described.has_triangles(origin) for origin in pair):
+            continue
+        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
+        by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
+        if _is_coarse(by_pieces, by_mesh, rows):
+            chosen[pair] = _fine_enough(described, pair, samples, by_mesh, rows)
+    return chosen
+
+
+def _fine_enough(
+    described: DescribedBodies, pair: tuple[int, int], samples: Array, by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]
+) -> tuple[int, int]:
+    """By how many pieces to take two objects, or MESH for both where no number helps."""
+    wrong = np.inf
+    for many in FINE:
+        least = np.inf
+        for levels in described.finer(pair, many):
+            by_pieces = described.touching(pair, levels, samples[rows])
+            if not _is_coarse(by_pieces, by_mesh, rows):
+                return levels
+            least = min(least, int((by_pieces & ~by_mesh).sum()))
+        if least > wrong / 2:  # twice as many pieces do not help
+            break
+        wrong = least
+    return MESH, MESH
 
 
 def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: NDArray[np.intp]) -> bool:

@@ -1,7 +1,6 @@
 """The bodies of a robot as finely as a pair needs them: meshes as convex pieces, or as the solids and surfaces they are."""
 
 from collections.abc import Iterator, Mapping
-from itertools import product
 
 import coal
 import numpy as np
@@ -18,7 +17,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
 #: How finely a mesh is taken: by its triangles, or by so many convex pieces.
-MESH, FINE = 0, (12, 24)
+MESH, FINE = 0, (12, 24, 48)
 #: Distances above this need not be known to tell whether a pair touches [m].
 TOUCHING = 1e-6
 #: Two meshes of at most so many triangles in all are compared as fast as pieces of them.
@@ -55,13 +54,13 @@ class DescribedBodies:
         shapes = [shape for shape, _, _ in self.parts(origin, MESH)]
         return len(shapes) > 1 or any(isinstance(shape, coal.BVHModelBase) for shape in shapes)
 
-    def finer(self, pair: tuple[int, int]) -> Iterator[tuple[int, int]]:
-        """Ways to take two objects by more pieces of one and few of the other, the fewest pairs first."""
+    def finer(self, pair: tuple[int, int], many: int) -> Iterator[tuple[int, int]]:
+        """Ways to take two objects by `many` pieces of one and few of the other, the fewest pairs first."""
         meshes = [k for k in (0, 1) if self.has_triangles(pair[k])]
         if sum(self._objects[pair[k]].geometry.num_tris for k in meshes) <= FEW_TRIANGLES:
             return
         meshes.sort(key=lambda k: -max(excess for _, _, excess in self.parts(pair[k], MOST_PIECES)))
-        for many, few in product(FINE, (1, MOST_PIECES)):
+        for few in (1, MOST_PIECES):
             for k in meshes:
                 yield (many, few) if k == 0 else (few, many)
 

@@ -16,6 +16,7 @@
 
 enum { POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN };
 enum { FREE, TOUCHING, UNDECIDED };
+enum { GUESS = 22 };        /* see `guess` */
 
 typedef struct {
     long n;                 /* number of joints */
@@ -59,8 +60,9 @@ typedef struct {
     double *centres;        /* (bodies, 3) work: centre of each ball in the world */
     double *least;          /* (pairs) work: distances found at a configuration, infinite between calls */
     long *found;            /* (pairs) work: the pairs of which one was found */
-    double *guess;          /* (pairs, 3) work: direction between each pair at the configuration before, of surfaces that move 1 +
-                               the number of the nearest leaf of each; zero: none is known */
+    double *guess;          /* (pairs, GUESS) work: direction between each pair at the configuration before, of surfaces that move
+                               1 + the number of the nearest leaf of each; zero: none is known. Of convex bodies the number of
+                               corners of the last simplex follows, and for each the points of both cores in their frames */
 } World;
 
 typedef struct {
@@ -289,17 +291,22 @@ typedef struct { double normal[3], level; } Plane;
 
 /* Bounds on the distance of two cores. Stops when the lower bound exceeds `enough`, the upper one is at most `little`, or both
    differ by at most `exact`.
-   `towards` is a first guess of the direction from the second core to the first, and becomes the last one. `plane`, unless it is 0, becomes the one that
-   gave the lower bound, `simplex`, unless it is 0, the one with the nearest point, or around the origin. Returns 0 if the cores
-   meet. */
-static int bounds(const Core *one, const Core *two, double *towards, double enough, double little, double exact,
-                  double *low, double *high, Plane *plane, Simplex *simplex) {
+   `towards` is a first guess of the direction from the second core to the first, and becomes the last one. `plane`, unless it is 0,
+   becomes the one that gave the lower bound, `simplex`, unless it is 0, the one with the nearest point, or around the origin. It is
+   the first guess instead of `towards` if `warm`. Returns 0 if the cores meet. */
+static inline int bounds_from(const Core *one, const Core *two, double *towards, double enough, double little, double exact,
+                              double *low, double *high, Plane *plane, Simplex *simplex, int warm) {
     Simplex own, last, *s = simplex ? simplex : &own;
     double v[3], a[3], b[3], minus[3];
     double size = sqrt(dot(towards, towards));
     for (int i = 0; i < 3; i++) v[i] = size > 0 ? towards[i] / size : i == 0;
     *low = -INFINITY, *high = INFINITY;
-    s->count = 0;
+    if (warm) {
+        reduce(s);
+        *high = sqrt(dot(s->nearest, s->nearest));
+        if (!(*high > APART)) return 0;
+        memcpy(v, s->nearest, sizeof v);
+    } else s->count = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
         for (int i = 0; i < 3; i++) minus[i] = -v[i], towards[i] = v[i];
         support(one, minus, a);
@@ -322,15 +329,48 @@ static int bounds(const Core *one, const Core *two, double *towards, double enou
         int inside = reduce(s);
         double apart = sqrt(dot(s->nearest, s->nearest));
         if (inside && *low <= MEETING) return 0;
-        if (simplex && step > 0 && (inside || apart >= *high)) *s = last;
+        if (simplex && (warm || step > 0) && (inside || apart >= *high)) *s = last;
         if (inside) return 1;                              /* rounding: a flat simplex may seem to contain the origin */
-        if (apart >= *high && step > 0) return 1;          /* rounding: no progress */
+        if (apart >= *high && (warm || step > 0)) return 1; /* rounding: no progress */
         *high = apart;
         if (apart <= MEETING) return 0;
         if (apart <= little || *high - *low <= exact) return 1;
         memcpy(v, s->nearest, sizeof v);
         if (s->count == 4) return 1;
     }
+    return 1;
+}
+
+static int bounds(const Core *one, const Core *two, double *towards, double enough, double little, double exact, double *low,
+                  double *high, Plane *plane, Simplex *simplex) {
+    return bounds_from(one, two, towards, enough, little, exact, low, high, plane, simplex, 0);
+}
+
+/* Keep a direction, and the simplex from which the distance came, for the next configuration. */
+static void keep_guess(double *guess, const Core *one, const Core *two, const double *towards, const Simplex *s, int apart) {
+    memcpy(guess, towards, 3 * sizeof *guess);
+    guess[3] = apart && s->count < 4 ? s->count : 0;
+    for (int k = 0; k < (int)guess[3]; k++) {
+        double second[3];
+        for (int i = 0; i < 3; i++) second[i] = s->first[k][i] - s->point[k][i];
+        place_back(one->frame, s->first[k], guess + 4 + 6 * k), place_back(two->frame, second, guess + 7 + 6 * k);
+    }
+}
+
+/* `bounds` from the simplex that `keep_guess` kept. Returns 0 where it does not give the distance. */
+static int bounds_near(const double *guess, const Core *one, const Core *two, double *towards, double enough, double *low,
+                       double *high, Simplex *s) {
+    s->count = (int)guess[3];
+    if (s->count == 0) return 0;
+    for (int k = 0; k < s->count; k++) {
+        double second[3];
+        act(one->frame, guess + 4 + 6 * k, s->first[k]), act(two->frame, guess + 7 + 6 * k, second);
+        for (int i = 0; i < 3; i++) s->point[k][i] = s->first[k][i] - second[i];
+    }
+    double last[3] = {0};
+    int apart = bounds_from(one, two, last, enough, -INFINITY, EXACT, low, high, 0, s, 1);
+    if (!apart || !(*high > APART) || !(*low > enough || *high - *low <= 1e3 * EXACT)) return 0;
+    memcpy(towards, last, sizeof last);
     return 1;
 }
 
@@ -908,7 +948,7 @@ static void look_at_surfaces(Search *s, long obstacle, Two *two) {
     two->s = s, two->obstacle = obstacle, two->radii = w->radius[one] + w->radius[obstacle];
     relative(w->frames + 12 * w->joint[obstacle], w->frames + 12 * w->joint[one], two->frame);
     for (int i = 0; i < 9; i++) two->share[i] = fabs(two->frame[i]);
-    double *guess = s->guess ? s->guess + 3 * pair_with(s, obstacle) : 0;
+    double *guess = s->guess ? s->guess + GUESS * pair_with(s, obstacle) : 0;
     place_back(w->frames + 12 * w->joint[obstacle], w->centres + 3 * one, two->towards);
     for (int i = 0; i < 3; i++) two->towards[i] -= w->ball[4 * obstacle + i];
     if (guess && guess[0] > 0) two_leaves(two, (long)guess[0] - 1, (long)guess[1] - 1);
@@ -928,7 +968,7 @@ static void look_at_surface(Search *s, long obstacle, Core *core, double *frame,
         s->core = core, s->closer = s->out ? CLOSER : 0, s->moves = 1;
     }
     Plane plane = s->plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
-    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + 3 * pair_with(s, obstacle) : 0;
+    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + GUESS * pair_with(s, obstacle) : 0;
     if (guess && guess[0] > 0) one_leaf(s, obstacle, (long)guess[0] - 1, reach_of(s, obstacle), plane.normal);
     surface(s, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
     if (guess) guess[0] = s->leaf + 1;
@@ -1019,7 +1059,7 @@ static void look_at(Search *s, long obstacle, const double *box) {
         const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
         for (int i = 0; i < 3; i++) towards[i] = a[i] - b[i];
         if (are_far(w, s->body, obstacle, reach)) return;
-        double *guess = s->guess ? s->guess + 3 * pair_with(s, obstacle) : 0;
+        double *guess = s->guess ? s->guess + GUESS * pair_with(s, obstacle) : 0;
         if (guess && dot(guess, guess) > 0)
             memcpy(towards, guess, sizeof towards);
         else if (box && square_from_box(a, box) > 0)        /* from the nearest point of the box: a better first direction */
@@ -1027,9 +1067,11 @@ static void look_at(Search *s, long obstacle, const double *box) {
         Core other;
         core_of(w, obstacle, &other);
         Simplex simplex;
-        double little = s->out ? -INFINITY : reach, depth;
-        int apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, little, &low, &high, 0, &simplex);
-        if (guess) memcpy(guess, towards, sizeof towards);
+        double little = s->out ? -INFINITY : reach, depth, radii = w->radius[s->body] + w->radius[obstacle];
+        int known = guess && dot(guess, guess) > 0 && s->out, apart = 1;
+        if (known && bounds_near(guess, s->core, &other, towards, reach + radii, &low, &high, &simplex)) low -= radii, high -= radii;
+        else apart = shape_bounds(w, s->body, s->core, obstacle, &other, towards, reach, little, &low, &high, 0, &simplex);
+        if (guess) keep_guess(guess, s->core, &other, towards, &simplex, apart);
         if (!apart && s->out && depth_of(s->core, &other, &simplex, &depth, 0, 0, 0))
             apart = 1, low = high = -depth - w->radius[s->body] - w->radius[obstacle];
         if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
@@ -1104,7 +1146,7 @@ void manipplan_check(const World *w, const double *q, long m, double clearance, 
 /* Room for the directions between pairs at m configurations along a path; 0 where one configuration does not need them. */
 static double *fresh_guess(const World *w, long m) {
     if (m < 2) return 0;
-    memset(w->guess, 0, 3 * (size_t)w->pairs * sizeof *w->guess);
+    for (long k = 0; k < w->pairs; k++) memset(w->guess + GUESS * k, 0, 3 * sizeof *w->guess);
     return w->guess;
 }
 
@@ -1180,13 +1222,20 @@ static double pair_distance(const World *w, const double *q, long one, long two,
 /* The distance of one pair at each of m configurations, cut off at reach (m): bodies (m, 2), the second of which may stand still;
    out (m). leaf (m): the triangle or point of the second body that is nearest; -1 if that is no surface, or not within reach. */
 void manipplan_pairs(const World *w, const double *q, long m, const long *bodies, const double *reach, double *out, long *leaf) {
-    double guess[3] = {0};
+    double guess[GUESS] = {0};
     for (long k = 0; k < m; k++) {
         long one = bodies[2 * k], two = bodies[2 * k + 1];
         if (k > 0 && (one != bodies[2 * k - 2] || two != bodies[2 * k - 1])) memset(guess, 0, sizeof guess);
         if (k == 0 || memcmp(q + k * w->entries, q + (k - 1) * w->entries, (size_t)w->entries * sizeof *q)) place(w, q + k * w->entries);
         out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], guess, leaf + k);
     }
+}
+
+/* The distance of one pair at q (entries), as `manipplan_pairs` says; `guess` (GUESS): as in the world, zeros at first. */
+double manipplan_pair(const World *w, const double *q, const long *bodies, double *guess) {
+    long leaf;
+    place(w, q);
+    return pair_distance(w, q, bodies[0], bodies[1], INFINITY, guess, &leaf);
 }
 
 /* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
@@ -1227,7 +1276,7 @@ static double stays_apart(const Core *one, double behind, const double *normal, 
    where cores meet, and for what is beyond reach. */
 void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
                          const double *bends, double *out, double *bound) {
-    double guess[3] = {0};
+    double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, slopes += w->entries) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
         if (!same) memset(guess, 0, sizeof guess);
@@ -1235,7 +1284,7 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         bound[k] = -INFINITY;
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
-            double fresh[3] = {0};
+            double fresh[GUESS] = {0};
             int both = w->kind[one] == SURFACE && w->kind[two] == SURFACE;
             out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], both ? guess : fresh, &leaf);
             continue;
@@ -1254,7 +1303,7 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
             if (!(dot(guess, guess) > 0))
                 for (int i = 0; i < 3; i++) guess[i] = w->centres[3 * one + i] - w->centres[3 * two + i];
             if (!shape_bounds(w, one, &first, two, &second, guess, reach[k], -INFINITY, &low, &high, &plane, 0)) {
-                double fresh[3] = {0};
+                double fresh[GUESS] = {0};
                 out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], fresh, &leaf);
                 continue;
             }

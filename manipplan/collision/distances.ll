@@ -1,4 +1,4 @@
-; distances.c 8d84d68da283b11aa8bb6a58c263af6be9c50b458e7bea127bc8397a843a919b: written by make kernel
+; distances.c 7c7ae749d27564113f03160993addfd230d3fb3b542c942587357fa5e4907dfb: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr, i64, i32, i32, ptr, ptr, i32, double }
@@ -62,7 +62,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %29 = phi i64 [ %36, %27 ], [ 0, %5 ]
   %30 = getelementptr inbounds double, ptr %1, i64 %29
   %31 = load double, ptr %30, align 8
-  %32 = tail call double @llvm.fabs.f64(double %31) #17
+  %32 = tail call double @llvm.fabs.f64(double %31) #18
   %33 = fcmp one double %32, 0x7FF0000000000000
   %34 = zext i1 %33 to i32
   %35 = and i32 %28, %34
@@ -140,7 +140,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %89 = load ptr, ptr %60, align 8
   %90 = shl nsw i64 %82, 2
   %91 = getelementptr inbounds double, ptr %89, i64 %90
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   %92 = getelementptr inbounds double, ptr %91, i64 3
   %93 = load double, ptr %92, align 8
   %94 = load ptr, ptr %61, align 8
@@ -209,8 +209,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 144:                                              ; preds = %136, %138
   %145 = phi i32 [ %155, %138 ], [ %81, %136 ]
   %146 = phi i64 [ %139, %138 ], [ %137, %136 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %8) #19
   store ptr %0, ptr %8, align 8
   %147 = load ptr, ptr %63, align 8
   %148 = getelementptr inbounds i64, ptr %147, i64 %146
@@ -238,12 +238,12 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %155 = load i32, ptr %72, align 8
   %156 = icmp ne i32 %155, 1
   %157 = select i1 %78, i1 true, i1 %156
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %7) #19
   br i1 %157, label %138, label %158
 
 158:                                              ; preds = %144
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   br label %250
 
 159:                                              ; preds = %138
@@ -253,7 +253,7 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
 161:                                              ; preds = %159, %131, %126
   %162 = phi i64 [ %80, %126 ], [ %80, %131 ], [ %160, %159 ]
   %163 = phi i32 [ %81, %126 ], [ %81, %131 ], [ %155, %159 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   %164 = add nuw nsw i64 %82, 1
   %165 = icmp slt i64 %164, %162
   br i1 %165, label %79, label %166
@@ -335,9 +335,9 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   br i1 %235, label %245, label %236
 
 236:                                              ; preds = %189
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %196, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #19
   store ptr %0, ptr %10, align 8
   store i64 %196, ptr %175, align 8
   store ptr %9, ptr %176, align 8
@@ -359,8 +359,8 @@ define internal fastcc i32 @examine(ptr noundef %0, ptr nocapture noundef readon
   %240 = load i32, ptr %182, align 8
   %241 = icmp eq i32 %240, 1
   %242 = select i1 %188, i1 %241, i1 false
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #19
   br i1 %242, label %250, label %243
 
 243:                                              ; preds = %236
@@ -411,173 +411,205 @@ declare void @llvm.lifetime.end.p0(i64 immarg, ptr nocapture) #1
 define dso_local void @manipplan_distances(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, ptr nocapture noundef writeonly %4) local_unnamed_addr #0 {
   %6 = alloca i64, align 8
   %7 = icmp slt i64 %2, 2
-  br i1 %7, label %15, label %8
+  br i1 %7, label %25, label %8
 
 8:                                                ; preds = %5
-  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %12 = load i64, ptr %11, align 8
-  %13 = mul i64 %12, 24
-  tail call void @llvm.memset.p0.i64(ptr align 8 %10, i8 0, i64 %13, i1 false)
-  %14 = load ptr, ptr %9, align 8
+  %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp sgt i64 %10, 0
+  br i1 %11, label %12, label %14
+
+12:                                               ; preds = %8
+  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   br label %17
 
-15:                                               ; preds = %5
-  %16 = icmp eq i64 %2, 1
-  br i1 %16, label %17, label %23
+14:                                               ; preds = %17, %8
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
+  %16 = load ptr, ptr %15, align 8
+  br label %25
 
-17:                                               ; preds = %8, %15
-  %18 = phi ptr [ %14, %8 ], [ null, %15 ]
-  %19 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %20 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
-  br label %24
+17:                                               ; preds = %17, %12
+  %18 = phi i64 [ 0, %12 ], [ %22, %17 ]
+  %19 = load ptr, ptr %13, align 8
+  %20 = mul nuw nsw i64 %18, 22
+  %21 = getelementptr inbounds double, ptr %19, i64 %20
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %21, i8 0, i64 24, i1 false)
+  %22 = add nuw nsw i64 %18, 1
+  %23 = load i64, ptr %9, align 8
+  %24 = icmp slt i64 %22, %23
+  br i1 %24, label %17, label %14
 
-23:                                               ; preds = %47, %15
+25:                                               ; preds = %5, %14
+  %26 = phi ptr [ %16, %14 ], [ null, %5 ]
+  %27 = icmp sgt i64 %2, 0
+  br i1 %27, label %28, label %33
+
+28:                                               ; preds = %25
+  %29 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %30 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  br label %34
+
+33:                                               ; preds = %57, %25
   ret void
 
-24:                                               ; preds = %17, %47
-  %25 = phi i64 [ 0, %17 ], [ %48, %47 ]
-  %26 = phi ptr [ %4, %17 ], [ %49, %47 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #18
+34:                                               ; preds = %28, %57
+  %35 = phi i64 [ 0, %28 ], [ %58, %57 ]
+  %36 = phi ptr [ %4, %28 ], [ %59, %57 ]
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %6) #19
   store i64 0, ptr %6, align 8
-  %27 = load i64, ptr %19, align 8
-  %28 = mul nsw i64 %27, %25
-  %29 = getelementptr inbounds double, ptr %1, i64 %28
-  %30 = getelementptr inbounds double, ptr %3, i64 %25
-  %31 = load double, ptr %30, align 8
-  %32 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %29, double noundef %31, ptr noundef nonnull %6, ptr noundef %18)
-  %33 = load i64, ptr %20, align 8
-  %34 = icmp sgt i64 %33, 0
-  br i1 %34, label %41, label %35
+  %37 = load i64, ptr %29, align 8
+  %38 = mul nsw i64 %37, %35
+  %39 = getelementptr inbounds double, ptr %1, i64 %38
+  %40 = getelementptr inbounds double, ptr %3, i64 %35
+  %41 = load double, ptr %40, align 8
+  %42 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %39, double noundef %41, ptr noundef nonnull %6, ptr noundef %26)
+  %43 = load i64, ptr %30, align 8
+  %44 = icmp sgt i64 %43, 0
+  br i1 %44, label %51, label %45
 
-35:                                               ; preds = %41, %24
-  %36 = load i64, ptr %6, align 8
-  %37 = icmp sgt i64 %36, 0
-  br i1 %37, label %38, label %47
+45:                                               ; preds = %51, %34
+  %46 = load i64, ptr %6, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %57
 
-38:                                               ; preds = %35
-  %39 = load ptr, ptr %21, align 8
-  %40 = load ptr, ptr %22, align 8
-  br label %51
+48:                                               ; preds = %45
+  %49 = load ptr, ptr %31, align 8
+  %50 = load ptr, ptr %32, align 8
+  br label %61
 
-41:                                               ; preds = %24, %41
-  %42 = phi i64 [ %45, %41 ], [ 0, %24 ]
-  %43 = load double, ptr %30, align 8
-  %44 = getelementptr inbounds double, ptr %26, i64 %42
-  store double %43, ptr %44, align 8
-  %45 = add nuw nsw i64 %42, 1
-  %46 = icmp eq i64 %45, %33
-  br i1 %46, label %35, label %41
+51:                                               ; preds = %34, %51
+  %52 = phi i64 [ %55, %51 ], [ 0, %34 ]
+  %53 = load double, ptr %40, align 8
+  %54 = getelementptr inbounds double, ptr %36, i64 %52
+  store double %53, ptr %54, align 8
+  %55 = add nuw nsw i64 %52, 1
+  %56 = icmp eq i64 %55, %43
+  br i1 %56, label %45, label %51
 
-47:                                               ; preds = %51, %35
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #18
-  %48 = add nuw nsw i64 %25, 1
-  %49 = getelementptr inbounds double, ptr %26, i64 %33
-  %50 = icmp eq i64 %48, %2
-  br i1 %50, label %23, label %24
+57:                                               ; preds = %61, %45
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %6) #19
+  %58 = add nuw nsw i64 %35, 1
+  %59 = getelementptr inbounds double, ptr %36, i64 %43
+  %60 = icmp eq i64 %58, %2
+  br i1 %60, label %33, label %34
 
-51:                                               ; preds = %38, %51
-  %52 = phi i64 [ 0, %38 ], [ %58, %51 ]
-  %53 = getelementptr inbounds i64, ptr %40, i64 %52
-  %54 = load i64, ptr %53, align 8
-  %55 = getelementptr inbounds double, ptr %39, i64 %54
-  %56 = load double, ptr %55, align 8
-  %57 = getelementptr inbounds double, ptr %26, i64 %54
-  store double %56, ptr %57, align 8
-  store double 0x7FF0000000000000, ptr %55, align 8
-  %58 = add nuw nsw i64 %52, 1
-  %59 = icmp eq i64 %58, %36
-  br i1 %59, label %47, label %51
+61:                                               ; preds = %48, %61
+  %62 = phi i64 [ 0, %48 ], [ %68, %61 ]
+  %63 = getelementptr inbounds i64, ptr %50, i64 %62
+  %64 = load i64, ptr %63, align 8
+  %65 = getelementptr inbounds double, ptr %49, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds double, ptr %36, i64 %64
+  store double %66, ptr %67, align 8
+  store double 0x7FF0000000000000, ptr %65, align 8
+  %68 = add nuw nsw i64 %62, 1
+  %69 = icmp eq i64 %68, %46
+  br i1 %69, label %57, label %61
 }
 
 define dso_local i64 @manipplan_near(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, ptr nocapture noundef readonly %3, i64 noundef %4, ptr nocapture noundef writeonly %5, ptr nocapture noundef writeonly %6) local_unnamed_addr #0 {
   %8 = alloca i64, align 8
   %9 = icmp slt i64 %2, 2
-  br i1 %9, label %17, label %10
+  br i1 %9, label %27, label %10
 
 10:                                               ; preds = %7
-  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %14 = load i64, ptr %13, align 8
-  %15 = mul i64 %14, 24
-  tail call void @llvm.memset.p0.i64(ptr align 8 %12, i8 0, i64 %15, i1 false)
-  %16 = load ptr, ptr %11, align 8
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %16
+
+14:                                               ; preds = %10
+  %15 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
   br label %19
 
-17:                                               ; preds = %7
-  %18 = icmp eq i64 %2, 1
-  br i1 %18, label %19, label %25
-
-19:                                               ; preds = %10, %17
-  %20 = phi ptr [ %16, %10 ], [ null, %17 ]
-  %21 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
-  %22 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
-  %23 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
-  %24 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+16:                                               ; preds = %19, %10
+  %17 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 46
+  %18 = load ptr, ptr %17, align 8
   br label %27
 
-25:                                               ; preds = %41, %17
-  %26 = phi i64 [ 0, %17 ], [ %42, %41 ]
-  ret i64 %26
+19:                                               ; preds = %19, %14
+  %20 = phi i64 [ 0, %14 ], [ %24, %19 ]
+  %21 = load ptr, ptr %15, align 8
+  %22 = mul nuw nsw i64 %20, 22
+  %23 = getelementptr inbounds double, ptr %21, i64 %22
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %23, i8 0, i64 24, i1 false)
+  %24 = add nuw nsw i64 %20, 1
+  %25 = load i64, ptr %11, align 8
+  %26 = icmp slt i64 %24, %25
+  br i1 %26, label %19, label %16
 
-27:                                               ; preds = %19, %41
-  %28 = phi i64 [ 0, %19 ], [ %42, %41 ]
-  %29 = phi i64 [ 0, %19 ], [ %43, %41 ]
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+27:                                               ; preds = %7, %16
+  %28 = phi ptr [ %18, %16 ], [ null, %7 ]
+  %29 = icmp sgt i64 %2, 0
+  br i1 %29, label %30, label %35
+
+30:                                               ; preds = %27
+  %31 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %32 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 45
+  %33 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 31
+  %34 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 44
+  br label %37
+
+35:                                               ; preds = %51, %27
+  %36 = phi i64 [ 0, %27 ], [ %52, %51 ]
+  ret i64 %36
+
+37:                                               ; preds = %30, %51
+  %38 = phi i64 [ 0, %30 ], [ %52, %51 ]
+  %39 = phi i64 [ 0, %30 ], [ %53, %51 ]
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
   store i64 0, ptr %8, align 8
-  %30 = load i64, ptr %21, align 8
-  %31 = mul nsw i64 %30, %29
-  %32 = getelementptr inbounds double, ptr %1, i64 %31
-  %33 = getelementptr inbounds double, ptr %3, i64 %29
-  %34 = load double, ptr %33, align 8
-  %35 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %32, double noundef %34, ptr noundef nonnull %8, ptr noundef %20)
-  %36 = load i64, ptr %8, align 8
-  %37 = icmp sgt i64 %36, 0
-  br i1 %37, label %38, label %41
+  %40 = load i64, ptr %31, align 8
+  %41 = mul nsw i64 %40, %39
+  %42 = getelementptr inbounds double, ptr %1, i64 %41
+  %43 = getelementptr inbounds double, ptr %3, i64 %39
+  %44 = load double, ptr %43, align 8
+  %45 = call fastcc i32 @examine(ptr noundef %0, ptr noundef %42, double noundef %44, ptr noundef nonnull %8, ptr noundef %28)
+  %46 = load i64, ptr %8, align 8
+  %47 = icmp sgt i64 %46, 0
+  br i1 %47, label %48, label %51
 
-38:                                               ; preds = %27
-  %39 = load ptr, ptr %22, align 8
-  %40 = load ptr, ptr %24, align 8
-  br label %45
+48:                                               ; preds = %37
+  %49 = load ptr, ptr %32, align 8
+  %50 = load ptr, ptr %34, align 8
+  br label %55
 
-41:                                               ; preds = %59, %27
-  %42 = phi i64 [ %28, %27 ], [ %62, %59 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
-  %43 = add nuw nsw i64 %29, 1
-  %44 = icmp eq i64 %43, %2
-  br i1 %44, label %25, label %27
+51:                                               ; preds = %69, %37
+  %52 = phi i64 [ %38, %37 ], [ %72, %69 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
+  %53 = add nuw nsw i64 %39, 1
+  %54 = icmp eq i64 %53, %2
+  br i1 %54, label %35, label %37
 
-45:                                               ; preds = %38, %59
-  %46 = phi i64 [ %28, %38 ], [ %62, %59 ]
-  %47 = phi i64 [ 0, %38 ], [ %61, %59 ]
-  %48 = getelementptr inbounds i64, ptr %39, i64 %47
-  %49 = load i64, ptr %48, align 8
-  %50 = icmp slt i64 %46, %4
-  br i1 %50, label %51, label %59
+55:                                               ; preds = %48, %69
+  %56 = phi i64 [ %38, %48 ], [ %72, %69 ]
+  %57 = phi i64 [ 0, %48 ], [ %71, %69 ]
+  %58 = getelementptr inbounds i64, ptr %49, i64 %57
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp slt i64 %56, %4
+  br i1 %60, label %61, label %69
 
-51:                                               ; preds = %45
-  %52 = load i64, ptr %23, align 8
-  %53 = mul nsw i64 %52, %29
-  %54 = add nsw i64 %53, %49
-  %55 = getelementptr inbounds i64, ptr %5, i64 %46
-  store i64 %54, ptr %55, align 8
-  %56 = getelementptr inbounds double, ptr %40, i64 %49
-  %57 = load double, ptr %56, align 8
-  %58 = getelementptr inbounds double, ptr %6, i64 %46
-  store double %57, ptr %58, align 8
-  br label %59
+61:                                               ; preds = %55
+  %62 = load i64, ptr %33, align 8
+  %63 = mul nsw i64 %62, %39
+  %64 = add nsw i64 %63, %59
+  %65 = getelementptr inbounds i64, ptr %5, i64 %56
+  store i64 %64, ptr %65, align 8
+  %66 = getelementptr inbounds double, ptr %50, i64 %59
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds double, ptr %6, i64 %56
+  store double %67, ptr %68, align 8
+  br label %69
 
-59:                                               ; preds = %51, %45
-  %60 = getelementptr inbounds double, ptr %40, i64 %49
-  store double 0x7FF0000000000000, ptr %60, align 8
-  %61 = add nuw nsw i64 %47, 1
-  %62 = add nsw i64 %46, 1
-  %63 = icmp eq i64 %61, %36
-  br i1 %63, label %41, label %45
+69:                                               ; preds = %61, %55
+  %70 = getelementptr inbounds double, ptr %50, i64 %59
+  store double 0x7FF0000000000000, ptr %70, align 8
+  %71 = add nuw nsw i64 %57, 1
+  %72 = add nsw i64 %56, 1
+  %73 = icmp eq i64 %71, %46
+  br i1 %73, label %51, label %55
 }
 
 define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef readonly %1, i64 noundef %2, double noundef %3, i64 noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7) local_unnamed_addr #0 {
@@ -606,7 +638,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %23, label %24, label %70
 
 24:                                               ; preds = %17
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
   store i64 0, ptr %9, align 8
   %25 = load double, ptr %5, align 8
   %26 = load i64, ptr %11, align 8
@@ -619,7 +651,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
   br i1 %32, label %34, label %33
 
 33:                                               ; preds = %24
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
   br label %70
 
 34:                                               ; preds = %24
@@ -630,7 +662,7 @@ define dso_local i32 @manipplan_least(ptr noundef %0, ptr nocapture noundef read
 
 38:                                               ; preds = %66
   %39 = icmp eq i32 %49, 0
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
   br i1 %39, label %74, label %70
 
 40:                                               ; preds = %34, %66
@@ -710,9 +742,9 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %8 = alloca double, align 8
   %9 = alloca %struct.Core, align 8
   %10 = alloca %struct.Search, align 8
-  %11 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  %11 = alloca [22 x double], align 16
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %11) #19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %11, i8 0, i64 176, i1 false)
   %12 = icmp sgt i64 %2, 0
   br i1 %12, label %13, label %27
 
@@ -733,7 +765,7 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   br label %28
 
 27:                                               ; preds = %83, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %11) #19
   ret void
 
 28:                                               ; preds = %13, %83
@@ -762,7 +794,7 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   br i1 %46, label %48, label %47
 
 47:                                               ; preds = %42, %37
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %11, i8 0, i64 24, i1 false)
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %11, i8 0, i64 176, i1 false)
   br label %48
 
 48:                                               ; preds = %42, %47
@@ -791,7 +823,7 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %66 = getelementptr inbounds double, ptr %4, i64 %29
   %67 = load double, ptr %66, align 8
   %68 = getelementptr inbounds i64, ptr %6, i64 %29
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
   store double %67, ptr %8, align 8
   store i64 -1, ptr %68, align 8
   %69 = load i64, ptr %14, align 8
@@ -807,14 +839,14 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %75 = phi i64 [ %72, %71 ], [ 0, %63 ]
   %76 = getelementptr inbounds double, ptr %65, i64 %75
   %77 = load double, ptr %76, align 8
-  %78 = call double @llvm.fabs.f64(double %77) #17
+  %78 = call double @llvm.fabs.f64(double %77) #18
   %79 = fcmp ueq double %78, 0x7FF0000000000000
   br i1 %79, label %83, label %71
 
 80:                                               ; preds = %71, %63
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %32, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %10) #19
   store ptr %0, ptr %10, align 8
   store i64 %32, ptr %15, align 8
   store ptr %9, ptr %16, align 8
@@ -832,13 +864,13 @@ define dso_local void @manipplan_pairs(ptr noundef %0, ptr nocapture noundef rea
   %81 = load i64, ptr %22, align 8
   store i64 %81, ptr %68, align 8
   %82 = load double, ptr %8, align 8
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #19
   br label %83
 
 83:                                               ; preds = %74, %80
   %84 = phi double [ %82, %80 ], [ 0x7FF8000000000000, %74 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
   %85 = getelementptr inbounds double, ptr %5, i64 %29
   store double %84, ptr %85, align 8
   %86 = add nuw nsw i64 %29, 1
@@ -903,7 +935,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   %45 = phi i64 [ 0, %9 ], [ %161, %210 ]
   %46 = mul nsw i64 %45, 3
   %47 = getelementptr inbounds double, ptr %11, i64 %46
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %3) #19
   %48 = getelementptr inbounds double, ptr %13, i64 %45
   %49 = load double, ptr %48, align 8
   %50 = getelementptr inbounds i64, ptr %15, i64 %45
@@ -981,7 +1013,7 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br label %104
 
 104:                                              ; preds = %62, %71
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %4) #19
   %105 = getelementptr inbounds i64, ptr %32, i64 %45
   %106 = load i64, ptr %105, align 8
   %107 = mul nsw i64 %106, 12
@@ -1108,8 +1140,8 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %209, label %178, label %191
 
 210:                                              ; preds = %178
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #18
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %4) #19
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %3) #19
   %211 = icmp eq i64 %161, %7
   br i1 %211, label %35, label %44
 
@@ -1171,6 +1203,75 @@ define internal fastcc void @place(ptr nocapture noundef readonly %0, ptr nocapt
   br i1 %257, label %212, label %213
 }
 
+define dso_local double @manipplan_pair(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr noundef %3) local_unnamed_addr #0 {
+  %5 = alloca double, align 8
+  %6 = alloca %struct.Core, align 8
+  %7 = alloca %struct.Search, align 8
+  tail call fastcc void @place(ptr noundef %0, ptr noundef %1)
+  %8 = load i64, ptr %2, align 8
+  %9 = getelementptr inbounds i64, ptr %2, i64 1
+  %10 = load i64, ptr %9, align 8
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #19
+  store double 0x7FF0000000000000, ptr %5, align 8
+  %11 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 1
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %17, label %23
+
+14:                                               ; preds = %17
+  %15 = add nuw nsw i64 %18, 1
+  %16 = icmp eq i64 %15, %12
+  br i1 %16, label %23, label %17
+
+17:                                               ; preds = %4, %14
+  %18 = phi i64 [ %15, %14 ], [ 0, %4 ]
+  %19 = getelementptr inbounds double, ptr %1, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = tail call double @llvm.fabs.f64(double %20) #18
+  %22 = fcmp ueq double %21, 0x7FF0000000000000
+  br i1 %22, label %37, label %14
+
+23:                                               ; preds = %14, %4
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #19
+  call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %8, ptr noundef nonnull %6)
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #19
+  store ptr %0, ptr %7, align 8
+  %24 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
+  store i64 %8, ptr %24, align 8
+  %25 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 2
+  store ptr %6, ptr %25, align 8
+  %26 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 3
+  %27 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 5
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %26, i8 0, i64 16, i1 false)
+  store double 0x7FF0000000000000, ptr %27, align 8
+  %28 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 6
+  store ptr %5, ptr %28, align 8
+  %29 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 7
+  store ptr null, ptr %29, align 8
+  %30 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 8
+  store i32 0, ptr %30, align 8
+  %31 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 9
+  store i64 -1, ptr %31, align 8
+  %32 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 10
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %32, i8 0, i64 32, i1 false)
+  %33 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 11
+  store ptr %3, ptr %33, align 8
+  %34 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 12
+  %35 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 18
+  store double 0.000000e+00, ptr %35, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %34, i8 0, i64 36, i1 false)
+  call fastcc void @look_at(ptr noundef nonnull %7, i64 noundef %10, ptr noundef null)
+  %36 = load double, ptr %5, align 8
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #19
+  br label %37
+
+37:                                               ; preds = %17, %23
+  %38 = phi double [ %36, %23 ], [ 0x7FF8000000000000, %17 ]
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #19
+  ret double %38
+}
+
 define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, i64 noundef %3, ptr nocapture noundef readonly %4, ptr nocapture noundef readonly %5, ptr nocapture noundef readonly %6, ptr nocapture noundef writeonly %7, ptr nocapture noundef writeonly %8) local_unnamed_addr #0 {
   %10 = alloca double, align 8
   %11 = alloca %struct.Core, align 8
@@ -1178,8 +1279,8 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %13 = alloca double, align 8
   %14 = alloca %struct.Core, align 8
   %15 = alloca %struct.Search, align 8
-  %16 = alloca [3 x double], align 16
-  %17 = alloca [3 x double], align 16
+  %16 = alloca [22 x double], align 16
+  %17 = alloca [22 x double], align 16
   %18 = alloca %struct.Core, align 8
   %19 = alloca %struct.Core, align 8
   %20 = alloca %struct.Plane, align 8
@@ -1188,11 +1289,11 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %23 = alloca [3 x double], align 16
   %24 = alloca [3 x double], align 16
   %25 = alloca [12 x double], align 16
-  %26 = alloca [3 x double], align 16
+  %26 = alloca [22 x double], align 16
   %27 = alloca [3 x double], align 16
   %28 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %16) #19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
   %29 = icmp sgt i64 %3, 0
   br i1 %29, label %30, label %71
 
@@ -1240,7 +1341,7 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   br label %72
 
 71:                                               ; preds = %369, %9
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %16) #19
   ret void
 
 72:                                               ; preds = %30, %369
@@ -1270,11 +1371,11 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   br i1 %91, label %94, label %92
 
 92:                                               ; preds = %87, %82
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
   br label %94
 
 93:                                               ; preds = %72
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %16, i8 0, i64 24, i1 false)
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %16, i8 0, i64 176, i1 false)
   br label %104
 
 94:                                               ; preds = %87, %92
@@ -1326,13 +1427,13 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
 128:                                              ; preds = %120
   %129 = getelementptr inbounds double, ptr %6, i64 %74
   %130 = load double, ptr %129, align 8
-  %131 = call double @llvm.fabs.f64(double %130) #17
+  %131 = call double @llvm.fabs.f64(double %130) #18
   %132 = fcmp ueq double %131, 0x7FF0000000000000
   br i1 %132, label %133, label %163
 
 133:                                              ; preds = %128, %120
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %17, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %17) #19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %17, i8 0, i64 176, i1 false)
   %134 = load i64, ptr %122, align 8
   %135 = icmp eq i64 %134, 4
   br i1 %135, label %136, label %141
@@ -1351,7 +1452,7 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %145 = getelementptr inbounds double, ptr %1, i64 %144
   %146 = getelementptr inbounds double, ptr %5, i64 %74
   %147 = load double, ptr %146, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #19
   store double %147, ptr %13, align 8
   %148 = icmp sgt i64 %143, 0
   br i1 %148, label %152, label %158
@@ -1365,14 +1466,14 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %153 = phi i64 [ %150, %149 ], [ 0, %141 ]
   %154 = getelementptr inbounds double, ptr %145, i64 %153
   %155 = load double, ptr %154, align 8
-  %156 = call double @llvm.fabs.f64(double %155) #17
+  %156 = call double @llvm.fabs.f64(double %155) #18
   %157 = fcmp ueq double %156, 0x7FF0000000000000
   br i1 %157, label %160, label %149
 
 158:                                              ; preds = %149, %141
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %14) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %14)
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %15) #19
   store ptr %0, ptr %15, align 8
   store i64 %77, ptr %58, align 8
   store ptr %14, ptr %59, align 8
@@ -1388,39 +1489,39 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %68, i8 0, i64 36, i1 false)
   call fastcc void @look_at(ptr noundef nonnull %15, i64 noundef %80, ptr noundef null)
   %159 = load double, ptr %13, align 8
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %15) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %15) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %14) #19
   br label %160
 
 160:                                              ; preds = %152, %158
   %161 = phi double [ %159, %158 ], [ 0x7FF8000000000000, %152 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #19
   %162 = getelementptr inbounds double, ptr %7, i64 %74
   store double %161, ptr %162, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %17) #19
   br label %369
 
 163:                                              ; preds = %128
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %18) #18
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %19) #18
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %20) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %21) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %22) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %18) #19
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %19) #19
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %20) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %21) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %22) #19
   %164 = load ptr, ptr %34, align 8
   %165 = getelementptr inbounds double, ptr %164, i64 %77
   %166 = load double, ptr %165, align 8
   %167 = getelementptr inbounds double, ptr %164, i64 %80
   %168 = load double, ptr %167, align 8
   %169 = fadd double %166, %168
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %18)
   %170 = load i64, ptr %110, align 8
   %171 = icmp eq i64 %170, 3
   br i1 %171, label %172, label %243
 
 172:                                              ; preds = %163
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %25) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %25) #19
   %173 = load ptr, ptr %50, align 8
   %174 = load ptr, ptr %33, align 8
   %175 = getelementptr inbounds i64, ptr %174, i64 %80
@@ -1495,7 +1596,7 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
 
 232:                                              ; preds = %234
   %233 = call fastcc double @over_plane(ptr noundef %0, i64 noundef %77, ptr noundef nonnull %18, i64 noundef %80)
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %25) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %25) #19
   br label %304
 
 234:                                              ; preds = %212, %234
@@ -1538,7 +1639,7 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %263 = getelementptr inbounds double, ptr %254, i64 %262
   %264 = load double, ptr %263, align 8
   %265 = fsub double %261, %264
-  %266 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %258
+  %266 = getelementptr inbounds [22 x double], ptr %16, i64 0, i64 %258
   store double %265, ptr %266, align 8
   %267 = add nuw nsw i64 %258, 1
   %268 = icmp eq i64 %267, 3
@@ -1552,18 +1653,18 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %274 = fadd double %272, %273
   %275 = fadd double %271, %274
   %276 = fadd double %274, 0xFFF0000000000000
-  %277 = call fastcc i32 @bounds(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %275, double noundef %276, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null)
+  %277 = call fastcc i32 @bounds_from(ptr noundef nonnull %18, ptr noundef nonnull %19, ptr noundef nonnull %16, double noundef %275, double noundef %276, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %21, ptr noundef nonnull %22, ptr noundef nonnull %20, ptr noundef null, i32 noundef 0)
   %278 = icmp eq i32 %277, 0
   br i1 %278, label %279, label %299
 
 279:                                              ; preds = %269
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %26, i8 0, i64 24, i1 false)
+  call void @llvm.lifetime.start.p0(i64 176, ptr nonnull %26) #19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(176) %26, i8 0, i64 176, i1 false)
   %280 = load i64, ptr %31, align 8
   %281 = mul nsw i64 %280, %74
   %282 = getelementptr inbounds double, ptr %1, i64 %281
   %283 = load double, ptr %270, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #19
   store double %283, ptr %10, align 8
   %284 = icmp sgt i64 %280, 0
   br i1 %284, label %288, label %294
@@ -1577,14 +1678,14 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %289 = phi i64 [ %286, %285 ], [ 0, %279 ]
   %290 = getelementptr inbounds double, ptr %282, i64 %289
   %291 = load double, ptr %290, align 8
-  %292 = call double @llvm.fabs.f64(double %291) #17
+  %292 = call double @llvm.fabs.f64(double %291) #18
   %293 = fcmp ueq double %292, 0x7FF0000000000000
   br i1 %293, label %296, label %285
 
 294:                                              ; preds = %285, %279
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %77, ptr noundef nonnull %11)
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #19
   store ptr %0, ptr %12, align 8
   store i64 %77, ptr %38, align 8
   store ptr %11, ptr %39, align 8
@@ -1600,16 +1701,16 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(36) %48, i8 0, i64 36, i1 false)
   call fastcc void @look_at(ptr noundef nonnull %12, i64 noundef %80, ptr noundef null)
   %295 = load double, ptr %10, align 8
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #19
   br label %296
 
 296:                                              ; preds = %288, %294
   %297 = phi double [ %295, %294 ], [ 0x7FF8000000000000, %288 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #19
   %298 = getelementptr inbounds double, ptr %7, i64 %74
   store double %297, ptr %298, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
+  call void @llvm.lifetime.end.p0(i64 176, ptr nonnull %26) #19
   br label %368
 
 299:                                              ; preds = %269
@@ -1651,8 +1752,8 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   br i1 %321, label %322, label %368
 
 322:                                              ; preds = %319
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %28) #19
   %323 = load ptr, ptr %33, align 8
   %324 = getelementptr inbounds i64, ptr %323, i64 %77
   %325 = load i64, ptr %324, align 8
@@ -1711,18 +1812,18 @@ define dso_local void @manipplan_intervals(ptr noundef %0, ptr nocapture noundef
   %366 = load double, ptr %129, align 8
   %367 = fsub double %365, %366
   store double %367, ptr %108, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %28) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #19
   br label %368
 
 368:                                              ; preds = %313, %315, %319, %363, %296
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %22) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %21) #18
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %20) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %19) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %18) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %22) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %21) #19
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %20) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %19) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %18) #19
   br label %369
 
 369:                                              ; preds = %368, %160
@@ -1864,8 +1965,8 @@ define internal fastcc void @core_of(ptr nocapture noundef readonly %0, i64 noun
 define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64 noundef %1, ptr nocapture noundef readonly %2, i64 noundef %3) unnamed_addr #3 {
   %5 = alloca [12 x double], align 16
   %6 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %5) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   %7 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
@@ -1947,8 +2048,8 @@ define internal fastcc double @over_plane(ptr nocapture noundef readonly %0, i64
   %75 = getelementptr inbounds double, ptr %71, i64 %3
   %76 = load double, ptr %75, align 8
   %77 = fsub double %74, %76
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %5) #19
   ret double %77
 }
 
@@ -1962,7 +2063,7 @@ define internal fastcc i32 @shape_bounds(ptr nocapture noundef readonly %0, i64 
   %19 = fadd double %16, %18
   %20 = fadd double %19, %6
   %21 = fadd double %19, %7
-  %22 = tail call fastcc i32 @bounds(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %20, double noundef %21, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef %11)
+  %22 = tail call fastcc i32 @bounds_from(ptr noundef %2, ptr noundef %4, ptr noundef %5, double noundef %20, double noundef %21, double noundef 0x3DA5FD7FE1796495, ptr noundef %8, ptr noundef %9, ptr noundef %10, ptr noundef %11, i32 noundef 0)
   %23 = load double, ptr %8, align 8
   %24 = fsub double %23, %19
   store double %24, ptr %8, align 8
@@ -1977,8 +2078,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %5 = alloca [8 x double], align 16
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
   %8 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 5
   %9 = load ptr, ptr %8, align 8
   %10 = getelementptr inbounds double, ptr %1, i64 1
@@ -2028,7 +2129,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %42 = load ptr, ptr %41, align 8
   %43 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 4
   %44 = load ptr, ptr %43, align 8
-  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 512, ptr nonnull %4) #19
   %45 = getelementptr inbounds %struct.Core, ptr %0, i64 0, i32 1
   %46 = load i64, ptr %45, align 8
   %47 = icmp slt i64 %46, 4
@@ -2082,7 +2183,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   %85 = phi double [ 0xFFF0000000000000, %48 ], [ %162, %160 ]
   %86 = phi i64 [ 0, %48 ], [ %161, %160 ]
   %87 = tail call i64 @llvm.smin.i64(i64 %83, i64 64)
-  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 64, ptr nonnull %5) #19
   br label %90
 
 88:                                               ; preds = %90
@@ -2192,7 +2293,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 160:                                              ; preds = %158, %141
   %161 = phi i64 [ %159, %158 ], [ %86, %141 ]
   %162 = phi double [ %149, %158 ], [ %85, %141 ]
-  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 64, ptr nonnull %5) #19
   %163 = add nuw nsw i64 %84, 64
   %164 = icmp sgt i64 %46, %163
   %165 = add i64 %83, -64
@@ -2200,7 +2301,7 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
 
 166:                                              ; preds = %160, %62, %54
   %167 = phi i64 [ 0, %54 ], [ %78, %62 ], [ %161, %160 ]
-  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #18
+  call void @llvm.lifetime.end.p0(i64 512, ptr nonnull %4) #19
   %168 = getelementptr inbounds double, ptr %40, i64 %167
   %169 = load double, ptr %168, align 8
   %170 = getelementptr inbounds double, ptr %42, i64 %167
@@ -2298,8 +2399,8 @@ define internal fastcc void @support(ptr nocapture noundef readonly %0, ptr noca
   br i1 %245, label %246, label %223
 
 246:                                              ; preds = %223
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   ret void
 }
 
@@ -2367,8 +2468,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   %53 = icmp eq i64 %37, 0
   %54 = fneg double %52
   %55 = select i1 %53, double %54, double %52
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   %56 = load ptr, ptr %23, align 8
   %57 = mul nsw i64 %44, 3
   %58 = getelementptr inbounds double, ptr %56, i64 %57
@@ -2439,8 +2540,8 @@ define internal fastcc void @twist_of(ptr nocapture noundef readonly %0, i64 nou
   br i1 %112, label %64, label %95
 
 113:                                              ; preds = %124
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
   br label %131
 
 114:                                              ; preds = %90, %124
@@ -2478,7 +2579,7 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   br label %9
 
 9:                                                ; preds = %9, %5
@@ -2521,14 +2622,14 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
 
 42:                                               ; preds = %48
   %43 = fsub double %73, %1
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   ret double %43
 
 44:                                               ; preds = %33, %48
   %45 = phi i32 [ -1, %33 ], [ %74, %48 ]
   %46 = phi double [ 0x7FF0000000000000, %33 ], [ %73, %48 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   %47 = sitofp i32 %45 to double
   br label %76
 
@@ -2559,8 +2660,8 @@ define internal fastcc double @stays_apart(ptr nocapture noundef readonly %0, do
   %71 = fadd double %67, %70
   %72 = fsub double %60, %71
   %73 = tail call double @llvm.minnum.f64(double %46, double %72)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
   %74 = add nsw i32 %45, 2
   %75 = icmp slt i32 %45, 0
   br i1 %75, label %44, label %42
@@ -2635,11 +2736,11 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %50 = load i64, ptr %49, align 8
   %51 = getelementptr inbounds i64, ptr %48, i64 %47
   %52 = load i64, ptr %51, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
   %53 = icmp sgt i64 %38, 0
   br i1 %53, label %56, label %67
 
@@ -2652,7 +2753,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %58 = phi i64 [ %65, %56 ], [ 0, %37 ]
   %59 = getelementptr inbounds double, ptr %39, i64 %58
   %60 = load double, ptr %59, align 8
-  %61 = call double @llvm.fabs.f64(double %60) #17
+  %61 = call double @llvm.fabs.f64(double %60) #18
   %62 = fcmp one double %61, 0x7FF0000000000000
   %63 = zext i1 %62 to i32
   %64 = and i32 %57, %63
@@ -2871,7 +2972,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %232 = add nsw i64 %229, -1
   %233 = mul nuw nsw i64 %232, 3
   %234 = getelementptr inbounds double, ptr %215, i64 %233
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #19
   %235 = load double, ptr %234, align 8
   %236 = getelementptr inbounds double, ptr %234, i64 1
   %237 = load double, ptr %236, align 8
@@ -2917,7 +3018,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %270 = load double, ptr %269, align 8
   %271 = fadd double %265, %270
   store double %271, ptr %269, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #19
   %272 = add nuw i64 %229, 1
   %273 = icmp eq i64 %229, %211
   br i1 %273, label %340, label %228
@@ -2934,7 +3035,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   br i1 %282, label %338, label %283
 
 283:                                              ; preds = %274
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #19
   %284 = select i1 %275, double %145, double %177
   %285 = load double, ptr %241, align 8
   %286 = fsub double %284, %285
@@ -2947,7 +3048,7 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %291 = load double, ptr %243, align 8
   %292 = fsub double %290, %291
   store double %292, ptr %31, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #19
   br label %293
 
 293:                                              ; preds = %293, %283
@@ -2998,8 +3099,8 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   %335 = fneg double %334
   %336 = select i1 %275, double %334, double %335
   %337 = fadd double %276, %336
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #19
   br label %338
 
 338:                                              ; preds = %274, %317
@@ -3007,11 +3108,11 @@ define dso_local void @manipplan_witnesses(ptr noundef %0, ptr nocapture noundef
   br i1 %275, label %274, label %262
 
 340:                                              ; preds = %262, %78, %207, %72
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   %341 = add nuw nsw i64 %41, 1
   %342 = load i64, ptr %17, align 8
   %343 = getelementptr inbounds double, ptr %39, i64 %342
@@ -3074,21 +3175,21 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %49, label %43, label %500
 
 50:                                               ; preds = %36
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #19
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %13) #19
   call fastcc void @core_of(ptr noundef nonnull %0, i64 noundef %1, ptr noundef nonnull %12)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #18
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %16) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %17) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #19
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %15) #19
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %16) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %17) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %18) #19
   switch i32 %27, label %295 [
     i32 3, label %51
     i32 4, label %137
   ]
 
 51:                                               ; preds = %50
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %19) #19
   %52 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %53 = load ptr, ptr %52, align 8
   %54 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 11
@@ -3178,7 +3279,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %123, label %113, label %115
 
 124:                                              ; preds = %125
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %19) #19
   br label %498
 
 125:                                              ; preds = %113, %125
@@ -3197,7 +3298,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %136, label %124, label %125
 
 137:                                              ; preds = %50
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %20) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %20) #19
   store double 0x7FF0000000000000, ptr %20, align 8
   %138 = getelementptr inbounds %struct.World, ptr %0, i64 0, i32 42
   %139 = load ptr, ptr %138, align 8
@@ -3207,7 +3308,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   %143 = load i64, ptr %142, align 8
   %144 = mul nsw i64 %143, 12
   %145 = getelementptr inbounds double, ptr %139, i64 %144
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %21) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %21) #19
   store ptr %0, ptr %21, align 8
   %146 = getelementptr inbounds %struct.Search, ptr %21, i64 0, i32 1
   store i64 %1, ptr %146, align 8
@@ -3239,8 +3340,8 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %161, label %163, label %162
 
 162:                                              ; preds = %137
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #19
   br label %498
 
 163:                                              ; preds = %137
@@ -3446,16 +3547,16 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %311, label %315, label %300
 
 312:                                              ; preds = %278
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #18
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
-  %313 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %21) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %20) #19
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #19
+  %313 = call fastcc i32 @bounds_from(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22, i32 noundef 0)
   %314 = icmp eq i32 %313, 0
   br i1 %314, label %318, label %326
 
 315:                                              ; preds = %300
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #18
-  %316 = call fastcc i32 @bounds(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22)
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22) #19
+  %316 = call fastcc i32 @bounds_from(ptr noundef nonnull %12, ptr noundef nonnull %13, ptr noundef nonnull %14, double noundef 0x7FF0000000000000, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef nonnull %17, ptr noundef nonnull %18, ptr noundef null, ptr noundef nonnull %22, i32 noundef 0)
   %317 = icmp eq i32 %316, 0
   br i1 %317, label %320, label %326
 
@@ -3485,7 +3586,7 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %333, label %496, label %334
 
 334:                                              ; preds = %326
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 16 dereferenceable(24) @__const.nearest_of.share, i64 24, i1 false)
   %335 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 2
   %336 = load i32, ptr %335, align 8
@@ -3498,10 +3599,10 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %340, label %341, label %424
 
 341:                                              ; preds = %339
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #19
   %342 = icmp eq i32 %336, 3
   br label %364
 
@@ -3604,9 +3705,9 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   %422 = fsub double 1.000000e+00, %415
   %423 = fsub double %422, %420
   store double %423, ptr %8, align 16
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
   br label %424
 
 424:                                              ; preds = %396, %339
@@ -3649,17 +3750,17 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
   br i1 %449, label %430, label %439
 
 450:                                              ; preds = %390
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
   br label %451
 
 451:                                              ; preds = %334, %450
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
   br label %496
 
 452:                                              ; preds = %431
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
   %453 = getelementptr inbounds %struct.Simplex, ptr %22, i64 0, i32 3
   %454 = load double, ptr %453, align 8
   %455 = fmul double %454, %454
@@ -3721,18 +3822,18 @@ define internal fastcc i32 @nearest_points(ptr noundef %0, i64 noundef %1, i64 n
 
 496:                                              ; preds = %489, %451, %465, %483, %326, %318, %320, %323
   %497 = phi i32 [ 1, %323 ], [ 0, %320 ], [ 0, %318 ], [ 0, %326 ], [ 1, %483 ], [ 1, %465 ], [ 0, %451 ], [ 1, %489 ]
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22) #18
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22) #19
   br label %498
 
 498:                                              ; preds = %162, %496, %124
   %499 = phi i32 [ 1, %124 ], [ %497, %496 ], [ 0, %162 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %17) #18
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %16) #18
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %18) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %17) #19
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %16) #19
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %15) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %13) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #19
   br label %500
 
 500:                                              ; preds = %43, %40, %7, %498
@@ -4125,7 +4226,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %18 = select i1 %15, ptr %17, ptr %16
   %19 = load i64, ptr %18, align 8
   %20 = icmp slt i64 %19, 0
-  br i1 %20, label %324, label %21
+  br i1 %20, label %368, label %21
 
 21:                                               ; preds = %3
   %22 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
@@ -4137,13 +4238,13 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %26 = getelementptr inbounds double, ptr %23, i64 %19
   %27 = load double, ptr %26, align 8
   %28 = fcmp uno double %27, 0.000000e+00
-  br i1 %28, label %324, label %33
+  br i1 %28, label %368, label %33
 
 29:                                               ; preds = %21
   %30 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %31 = load i32, ptr %30, align 8
   %32 = icmp eq i32 %31, 1
-  br i1 %32, label %324, label %33
+  br i1 %32, label %368, label %33
 
 33:                                               ; preds = %25, %29
   %34 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 12
@@ -4154,9 +4255,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %39 = load i64, ptr %38, align 8
   %40 = getelementptr inbounds i64, ptr %35, i64 %39
   %41 = load i64, ptr %40, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %4) #19
   store double 0xFFF0000000000000, ptr %4, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %5) #19
   store double 0x7FF0000000000000, ptr %5, align 8
   %42 = icmp eq i64 %37, 5
   %43 = icmp eq i64 %41, 5
@@ -4175,7 +4276,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %52 = load double, ptr %51, align 8
   %53 = tail call double @llvm.minnum.f64(double %50, double %52)
   %54 = fcmp ugt double %53, 0xFFF0000000000000
-  br i1 %54, label %55, label %323
+  br i1 %54, label %55, label %367
 
 55:                                               ; preds = %48
   %56 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
@@ -4197,7 +4298,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 67:                                               ; preds = %61, %55
   store double 0x7FF8000000000000, ptr %49, align 8
-  br label %323
+  br label %367
 
 68:                                               ; preds = %47
   %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
@@ -4208,21 +4309,21 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 72:                                               ; preds = %68
   %73 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   store i32 1, ptr %73, align 8
-  br label %323
+  br label %367
 
 74:                                               ; preds = %68
   %75 = fcmp ult double %70, 0xFFF0000000000000
-  br i1 %75, label %323, label %76
+  br i1 %75, label %367, label %76
 
 76:                                               ; preds = %74
   %77 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   %78 = load i32, ptr %77, align 8
   %79 = icmp eq i32 %78, 0
-  br i1 %79, label %80, label %323
+  br i1 %79, label %80, label %367
 
 80:                                               ; preds = %76
   store i32 2, ptr %77, align 8
-  br label %323
+  br label %367
 
 81:                                               ; preds = %33
   %82 = icmp eq i64 %37, 3
@@ -4240,7 +4341,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %90 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 5
   %91 = load double, ptr %90, align 8
   %92 = fcmp ugt double %86, %91
-  br i1 %92, label %323, label %126
+  br i1 %92, label %367, label %126
 
 93:                                               ; preds = %83
   %94 = load ptr, ptr %13, align 8
@@ -4255,14 +4356,14 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %103 = fcmp ogt double %100, %102
   %104 = select i1 %103, double %102, double %100
   %105 = fcmp ugt double %86, %104
-  br i1 %105, label %323, label %106
+  br i1 %105, label %367, label %106
 
 106:                                              ; preds = %93
   %107 = fsub double %86, %86
   %108 = fcmp ole double %107, 1.000000e-08
   %109 = tail call double @llvm.minnum.f64(double %100, double %102)
   %110 = fcmp ult double %86, %109
-  br i1 %110, label %111, label %323
+  br i1 %110, label %111, label %367
 
 111:                                              ; preds = %106
   %112 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 7
@@ -4286,12 +4387,12 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 124:                                              ; preds = %117, %111
   %125 = select i1 %108, double %86, double 0x7FF8000000000000
   store double %125, ptr %99, align 8
-  br label %323
+  br label %367
 
 126:                                              ; preds = %89
   %127 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 8
   store i32 1, ptr %127, align 8
-  br label %323
+  br label %367
 
 128:                                              ; preds = %81
   %129 = icmp eq i64 %41, 4
@@ -4318,7 +4419,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %142 = phi double [ %140, %134 ], [ %133, %131 ]
   %143 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %142)
   %144 = icmp eq i32 %143, 0
-  br i1 %144, label %145, label %323
+  br i1 %144, label %145, label %367
 
 145:                                              ; preds = %141
   %146 = icmp eq i64 %37, 4
@@ -4326,11 +4427,11 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 147:                                              ; preds = %145
   tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
-  br label %323
+  br label %367
 
 148:                                              ; preds = %145
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %7) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %7, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
   call fastcc void @core_of(ptr noundef nonnull %12, i64 noundef %1, ptr noundef nonnull %6)
   %149 = getelementptr inbounds %struct.Search, ptr %7, i64 0, i32 1
@@ -4353,9 +4454,9 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   store i64 %158, ptr %159, align 8
   %160 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 9
   store i64 -1, ptr %160, align 8
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #18
-  br label %323
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %6) #19
+  br label %367
 
 161:                                              ; preds = %128
   %162 = icmp eq i64 %37, 4
@@ -4390,14 +4491,14 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   %181 = phi double [ %179, %173 ], [ %172, %170 ]
   %182 = tail call fastcc i32 @are_far(ptr noundef nonnull %12, i64 noundef %39, i64 noundef %1, double noundef %181)
   %183 = icmp eq i32 %182, 0
-  br i1 %183, label %184, label %323
+  br i1 %183, label %184, label %367
 
 184:                                              ; preds = %180, %163
   tail call fastcc void @look_at_solid(ptr noundef nonnull %0, i64 noundef %1)
-  br label %323
+  br label %367
 
 185:                                              ; preds = %161
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   br i1 %24, label %186, label %189
 
 186:                                              ; preds = %185
@@ -4428,7 +4529,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 205:                                              ; preds = %208
   %206 = tail call fastcc i32 @are_far(ptr noundef %12, i64 noundef %39, i64 noundef %1, double noundef %198)
   %207 = icmp eq i32 %206, 0
-  br i1 %207, label %218, label %322
+  br i1 %207, label %218, label %366
 
 208:                                              ; preds = %196, %208
   %209 = phi i64 [ 0, %196 ], [ %216, %208 ]
@@ -4450,7 +4551,7 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
   br i1 %221, label %237, label %222
 
 222:                                              ; preds = %218
-  %223 = mul nsw i64 %19, 3
+  %223 = mul nsw i64 %19, 22
   %224 = getelementptr inbounds double, ptr %220, i64 %223
   %225 = load double, ptr %224, align 8
   %226 = fmul double %225, %225
@@ -4534,86 +4635,144 @@ define internal fastcc void @look_at(ptr noundef %0, i64 noundef %1, ptr noundef
 
 283:                                              ; preds = %278, %237, %260, %236
   %284 = phi ptr [ %238, %237 ], [ %238, %260 ], [ %224, %236 ], [ %238, %278 ]
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %9) #19
   call fastcc void @core_of(ptr noundef %12, i64 noundef %1, ptr noundef nonnull %9)
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %10) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
-  %285 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %10) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #19
+  %285 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 15
   %286 = load ptr, ptr %285, align 8
-  %287 = call fastcc i32 @shape_bounds(ptr noundef %12, i64 noundef %39, ptr noundef %286, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %198, double noundef %197, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %10)
-  br i1 %221, label %289, label %288
+  %287 = getelementptr inbounds double, ptr %286, i64 %39
+  %288 = load double, ptr %287, align 8
+  %289 = getelementptr inbounds double, ptr %286, i64 %1
+  %290 = load double, ptr %289, align 8
+  %291 = fadd double %288, %290
+  br i1 %221, label %324, label %292
 
-288:                                              ; preds = %283
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %284, ptr noundef nonnull align 16 dereferenceable(24) %8, i64 24, i1 false)
-  br label %289
+292:                                              ; preds = %283
+  %293 = load double, ptr %284, align 8
+  %294 = fmul double %293, %293
+  %295 = getelementptr inbounds double, ptr %284, i64 1
+  %296 = load double, ptr %295, align 8
+  %297 = fmul double %296, %296
+  %298 = fadd double %294, %297
+  %299 = getelementptr inbounds double, ptr %284, i64 2
+  %300 = load double, ptr %299, align 8
+  %301 = fmul double %300, %300
+  %302 = fadd double %298, %301
+  %303 = fcmp ogt double %302, 0.000000e+00
+  %304 = icmp ne ptr %23, null
+  %305 = select i1 %303, i1 %304, i1 false
+  br i1 %305, label %306, label %319
 
-289:                                              ; preds = %288, %283
-  %290 = icmp eq i32 %287, 0
-  br i1 %290, label %293, label %291
+306:                                              ; preds = %292
+  %307 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %308 = load ptr, ptr %307, align 8
+  %309 = fadd double %198, %291
+  %310 = call fastcc i32 @bounds_near(ptr noundef nonnull %284, ptr noundef %308, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %309, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %10)
+  %311 = icmp eq i32 %310, 0
+  br i1 %311, label %312, label %314
 
-291:                                              ; preds = %289
-  %292 = load double, ptr %4, align 8
-  br label %314
+312:                                              ; preds = %306
+  %313 = load i64, ptr %38, align 8
+  br label %319
 
-293:                                              ; preds = %289
-  %294 = load ptr, ptr %22, align 8
-  %295 = icmp eq ptr %294, null
-  br i1 %295, label %312, label %296
+314:                                              ; preds = %306
+  %315 = load double, ptr %4, align 8
+  %316 = fsub double %315, %291
+  store double %316, ptr %4, align 8
+  %317 = load double, ptr %5, align 8
+  %318 = fsub double %317, %291
+  store double %318, ptr %5, align 8
+  br label %328
 
-296:                                              ; preds = %293
-  %297 = load ptr, ptr %285, align 8
-  %298 = call fastcc i32 @depth_of(ptr noundef %297, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef null, ptr noundef null, ptr noundef null)
-  %299 = icmp eq i32 %298, 0
-  br i1 %299, label %312, label %300
+319:                                              ; preds = %312, %292
+  %320 = phi i64 [ %313, %312 ], [ %39, %292 ]
+  %321 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %322 = load ptr, ptr %321, align 8
+  %323 = call fastcc i32 @shape_bounds(ptr noundef nonnull %12, i64 noundef %320, ptr noundef %322, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %198, double noundef %197, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %10)
+  br label %328
 
-300:                                              ; preds = %296
-  %301 = load double, ptr %11, align 8
-  %302 = fneg double %301
-  %303 = getelementptr inbounds %struct.World, ptr %12, i64 0, i32 15
-  %304 = load ptr, ptr %303, align 8
-  %305 = load i64, ptr %38, align 8
-  %306 = getelementptr inbounds double, ptr %304, i64 %305
-  %307 = load double, ptr %306, align 8
-  %308 = fsub double %302, %307
-  %309 = getelementptr inbounds double, ptr %304, i64 %1
-  %310 = load double, ptr %309, align 8
-  %311 = fsub double %308, %310
-  store double %311, ptr %5, align 8
-  br label %314
+324:                                              ; preds = %283
+  %325 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %326 = load ptr, ptr %325, align 8
+  %327 = call fastcc i32 @shape_bounds(ptr noundef nonnull %12, i64 noundef %39, ptr noundef %326, i64 noundef %1, ptr noundef nonnull %9, ptr noundef nonnull %8, double noundef %198, double noundef %197, ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef null, ptr noundef nonnull %10)
+  br label %332
 
-312:                                              ; preds = %296, %293
-  %313 = load double, ptr %4, align 8
-  br label %317
+328:                                              ; preds = %319, %314
+  %329 = phi i32 [ 1, %314 ], [ %323, %319 ]
+  %330 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %331 = load ptr, ptr %330, align 8
+  call fastcc void @keep_guess(ptr noundef nonnull %284, ptr noundef %331, ptr noundef nonnull %9, ptr noundef nonnull %8, ptr noundef nonnull %10, i32 noundef %329)
+  br label %332
 
-314:                                              ; preds = %291, %300
-  %315 = phi double [ %292, %291 ], [ %311, %300 ]
-  %316 = fcmp ugt double %315, %198
-  br i1 %316, label %321, label %317
+332:                                              ; preds = %324, %328
+  %333 = phi i32 [ %329, %328 ], [ %327, %324 ]
+  %334 = icmp eq i32 %333, 0
+  br i1 %334, label %337, label %335
 
-317:                                              ; preds = %312, %314
-  %318 = phi double [ %313, %312 ], [ %315, %314 ]
-  %319 = phi i32 [ 0, %312 ], [ 1, %314 ]
-  %320 = load double, ptr %5, align 8
-  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %319, double noundef %318, double noundef %320)
-  br label %321
+335:                                              ; preds = %332
+  %336 = load double, ptr %4, align 8
+  br label %358
 
-321:                                              ; preds = %314, %317
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  br label %323
+337:                                              ; preds = %332
+  %338 = load ptr, ptr %22, align 8
+  %339 = icmp eq ptr %338, null
+  br i1 %339, label %356, label %340
 
-322:                                              ; preds = %205
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  br label %323
+340:                                              ; preds = %337
+  %341 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
+  %342 = load ptr, ptr %341, align 8
+  %343 = call fastcc i32 @depth_of(ptr noundef %342, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef null, ptr noundef null, ptr noundef null)
+  %344 = icmp eq i32 %343, 0
+  br i1 %344, label %356, label %345
 
-323:                                              ; preds = %126, %124, %106, %93, %80, %76, %74, %72, %67, %48, %321, %148, %147, %184, %89, %322, %180, %141
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #18
-  br label %324
+345:                                              ; preds = %340
+  %346 = load double, ptr %11, align 8
+  %347 = fneg double %346
+  %348 = load ptr, ptr %285, align 8
+  %349 = load i64, ptr %38, align 8
+  %350 = getelementptr inbounds double, ptr %348, i64 %349
+  %351 = load double, ptr %350, align 8
+  %352 = fsub double %347, %351
+  %353 = getelementptr inbounds double, ptr %348, i64 %1
+  %354 = load double, ptr %353, align 8
+  %355 = fsub double %352, %354
+  store double %355, ptr %5, align 8
+  br label %358
 
-324:                                              ; preds = %25, %3, %29, %323
+356:                                              ; preds = %340, %337
+  %357 = load double, ptr %4, align 8
+  br label %361
+
+358:                                              ; preds = %335, %345
+  %359 = phi double [ %336, %335 ], [ %355, %345 ]
+  %360 = fcmp ugt double %359, %198
+  br i1 %360, label %365, label %361
+
+361:                                              ; preds = %356, %358
+  %362 = phi double [ %357, %356 ], [ %359, %358 ]
+  %363 = phi i32 [ 0, %356 ], [ 1, %358 ]
+  %364 = load double, ptr %5, align 8
+  call fastcc void @tell(ptr noundef nonnull %0, i64 noundef %1, i32 noundef %363, double noundef %362, double noundef %364)
+  br label %365
+
+365:                                              ; preds = %358, %361
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  br label %367
+
+366:                                              ; preds = %205
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  br label %367
+
+367:                                              ; preds = %126, %124, %106, %93, %80, %76, %74, %72, %67, %48, %365, %148, %147, %184, %89, %366, %180, %141
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %5) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %4) #19
+  br label %368
+
+368:                                              ; preds = %25, %3, %29, %367
   ret void
 }
 
@@ -4759,7 +4918,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   %51 = load i64, ptr %50, align 8
   %52 = mul nsw i64 %51, 12
   %53 = getelementptr inbounds double, ptr %47, i64 %52
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   %54 = getelementptr inbounds double, ptr %53, i64 9
   %55 = load double, ptr %54, align 8
   %56 = fsub double %14, %55
@@ -4825,7 +4984,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   %107 = fadd double %36, %3
   %108 = fmul double %107, %107
   %109 = fcmp ule double %103, %108
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   br i1 %109, label %110, label %169
 
 110:                                              ; preds = %106
@@ -4833,7 +4992,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   %112 = load i64, ptr %111, align 8
   %113 = mul nsw i64 %112, 12
   %114 = getelementptr inbounds double, ptr %47, i64 %113
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #19
   %115 = getelementptr inbounds double, ptr %114, i64 9
   %116 = load double, ptr %115, align 8
   %117 = fsub double %13, %116
@@ -4897,7 +5056,7 @@ define internal fastcc i32 @are_far(ptr nocapture noundef readonly %0, i64 nound
   %166 = fmul double %32, %32
   %167 = fcmp ogt double %162, %166
   %168 = zext i1 %167 to i32
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #19
   br label %169
 
 169:                                              ; preds = %165, %106, %4
@@ -4928,10 +5087,10 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %22 = icmp eq i64 %21, 4
   %23 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %24 = load ptr, ptr %23, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
-  call void @llvm.lifetime.start.p0(i64 216, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #19
+  call void @llvm.lifetime.start.p0(i64 216, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   %25 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 15
   %26 = load ptr, ptr %25, align 8
   %27 = getelementptr inbounds double, ptr %26, i64 %19
@@ -5205,8 +5364,8 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 
 234:                                              ; preds = %232, %53
   %235 = phi ptr [ %8, %232 ], [ %68, %53 ]
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %3) #18
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %4) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %3) #19
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %4) #19
   %236 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 33
   %237 = load ptr, ptr %236, align 8
   %238 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 35
@@ -5297,7 +5456,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %307 = getelementptr inbounds %struct.Plane, ptr %4, i64 0, i32 1
   store double %306, ptr %307, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %282, ptr noundef nonnull align 8 dereferenceable(32) %4, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %4) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %4) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %3, ptr noundef nonnull align 8 dereferenceable(32) %282, i64 32, i1 false)
   %308 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 11
   %309 = load ptr, ptr %308, align 8
@@ -5319,7 +5478,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %321 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
   %322 = select i1 %319, ptr %321, ptr %320
   %323 = load i64, ptr %322, align 8
-  %324 = mul nsw i64 %323, 3
+  %324 = mul nsw i64 %323, 22
   %325 = getelementptr inbounds double, ptr %309, i64 %324
   %326 = load double, ptr %325, align 8
   %327 = fcmp ogt double %326, 0.000000e+00
@@ -5374,7 +5533,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %361
 
 361:                                              ; preds = %343, %357
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %3) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %3) #19
   br label %362
 
 362:                                              ; preds = %361, %52
@@ -5430,8 +5589,8 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br i1 %399, label %400, label %578
 
 400:                                              ; preds = %396
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 96, ptr nonnull %10) #19
   %401 = load i32, ptr %49, align 4
   %402 = icmp eq i32 %401, 0
   br i1 %402, label %429, label %403
@@ -5672,8 +5831,8 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %577
 
 577:                                              ; preds = %427, %426, %526, %439, %431, %575, %528
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
   br label %578
 
 578:                                              ; preds = %577, %396
@@ -5728,7 +5887,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br i1 %580, label %768, label %609
 
 609:                                              ; preds = %608
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #19
   store double 0x7FF0000000000000, ptr %11, align 8
   %610 = load i64, ptr %47, align 8
   %611 = icmp sgt i64 %610, -1
@@ -5746,7 +5905,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %719
 
 618:                                              ; preds = %612, %609
-  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 168, ptr nonnull %12) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(168) %12, ptr noundef nonnull align 8 dereferenceable(168) %0, i64 168, i1 false)
   %619 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 3
   %620 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 5
@@ -5765,7 +5924,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %710
 
 625:                                              ; preds = %618
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %13) #19
   %626 = load i64, ptr %18, align 8
   %627 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 16
   %628 = load ptr, ptr %627, align 8
@@ -5859,8 +6018,8 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %700 = getelementptr inbounds %struct.Plane, ptr %13, i64 0, i32 1
   store double %699, ptr %700, align 8
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %675, ptr noundef nonnull align 8 dereferenceable(32) %13, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %13) #18
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %13) #19
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %14) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %14, ptr noundef nonnull align 8 dereferenceable(32) %675, i64 32, i1 false)
   %701 = load i64, ptr %633, align 8
   %702 = getelementptr inbounds %struct.World, ptr %15, i64 0, i32 13
@@ -5872,7 +6031,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %708 = getelementptr inbounds i64, ptr %707, i64 %1
   %709 = load i64, ptr %708, align 8
   call fastcc void @surface(ptr noundef nonnull %12, i64 noundef %1, i64 noundef %701, i64 noundef %705, i64 noundef %709, ptr noundef nonnull %14)
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %14) #19
   br label %710
 
 710:                                              ; preds = %674, %624
@@ -5885,7 +6044,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   %715 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
   %716 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 10
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %715, ptr noundef nonnull align 8 dereferenceable(32) %716, i64 32, i1 false)
-  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 168, ptr nonnull %12) #19
   %717 = load double, ptr %11, align 8
   %718 = load ptr, ptr %32, align 8
   br label %719
@@ -5963,7 +6122,7 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
   br label %767
 
 767:                                              ; preds = %761, %738, %758, %765
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #19
   br label %768
 
 768:                                              ; preds = %606, %605, %608, %767
@@ -5977,11 +6136,306 @@ define internal fastcc void @look_at_solid(ptr noundef %0, i64 noundef %1) unnam
 
 772:                                              ; preds = %769, %768
   store ptr %24, ptr %23, align 8
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 216, ptr nonnull %6) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 96, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 216, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #19
   ret void
+}
+
+define internal fastcc i32 @bounds_near(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef writeonly %3, double noundef %4, ptr nocapture noundef %5, ptr nocapture noundef %6, ptr noundef %7) unnamed_addr #6 {
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [3 x double], align 16
+  %11 = getelementptr inbounds double, ptr %0, i64 3
+  %12 = load double, ptr %11, align 8
+  %13 = fptosi double %12 to i32
+  %14 = getelementptr inbounds %struct.Simplex, ptr %7, i64 0, i32 2
+  store i32 %13, ptr %14, align 8
+  %15 = icmp eq i32 %13, 0
+  br i1 %15, label %117, label %16
+
+16:                                               ; preds = %8
+  %17 = icmp sgt i32 %13, 0
+  br i1 %17, label %18, label %26
+
+18:                                               ; preds = %16
+  %19 = getelementptr inbounds %struct.Core, ptr %1, i64 0, i32 5
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr inbounds double, ptr %0, i64 4
+  %22 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 5
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr inbounds double, ptr %0, i64 7
+  %25 = zext i32 %13 to i64
+  br label %29
+
+26:                                               ; preds = %92, %16
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
+  %27 = call fastcc i32 @bounds_from(ptr noundef %1, ptr noundef %2, ptr noundef nonnull %10, double noundef %4, double noundef 0xFFF0000000000000, double noundef 0x3DA5FD7FE1796495, ptr noundef %5, ptr noundef %6, ptr noundef null, ptr noundef nonnull %7, i32 noundef 1)
+  %28 = icmp eq i32 %27, 0
+  br i1 %28, label %115, label %105
+
+29:                                               ; preds = %18, %92
+  %30 = phi i64 [ 0, %18 ], [ %93, %92 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  %31 = mul nuw nsw i64 %30, 6
+  %32 = getelementptr inbounds double, ptr %21, i64 %31
+  %33 = getelementptr inbounds %struct.Simplex, ptr %7, i64 0, i32 1, i64 %30
+  %34 = getelementptr inbounds double, ptr %32, i64 1
+  %35 = getelementptr inbounds double, ptr %32, i64 2
+  br label %36
+
+36:                                               ; preds = %36, %29
+  %37 = phi i64 [ 0, %29 ], [ %60, %36 ]
+  %38 = mul nuw nsw i64 %37, 3
+  %39 = getelementptr inbounds double, ptr %20, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = load double, ptr %32, align 8
+  %42 = fmul double %40, %41
+  %43 = add nuw nsw i64 %38, 1
+  %44 = getelementptr inbounds double, ptr %20, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = load double, ptr %34, align 8
+  %47 = fmul double %45, %46
+  %48 = fadd double %42, %47
+  %49 = add nuw nsw i64 %38, 2
+  %50 = getelementptr inbounds double, ptr %20, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = load double, ptr %35, align 8
+  %53 = fmul double %51, %52
+  %54 = fadd double %48, %53
+  %55 = add nuw nsw i64 %37, 9
+  %56 = getelementptr inbounds double, ptr %20, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fadd double %57, %54
+  %59 = getelementptr inbounds double, ptr %33, i64 %37
+  store double %58, ptr %59, align 8
+  %60 = add nuw nsw i64 %37, 1
+  %61 = icmp eq i64 %60, 3
+  br i1 %61, label %62, label %36
+
+62:                                               ; preds = %36
+  %63 = getelementptr inbounds double, ptr %24, i64 %31
+  %64 = getelementptr inbounds double, ptr %63, i64 1
+  %65 = getelementptr inbounds double, ptr %63, i64 2
+  %66 = load double, ptr %63, align 8
+  %67 = load double, ptr %64, align 8
+  %68 = load double, ptr %65, align 8
+  br label %69
+
+69:                                               ; preds = %69, %62
+  %70 = phi i64 [ 0, %62 ], [ %90, %69 ]
+  %71 = mul nuw nsw i64 %70, 3
+  %72 = getelementptr inbounds double, ptr %23, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fmul double %73, %66
+  %75 = add nuw nsw i64 %71, 1
+  %76 = getelementptr inbounds double, ptr %23, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = fmul double %77, %67
+  %79 = fadd double %74, %78
+  %80 = add nuw nsw i64 %71, 2
+  %81 = getelementptr inbounds double, ptr %23, i64 %80
+  %82 = load double, ptr %81, align 8
+  %83 = fmul double %82, %68
+  %84 = fadd double %79, %83
+  %85 = add nuw nsw i64 %70, 9
+  %86 = getelementptr inbounds double, ptr %23, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = fadd double %87, %84
+  %89 = getelementptr inbounds double, ptr %9, i64 %70
+  store double %88, ptr %89, align 8
+  %90 = add nuw nsw i64 %70, 1
+  %91 = icmp eq i64 %90, 3
+  br i1 %91, label %95, label %69
+
+92:                                               ; preds = %95
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  %93 = add nuw nsw i64 %30, 1
+  %94 = icmp eq i64 %93, %25
+  br i1 %94, label %26, label %29
+
+95:                                               ; preds = %69, %95
+  %96 = phi i64 [ %103, %95 ], [ 0, %69 ]
+  %97 = getelementptr inbounds %struct.Simplex, ptr %7, i64 0, i32 1, i64 %30, i64 %96
+  %98 = load double, ptr %97, align 8
+  %99 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %96
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %98, %100
+  %102 = getelementptr inbounds [4 x [3 x double]], ptr %7, i64 0, i64 %30, i64 %96
+  store double %101, ptr %102, align 8
+  %103 = add nuw nsw i64 %96, 1
+  %104 = icmp eq i64 %103, 3
+  br i1 %104, label %92, label %95
+
+105:                                              ; preds = %26
+  %106 = load double, ptr %6, align 8
+  %107 = fcmp ogt double %106, 0x3EB0C6F7A0B5ED8D
+  br i1 %107, label %108, label %115
+
+108:                                              ; preds = %105
+  %109 = load double, ptr %5, align 8
+  %110 = fcmp ule double %109, %4
+  %111 = fsub double %106, %109
+  %112 = fcmp ugt double %111, 1.000000e-08
+  %113 = select i1 %110, i1 %112, i1 false
+  br i1 %113, label %115, label %114
+
+114:                                              ; preds = %108
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %3, ptr noundef nonnull align 16 dereferenceable(24) %10, i64 24, i1 false)
+  br label %115
+
+115:                                              ; preds = %26, %105, %108, %114
+  %116 = phi i32 [ 1, %114 ], [ 0, %108 ], [ 0, %105 ], [ 0, %26 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  br label %117
+
+117:                                              ; preds = %8, %115
+  %118 = phi i32 [ %116, %115 ], [ 0, %8 ]
+  ret i32 %118
+}
+
+define internal fastcc void @keep_guess(ptr nocapture noundef %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef readonly %3, ptr nocapture noundef readonly %4, i32 noundef %5) unnamed_addr #7 {
+  %7 = alloca [3 x double], align 16
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %0, ptr noundef nonnull align 8 dereferenceable(24) %3, i64 24, i1 false)
+  %8 = icmp eq i32 %5, 0
+  br i1 %8, label %15, label %9
+
+9:                                                ; preds = %6
+  %10 = getelementptr inbounds %struct.Simplex, ptr %4, i64 0, i32 2
+  %11 = load i32, ptr %10, align 8
+  %12 = icmp slt i32 %11, 4
+  br i1 %12, label %13, label %15
+
+13:                                               ; preds = %9
+  %14 = sitofp i32 %11 to double
+  br label %15
+
+15:                                               ; preds = %6, %9, %13
+  %16 = phi double [ %14, %13 ], [ 0.000000e+00, %9 ], [ 0.000000e+00, %6 ]
+  %17 = getelementptr inbounds double, ptr %0, i64 3
+  store double %16, ptr %17, align 8
+  %18 = fptosi double %16 to i32
+  %19 = icmp sgt i32 %18, 0
+  br i1 %19, label %20, label %36
+
+20:                                               ; preds = %15
+  %21 = getelementptr inbounds %struct.Core, ptr %1, i64 0, i32 5
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %0, i64 4
+  %24 = getelementptr inbounds double, ptr %22, i64 9
+  %25 = getelementptr inbounds double, ptr %22, i64 10
+  %26 = getelementptr inbounds double, ptr %22, i64 11
+  %27 = getelementptr inbounds %struct.Core, ptr %2, i64 0, i32 5
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %0, i64 7
+  %30 = getelementptr inbounds double, ptr %28, i64 9
+  %31 = getelementptr inbounds double, ptr %7, i64 1
+  %32 = getelementptr inbounds double, ptr %28, i64 10
+  %33 = getelementptr inbounds double, ptr %7, i64 2
+  %34 = getelementptr inbounds double, ptr %28, i64 11
+  %35 = zext i32 %18 to i64
+  br label %37
+
+36:                                               ; preds = %102, %15
+  ret void
+
+37:                                               ; preds = %20, %102
+  %38 = phi i64 [ 0, %20 ], [ %103, %102 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  br label %105
+
+39:                                               ; preds = %105
+  %40 = getelementptr inbounds %struct.Simplex, ptr %4, i64 0, i32 1, i64 %38
+  %41 = mul i64 %38, 6
+  %42 = and i64 %41, 4294967294
+  %43 = getelementptr inbounds double, ptr %23, i64 %42
+  %44 = load double, ptr %40, align 8
+  %45 = load double, ptr %24, align 8
+  %46 = fsub double %44, %45
+  %47 = getelementptr inbounds double, ptr %40, i64 1
+  %48 = load double, ptr %47, align 8
+  %49 = load double, ptr %25, align 8
+  %50 = fsub double %48, %49
+  %51 = getelementptr inbounds double, ptr %40, i64 2
+  %52 = load double, ptr %51, align 8
+  %53 = load double, ptr %26, align 8
+  %54 = fsub double %52, %53
+  br label %55
+
+55:                                               ; preds = %55, %39
+  %56 = phi i64 [ 0, %39 ], [ %71, %55 ]
+  %57 = getelementptr inbounds double, ptr %22, i64 %56
+  %58 = load double, ptr %57, align 8
+  %59 = fmul double %46, %58
+  %60 = add nuw nsw i64 %56, 3
+  %61 = getelementptr inbounds double, ptr %22, i64 %60
+  %62 = load double, ptr %61, align 8
+  %63 = fmul double %50, %62
+  %64 = fadd double %59, %63
+  %65 = add nuw nsw i64 %56, 6
+  %66 = getelementptr inbounds double, ptr %22, i64 %65
+  %67 = load double, ptr %66, align 8
+  %68 = fmul double %54, %67
+  %69 = fadd double %64, %68
+  %70 = getelementptr inbounds double, ptr %43, i64 %56
+  store double %69, ptr %70, align 8
+  %71 = add nuw nsw i64 %56, 1
+  %72 = icmp eq i64 %71, 3
+  br i1 %72, label %73, label %55
+
+73:                                               ; preds = %55
+  %74 = getelementptr inbounds double, ptr %29, i64 %42
+  %75 = load double, ptr %7, align 16
+  %76 = load double, ptr %30, align 8
+  %77 = fsub double %75, %76
+  %78 = load double, ptr %31, align 8
+  %79 = load double, ptr %32, align 8
+  %80 = fsub double %78, %79
+  %81 = load double, ptr %33, align 16
+  %82 = load double, ptr %34, align 8
+  %83 = fsub double %81, %82
+  br label %84
+
+84:                                               ; preds = %84, %73
+  %85 = phi i64 [ 0, %73 ], [ %100, %84 ]
+  %86 = getelementptr inbounds double, ptr %28, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = fmul double %77, %87
+  %89 = add nuw nsw i64 %85, 3
+  %90 = getelementptr inbounds double, ptr %28, i64 %89
+  %91 = load double, ptr %90, align 8
+  %92 = fmul double %80, %91
+  %93 = fadd double %88, %92
+  %94 = add nuw nsw i64 %85, 6
+  %95 = getelementptr inbounds double, ptr %28, i64 %94
+  %96 = load double, ptr %95, align 8
+  %97 = fmul double %83, %96
+  %98 = fadd double %93, %97
+  %99 = getelementptr inbounds double, ptr %74, i64 %85
+  store double %98, ptr %99, align 8
+  %100 = add nuw nsw i64 %85, 1
+  %101 = icmp eq i64 %100, 3
+  br i1 %101, label %102, label %84
+
+102:                                              ; preds = %84
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  %103 = add nuw nsw i64 %38, 1
+  %104 = icmp eq i64 %103, %35
+  br i1 %104, label %36, label %37
+
+105:                                              ; preds = %37, %105
+  %106 = phi i64 [ 0, %37 ], [ %113, %105 ]
+  %107 = getelementptr inbounds %struct.Simplex, ptr %4, i64 0, i32 1, i64 %38, i64 %106
+  %108 = load double, ptr %107, align 8
+  %109 = getelementptr inbounds [4 x [3 x double]], ptr %4, i64 0, i64 %38, i64 %106
+  %110 = load double, ptr %109, align 8
+  %111 = fsub double %108, %110
+  %112 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %106
+  store double %111, ptr %112, align 8
+  %113 = add nuw nsw i64 %106, 1
+  %114 = icmp eq i64 %113, 3
+  br i1 %114, label %39, label %105
 }
 
 define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef readonly %2, ptr nocapture noundef %3, ptr noundef %4, ptr nocapture noundef %5, ptr nocapture noundef writeonly %6) unnamed_addr #12 {
@@ -6009,13 +6463,13 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %29 = alloca [3 x double], align 16
   %30 = alloca [3 x double], align 16
   %31 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #18
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #18
-  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %26) #19
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %27) #19
+  call void @llvm.lifetime.start.p0(i64 12288, ptr nonnull %28) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %20) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %21) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %22) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #19
   %32 = getelementptr inbounds %struct.Simplex, ptr %2, i64 0, i32 2
   %33 = load i32, ptr %32, align 8
   %34 = icmp slt i32 %33, 2
@@ -6171,7 +6625,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 153:                                              ; preds = %178, %109
   %154 = phi i64 [ 0, %109 ], [ %179, %178 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #19
   %155 = icmp eq i64 %154, 0
   %156 = icmp eq i64 %154, 1
   %157 = select i1 %156, double %132, double %133
@@ -6181,7 +6635,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %159 = add nuw nsw i64 %154, 2
   %160 = getelementptr inbounds [3 x double], ptr %26, i64 %159
   %161 = getelementptr inbounds [3 x double], ptr %27, i64 %159
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #19
   %162 = load double, ptr %24, align 16
   %163 = fneg double %162
   store double %163, ptr %18, align 16
@@ -6191,7 +6645,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %166 = load double, ptr %137, align 16
   %167 = fneg double %166
   store double %167, ptr %136, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #19
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %24, ptr noundef nonnull %161)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %18, ptr noundef nonnull %19)
   br label %168
@@ -6210,9 +6664,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %177, label %178, label %168
 
 178:                                              ; preds = %168
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #19
   %179 = add nuw nsw i64 %154, 1
   %180 = icmp eq i64 %179, 3
   br i1 %180, label %275, label %153
@@ -6269,7 +6723,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 220:                                              ; preds = %267
   %221 = getelementptr inbounds [3 x double], ptr %26, i64 3
   %222 = getelementptr inbounds [3 x double], ptr %27, i64 3
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #19
   %223 = load double, ptr %22, align 16
   %224 = fneg double %223
   store double %224, ptr %16, align 16
@@ -6283,7 +6737,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %231 = load double, ptr %230, align 16
   %232 = fneg double %231
   store double %232, ptr %229, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #19
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %22, ptr noundef nonnull %222)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %16, ptr noundef nonnull %17)
   br label %233
@@ -6302,11 +6756,11 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %242, label %243, label %233
 
 243:                                              ; preds = %233
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #19
   %244 = getelementptr inbounds [3 x double], ptr %26, i64 4
   %245 = getelementptr inbounds [3 x double], ptr %27, i64 4
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #19
   %246 = load double, ptr %23, align 16
   %247 = fneg double %246
   store double %247, ptr %14, align 16
@@ -6320,7 +6774,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %254 = load double, ptr %253, align 16
   %255 = fneg double %254
   store double %255, ptr %252, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #19
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %23, ptr noundef nonnull %245)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %14, ptr noundef nonnull %15)
   br label %256
@@ -6339,8 +6793,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %265, label %266, label %256
 
 266:                                              ; preds = %256
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #19
   br label %275
 
 267:                                              ; preds = %196, %267
@@ -6362,7 +6816,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %39, label %280, label %333
 
 280:                                              ; preds = %275
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #19
   br label %305
 
 281:                                              ; preds = %305, %281
@@ -6423,7 +6877,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %330 = fadd double %324, %329
   %331 = freeze double %330
   %332 = fcmp uge double %331, 0.000000e+00
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #19
   br i1 %332, label %333, label %334
 
 333:                                              ; preds = %315, %275
@@ -6487,17 +6941,17 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %378, label %380, label %338
 
 379:                                              ; preds = %338, %361, %7
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #19
   br label %748
 
 380:                                              ; preds = %376
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %22) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %21) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %20) #19
   %381 = getelementptr inbounds double, ptr %12, i64 1
   %382 = getelementptr inbounds double, ptr %12, i64 2
   %383 = getelementptr inbounds double, ptr %29, i64 1
@@ -6507,8 +6961,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 385:                                              ; preds = %380, %746
   %386 = phi i64 [ %40, %380 ], [ %460, %746 ]
   %387 = phi i32 [ %279, %380 ], [ %558, %746 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %29) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %30) #19
   %388 = icmp sgt i32 %387, 1
   br i1 %388, label %389, label %391
 
@@ -6520,7 +6974,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %392 = phi i32 [ 0, %385 ], [ %424, %414 ]
   %393 = sext i32 %392 to i64
   %394 = getelementptr inbounds %struct.Face, ptr %28, i64 %393, i32 1
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #19
   %395 = load double, ptr %394, align 16
   %396 = fneg double %395
   store double %396, ptr %12, align 16
@@ -6532,7 +6986,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %401 = load double, ptr %400, align 16
   %402 = fneg double %401
   store double %402, ptr %382, align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #19
   call fastcc void @support(ptr noundef %0, ptr noundef nonnull %394, ptr noundef nonnull %30)
   call fastcc void @support(ptr noundef %1, ptr noundef nonnull %12, ptr noundef nonnull %13)
   br label %403
@@ -6551,8 +7005,8 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %412, label %413, label %403
 
 413:                                              ; preds = %403
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #19
   br label %432
 
 414:                                              ; preds = %389, %414
@@ -6616,7 +7070,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %459 = getelementptr inbounds [128 x [3 x double]], ptr %27, i64 0, i64 %386
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %459, ptr noundef nonnull align 16 dereferenceable(24) %30, i64 24, i1 false)
   %460 = add nuw nsw i64 %386, 1
-  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 3072, ptr nonnull %11) #19
   %461 = icmp sgt i32 %387, 0
   br i1 %461, label %462, label %745
 
@@ -6788,7 +7242,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %582, label %743, label %583
 
 583:                                              ; preds = %579
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %31) #19
   %584 = icmp sgt i32 %387, 0
   br i1 %584, label %585, label %597
 
@@ -6848,9 +7302,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %625 = load i32, ptr %624, align 16
   %626 = sext i32 %625 to i64
   %627 = getelementptr inbounds [3 x double], ptr %26, i64 %626
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
   %628 = getelementptr inbounds [3 x i32], ptr %624, i64 0, i64 1
   %629 = load i32, ptr %628, align 4
   %630 = sext i32 %629 to i64
@@ -6933,9 +7387,9 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   %700 = fsub double %699, %698
   %701 = tail call double @llvm.minnum.f64(double %694, double %698)
   %702 = tail call double @llvm.minnum.f64(double %700, double %701)
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
   %703 = fcmp ogt double %702, %604
   br i1 %703, label %704, label %705
 
@@ -6953,7 +7407,7 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
   br i1 %712, label %596, label %600
 
 713:                                              ; preds = %721
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %31) #19
   br label %743
 
 714:                                              ; preds = %597, %721
@@ -6996,28 +7450,28 @@ define internal fastcc i32 @depth_of(ptr nocapture noundef readonly %0, ptr noca
 
 743:                                              ; preds = %455, %713, %579
   %744 = phi i32 [ 1, %579 ], [ 1, %713 ], [ 0, %455 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #19
   br label %748
 
 745:                                              ; preds = %553, %554, %457, %565
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #19
   br label %748
 
 746:                                              ; preds = %575
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #18
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %11) #19
   %747 = icmp eq i32 %558, 0
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %30) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %29) #19
   br i1 %747, label %748, label %385
 
 748:                                              ; preds = %746, %745, %743, %379
   %749 = phi i32 [ 0, %379 ], [ %744, %743 ], [ 0, %745 ], [ 0, %746 ]
-  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #18
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #18
-  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #18
+  call void @llvm.lifetime.end.p0(i64 12288, ptr nonnull %28) #19
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %27) #19
+  call void @llvm.lifetime.end.p0(i64 3072, ptr nonnull %26) #19
   ret i32 %749
 }
 
@@ -7161,7 +7615,7 @@ define internal fastcc void @look_at_surfaces(ptr noundef %0, i64 noundef %1, pt
   %116 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 4
   %117 = select i1 %114, ptr %116, ptr %115
   %118 = load i64, ptr %117, align 8
-  %119 = mul nsw i64 %118, 3
+  %119 = mul nsw i64 %118, 22
   %120 = getelementptr inbounds double, ptr %101, i64 %119
   br label %121
 
@@ -7347,7 +7801,7 @@ define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i
 
 22:                                               ; preds = %13, %94
   %23 = phi i64 [ %14, %13 ], [ %95, %94 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #19
   %24 = mul nsw i64 %23, 3
   %25 = getelementptr inbounds double, ptr %16, i64 %24
   %26 = getelementptr inbounds double, ptr %25, i64 1
@@ -7417,7 +7871,7 @@ define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i
   br i1 %80, label %81, label %82
 
 81:                                               ; preds = %78
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #19
   br label %94
 
 82:                                               ; preds = %78, %82
@@ -7434,7 +7888,7 @@ define internal fastcc i32 @is_around(ptr noundef readonly %0, i64 noundef %1, i
 
 92:                                               ; preds = %82
   %93 = icmp ult i32 %89, 2
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #19
   br i1 %93, label %94, label %100
 
 94:                                               ; preds = %81, %92
@@ -7661,12 +8115,12 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   br label %401
 
 174:                                              ; preds = %147
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %8) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %8, ptr noundef nonnull align 8 dereferenceable(32) %5, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #18
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %11) #19
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %12) #19
   %175 = getelementptr inbounds %struct.Core, ptr %12, i64 0, i32 7
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %175, ptr noundef nonnull align 16 dereferenceable(72) @box_core.straight, i64 72, i1 false)
   br label %176
@@ -7712,7 +8166,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %207 = fadd double %203, %206
   %208 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 15
   %209 = load ptr, ptr %208, align 8
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
   %210 = load double, ptr %197, align 8
   %211 = getelementptr inbounds double, ptr %209, i64 9
   %212 = load double, ptr %211, align 8
@@ -7785,7 +8239,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %270 = fadd double %269, %243
   %271 = fmul double %270, %270
   %272 = fcmp ule double %265, %271
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
   br i1 %272, label %273, label %400
 
 273:                                              ; preds = %268
@@ -7834,7 +8288,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   br i1 %278, label %306, label %338
 
 306:                                              ; preds = %284, %305
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #19
   %307 = icmp eq i32 %280, 0
   br label %314
 
@@ -7842,7 +8296,7 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   %309 = fsub double %49, %76
   %310 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 2
   %311 = load ptr, ptr %310, align 8
-  %312 = call fastcc i32 @bounds(ptr noundef %311, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %309, double noundef %309, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null)
+  %312 = call fastcc i32 @bounds_from(ptr noundef %311, ptr noundef nonnull %12, ptr noundef nonnull %13, double noundef %309, double noundef %309, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %8, ptr noundef null, i32 noundef 0)
   %313 = icmp eq i32 %312, 0
   br i1 %313, label %335, label %331
 
@@ -7879,12 +8333,12 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   br i1 %334, label %337, label %335
 
 335:                                              ; preds = %331, %308
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
   %336 = load ptr, ptr %15, align 8
   br label %338
 
 337:                                              ; preds = %331
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #19
   br label %400
 
 338:                                              ; preds = %284, %335, %305
@@ -7962,11 +8416,11 @@ define internal fastcc void @surface(ptr nocapture noundef %0, i64 noundef %1, i
   br label %400
 
 400:                                              ; preds = %380, %337, %268
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %12) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %8) #19
   br label %401
 
 401:                                              ; preds = %84, %400, %168, %173, %169, %154, %118, %141, %95, %99
@@ -7983,13 +8437,13 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   %10 = alloca double, align 8
   %11 = alloca %struct.Simplex, align 8
   %12 = load ptr, ptr %0, align 8
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %4) #18
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #18
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %4) #19
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %5) #19
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %10) #19
   %13 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 1
   %14 = load i64, ptr %13, align 8
   %15 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 6
@@ -8161,7 +8615,7 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   store ptr %137, ptr %83, align 8
   %138 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, ptr noundef nonnull align 8 dereferenceable(24) %138, i64 24, i1 false)
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %11) #19
   %139 = fadd double %37, -1.000000e-10
   %140 = select i1 %17, double %37, double %139
   %141 = getelementptr inbounds %struct.Search, ptr %12, i64 0, i32 1
@@ -8175,7 +8629,7 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   %149 = fadd double %146, %148
   %150 = fadd double %140, %149
   %151 = fadd double %36, %149
-  %152 = call fastcc i32 @bounds(ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %8, double noundef %150, double noundef %151, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef null, ptr noundef nonnull %11)
+  %152 = call fastcc i32 @bounds_from(ptr noundef nonnull %4, ptr noundef nonnull %5, ptr noundef nonnull %8, double noundef %150, double noundef %151, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %9, ptr noundef nonnull %10, ptr noundef null, ptr noundef nonnull %11, i32 noundef 0)
   %153 = load double, ptr %9, align 8
   %154 = fsub double %153, %149
   %155 = load double, ptr %10, align 8
@@ -8277,14 +8731,14 @@ define internal fastcc void @two_leaves(ptr noundef %0, i64 noundef %1, i64 noun
   br label %217
 
 217:                                              ; preds = %168, %161, %127, %214
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %4) #18
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %5) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %4) #19
   ret void
 }
 
@@ -8406,11 +8860,11 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   br i1 %103, label %104, label %147
 
 104:                                              ; preds = %70
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #19
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %11) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %13) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %14) #19
   %105 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 4
   %106 = load double, ptr %105, align 8
   %107 = fadd double %49, %106
@@ -8459,16 +8913,16 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   store ptr %138, ptr %112, align 8
   %139 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 5
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %12, ptr noundef nonnull align 8 dereferenceable(24) %139, i64 24, i1 false)
-  %140 = call fastcc i32 @bounds(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef %107, double noundef %107, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef null, ptr noundef null)
+  %140 = call fastcc i32 @bounds_from(ptr noundef nonnull %10, ptr noundef nonnull %11, ptr noundef nonnull %12, double noundef %107, double noundef %107, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %13, ptr noundef nonnull %14, ptr noundef null, ptr noundef null, i32 noundef 0)
   %141 = icmp ne i32 %140, 0
   %142 = load double, ptr %13, align 8
   %143 = fcmp ogt double %142, %107
   %144 = select i1 %141, i1 %143, i1 false
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %14) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %13) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #19
   br i1 %144, label %424, label %145
 
 145:                                              ; preds = %104
@@ -8481,7 +8935,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   br i1 %149, label %151, label %150
 
 150:                                              ; preds = %147
-  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #19
   br label %193
 
 151:                                              ; preds = %147
@@ -8490,7 +8944,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   br i1 %153, label %154, label %155
 
 154:                                              ; preds = %151
-  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #19
   br label %194
 
 155:                                              ; preds = %151
@@ -8531,7 +8985,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   %190 = load double, ptr %189, align 8
   %191 = fsub double %188, %190
   %192 = fcmp ult double %174, %191
-  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #18
+  call void @llvm.lifetime.start.p0(i64 48, ptr nonnull %15) #19
   br i1 %192, label %193, label %194
 
 193:                                              ; preds = %150, %155
@@ -8574,7 +9028,7 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   %223 = getelementptr inbounds %struct.Part, ptr %15, i64 1, i32 2
   %224 = sub nsw i64 %215, %216
   store i64 %224, ptr %223, align 8
-  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %16) #18
+  call void @llvm.lifetime.start.p0(i64 16, ptr nonnull %16) #19
   %225 = load ptr, ptr %71, align 8
   %226 = getelementptr inbounds %struct.Two, ptr %0, i64 0, i32 2
   %227 = getelementptr inbounds double, ptr %5, i64 1
@@ -8607,11 +9061,11 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
   %250 = select i1 %196, ptr %2, ptr %245
   %251 = load i64, ptr %250, align 8
   %252 = mul nsw i64 %251, 6
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
   br label %282
 
 253:                                              ; preds = %282
@@ -8799,19 +9253,19 @@ define internal fastcc void @two_nodes(ptr noundef %0, ptr nocapture noundef rea
 
 404:                                              ; preds = %340, %400
   %405 = phi double [ %403, %400 ], [ %376, %340 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #19
   %406 = fsub double %405, %235
   %407 = getelementptr inbounds [2 x double], ptr %16, i64 0, i64 %244
   store double %406, ptr %407, align 8
   br i1 %243, label %242, label %236
 
 408:                                              ; preds = %419
-  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %16) #18
-  call void @llvm.lifetime.end.p0(i64 48, ptr nonnull %15) #18
+  call void @llvm.lifetime.end.p0(i64 16, ptr nonnull %16) #19
+  call void @llvm.lifetime.end.p0(i64 48, ptr nonnull %15) #19
   br label %424
 
 409:                                              ; preds = %236, %419
@@ -8850,7 +9304,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
   %7 = alloca [2 x [3 x [3 x double]]], align 16
   %8 = alloca [3 x double], align 16
   %9 = alloca double, align 8
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
   %10 = load ptr, ptr %0, align 8
   %11 = getelementptr inbounds %struct.World, ptr %10, i64 0, i32 15
   %12 = load ptr, ptr %11, align 8
@@ -8880,8 +9334,8 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
   br i1 %30, label %31, label %234
 
 31:                                               ; preds = %25
-  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 144, ptr nonnull %7) #19
   br label %36
 
 32:                                               ; preds = %92
@@ -9002,7 +9456,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
 121:                                              ; preds = %116, %108
   %122 = phi ptr [ %112, %108 ], [ %119, %116 ]
   %123 = phi ptr [ %115, %108 ], [ %120, %116 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   br label %124
 
 124:                                              ; preds = %124, %121
@@ -9121,7 +9575,7 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
 
 227:                                              ; preds = %223, %180, %148
   %228 = phi double [ %106, %148 ], [ %226, %223 ], [ 0.000000e+00, %180 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
   %229 = add nuw nsw i64 %105, 1
   %230 = icmp eq i64 %229, 11
   br i1 %230, label %231, label %104
@@ -9129,8 +9583,8 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
 231:                                              ; preds = %227
   %232 = fcmp olt double %228, 0x7FF0000000000000
   %233 = select i1 %232, double %228, double 0.000000e+00
-  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 144, ptr nonnull %6) #19
   br label %241
 
 234:                                              ; preds = %25
@@ -9197,894 +9651,942 @@ define internal fastcc i32 @tell_depth(ptr nocapture noundef %0, i64 noundef %1,
 
 276:                                              ; preds = %274, %255, %241, %239, %23
   %277 = phi i32 [ 0, %239 ], [ 1, %23 ], [ 0, %241 ], [ 1, %255 ], [ 1, %274 ]
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
   ret i32 %277
 }
 
 declare double @llvm.sqrt.f64(double) #4
 
-define internal fastcc i32 @bounds(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9) unnamed_addr #6 {
-  %11 = alloca [3 x double], align 16
-  %12 = alloca [3 x double], align 16
-  %13 = alloca [3 x double], align 16
+define internal fastcc i32 @bounds_from(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1, ptr nocapture noundef %2, double noundef %3, double noundef %4, double noundef %5, ptr nocapture noundef %6, ptr nocapture noundef %7, ptr noundef %8, ptr noundef %9, i32 noundef %10) unnamed_addr #13 {
+  %12 = alloca %struct.Simplex, align 8
+  %13 = alloca %struct.Simplex, align 8
   %14 = alloca [3 x double], align 16
-  %15 = alloca [3 x i32], align 4
+  %15 = alloca [3 x double], align 16
   %16 = alloca [3 x double], align 16
   %17 = alloca [3 x double], align 16
   %18 = alloca [3 x double], align 16
-  %19 = alloca [3 x double], align 16
-  %20 = alloca [3 x i32], align 4
-  %21 = alloca %struct.Simplex, align 8
-  %22 = alloca %struct.Simplex, align 8
-  %23 = alloca [3 x double], align 16
-  %24 = alloca [3 x double], align 16
-  %25 = alloca [3 x double], align 16
-  %26 = alloca [3 x double], align 16
-  %27 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %21) #18
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %22)
-  %28 = icmp ne ptr %9, null
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %24) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %25) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %26) #18
-  %29 = load double, ptr %2, align 8
-  %30 = fmul double %29, %29
-  %31 = getelementptr inbounds double, ptr %2, i64 1
-  %32 = load double, ptr %31, align 8
-  %33 = fmul double %32, %32
-  %34 = fadd double %30, %33
-  %35 = getelementptr inbounds double, ptr %2, i64 2
-  %36 = load double, ptr %35, align 8
-  %37 = fmul double %36, %36
-  %38 = fadd double %34, %37
-  %39 = tail call double @llvm.sqrt.f64(double %38)
-  %40 = fcmp ogt double %39, 0.000000e+00
-  br label %94
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %12) #19
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %13)
+  %19 = icmp ne ptr %9, null
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %15) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #19
+  %20 = load double, ptr %2, align 8
+  %21 = fmul double %20, %20
+  %22 = getelementptr inbounds double, ptr %2, i64 1
+  %23 = load double, ptr %22, align 8
+  %24 = fmul double %23, %23
+  %25 = fadd double %21, %24
+  %26 = getelementptr inbounds double, ptr %2, i64 2
+  %27 = load double, ptr %26, align 8
+  %28 = fmul double %27, %27
+  %29 = fadd double %25, %28
+  %30 = tail call double @llvm.sqrt.f64(double %29)
+  %31 = fcmp ogt double %30, 0.000000e+00
+  br label %35
 
-41:                                               ; preds = %103
-  %42 = select i1 %28, ptr %9, ptr %21
+32:                                               ; preds = %44
+  %33 = select i1 %19, ptr %9, ptr %12
   store double 0xFFF0000000000000, ptr %6, align 8
   store double 0x7FF0000000000000, ptr %7, align 8
-  %43 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 2
-  %44 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 2
-  %45 = select i1 %28, ptr %43, ptr %44
-  store i32 0, ptr %45, align 8
-  %46 = getelementptr inbounds double, ptr %27, i64 1
-  %47 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 1
-  %48 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 1
-  %49 = getelementptr inbounds double, ptr %27, i64 2
-  %50 = getelementptr inbounds [3 x double], ptr %24, i64 0, i64 2
-  %51 = getelementptr inbounds [3 x double], ptr %25, i64 0, i64 2
-  %52 = getelementptr inbounds double, ptr %23, i64 1
-  %53 = getelementptr inbounds double, ptr %23, i64 2
-  %54 = icmp eq ptr %8, null
-  %55 = getelementptr inbounds double, ptr %8, i64 1
-  %56 = getelementptr inbounds double, ptr %8, i64 2
-  %57 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
-  %58 = getelementptr inbounds double, ptr %13, i64 1
-  %59 = getelementptr inbounds double, ptr %13, i64 2
-  %60 = select i1 %28, ptr %9, ptr %21
-  %61 = getelementptr inbounds double, ptr %60, i64 1
-  %62 = select i1 %28, ptr %9, ptr %21
-  %63 = getelementptr inbounds double, ptr %62, i64 2
-  %64 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3
-  %65 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3
-  %66 = select i1 %28, ptr %64, ptr %65
-  %67 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 1, i64 1
-  %68 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 1, i64 1
-  %69 = select i1 %28, ptr %67, ptr %68
-  %70 = getelementptr inbounds [4 x [3 x double]], ptr %9, i64 0, i64 1
-  %71 = getelementptr inbounds [4 x [3 x double]], ptr %21, i64 0, i64 1
-  %72 = select i1 %28, ptr %70, ptr %71
-  %73 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 1, i64 0
-  %74 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 1, i64 0
-  %75 = select i1 %28, ptr %73, ptr %74
-  %76 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 1
-  %77 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 2
-  %78 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 2
-  %79 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 1
-  %80 = getelementptr inbounds double, ptr %18, i64 1
-  %81 = getelementptr inbounds double, ptr %18, i64 2
-  %82 = getelementptr inbounds double, ptr %11, i64 1
-  %83 = getelementptr inbounds double, ptr %11, i64 2
-  %84 = getelementptr inbounds double, ptr %12, i64 1
-  %85 = getelementptr inbounds double, ptr %12, i64 2
-  %86 = getelementptr inbounds double, ptr %19, i64 1
-  %87 = getelementptr inbounds double, ptr %19, i64 2
-  %88 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 1
-  %89 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3, i64 1
-  %90 = select i1 %28, ptr %88, ptr %89
-  %91 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 2
-  %92 = getelementptr inbounds %struct.Simplex, ptr %21, i64 0, i32 3, i64 2
-  %93 = select i1 %28, ptr %91, ptr %92
-  br label %108
+  %34 = icmp ne i32 %10, 0
+  br i1 %34, label %49, label %71
 
-94:                                               ; preds = %10, %103
-  %95 = phi i64 [ 0, %10 ], [ %106, %103 ]
-  br i1 %40, label %96, label %100
+35:                                               ; preds = %11, %44
+  %36 = phi i64 [ 0, %11 ], [ %47, %44 ]
+  br i1 %31, label %37, label %41
 
-96:                                               ; preds = %94
-  %97 = getelementptr inbounds double, ptr %2, i64 %95
-  %98 = load double, ptr %97, align 8
-  %99 = fdiv double %98, %39
-  br label %103
+37:                                               ; preds = %35
+  %38 = getelementptr inbounds double, ptr %2, i64 %36
+  %39 = load double, ptr %38, align 8
+  %40 = fdiv double %39, %30
+  br label %44
 
-100:                                              ; preds = %94
-  %101 = icmp eq i64 %95, 0
-  %102 = uitofp i1 %101 to double
-  br label %103
+41:                                               ; preds = %35
+  %42 = icmp eq i64 %36, 0
+  %43 = uitofp i1 %42 to double
+  br label %44
 
-103:                                              ; preds = %100, %96
-  %104 = phi double [ %99, %96 ], [ %102, %100 ]
-  %105 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %95
-  store double %104, ptr %105, align 8
-  %106 = add nuw nsw i64 %95, 1
-  %107 = icmp eq i64 %106, 3
-  br i1 %107, label %41, label %94
+44:                                               ; preds = %41, %37
+  %45 = phi double [ %40, %37 ], [ %43, %41 ]
+  %46 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %36
+  store double %45, ptr %46, align 8
+  %47 = add nuw nsw i64 %36, 1
+  %48 = icmp eq i64 %47, 3
+  br i1 %48, label %32, label %35
 
-108:                                              ; preds = %41, %622
-  %109 = phi i32 [ 0, %41 ], [ %618, %622 ]
-  %110 = phi i32 [ 0, %41 ], [ %623, %622 ]
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %2, ptr noundef nonnull align 16 dereferenceable(24) %23, i64 24, i1 false)
-  br label %138
+49:                                               ; preds = %32
+  %50 = call fastcc i32 @reduce(ptr noundef %33)
+  %51 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3
+  %52 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3
+  %53 = select i1 %19, ptr %52, ptr %51
+  %54 = load double, ptr %53, align 8
+  %55 = fmul double %54, %54
+  %56 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3, i64 1
+  %57 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 1
+  %58 = select i1 %19, ptr %57, ptr %56
+  %59 = load double, ptr %58, align 8
+  %60 = fmul double %59, %59
+  %61 = fadd double %55, %60
+  %62 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3, i64 2
+  %63 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 2
+  %64 = select i1 %19, ptr %63, ptr %62
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %65, %65
+  %67 = fadd double %61, %66
+  %68 = call double @llvm.sqrt.f64(double %67)
+  store double %68, ptr %7, align 8
+  %69 = fcmp ogt double %68, 0x3EB0C6F7A0B5ED8D
+  br i1 %69, label %70, label %233
 
-111:                                              ; preds = %138
-  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %26, ptr noundef nonnull %24)
-  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %23, ptr noundef nonnull %25)
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %27) #18
-  %112 = load double, ptr %24, align 16
-  %113 = load double, ptr %25, align 16
-  %114 = fsub double %112, %113
-  store double %114, ptr %27, align 16
-  %115 = load double, ptr %47, align 8
-  %116 = load double, ptr %48, align 8
-  %117 = fsub double %115, %116
-  store double %117, ptr %46, align 8
-  %118 = load double, ptr %50, align 16
-  %119 = load double, ptr %51, align 16
-  %120 = fsub double %118, %119
-  store double %120, ptr %49, align 16
-  %121 = load double, ptr %23, align 16
-  %122 = fmul double %121, %121
-  %123 = load double, ptr %52, align 8
-  %124 = fmul double %123, %123
-  %125 = fadd double %122, %124
-  %126 = load double, ptr %53, align 16
-  %127 = fmul double %126, %126
-  %128 = fadd double %125, %127
-  %129 = tail call double @llvm.sqrt.f64(double %128)
-  %130 = fmul double %114, %121
-  %131 = fmul double %117, %123
-  %132 = fadd double %130, %131
-  %133 = fmul double %120, %126
-  %134 = fadd double %132, %133
-  %135 = fdiv double %134, %129
-  %136 = load double, ptr %6, align 8
-  %137 = fcmp ogt double %135, %136
-  br i1 %137, label %146, label %165
+70:                                               ; preds = %49
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %14, ptr noundef nonnull align 8 dereferenceable(24) %53, i64 24, i1 false)
+  br label %75
 
-138:                                              ; preds = %108, %138
-  %139 = phi i64 [ 0, %108 ], [ %144, %138 ]
-  %140 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %139
-  %141 = load double, ptr %140, align 8
-  %142 = fneg double %141
-  %143 = getelementptr inbounds [3 x double], ptr %26, i64 0, i64 %139
-  store double %142, ptr %143, align 8
-  %144 = add nuw nsw i64 %139, 1
-  %145 = icmp eq i64 %144, 3
-  br i1 %145, label %111, label %138
+71:                                               ; preds = %32
+  %72 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 2
+  %73 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 2
+  %74 = select i1 %19, ptr %73, ptr %72
+  store i32 0, ptr %74, align 8
+  br label %75
 
-146:                                              ; preds = %111
-  store double %135, ptr %6, align 8
-  br i1 %54, label %165, label %157
+75:                                               ; preds = %71, %70
+  %76 = getelementptr inbounds double, ptr %18, i64 1
+  %77 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 1
+  %78 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 1
+  %79 = getelementptr inbounds double, ptr %18, i64 2
+  %80 = getelementptr inbounds [3 x double], ptr %15, i64 0, i64 2
+  %81 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 2
+  %82 = getelementptr inbounds double, ptr %14, i64 1
+  %83 = getelementptr inbounds double, ptr %14, i64 2
+  %84 = icmp eq ptr %8, null
+  %85 = getelementptr inbounds double, ptr %8, i64 1
+  %86 = getelementptr inbounds double, ptr %8, i64 2
+  %87 = getelementptr inbounds %struct.Plane, ptr %8, i64 0, i32 1
+  %88 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 2
+  %89 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 2
+  %90 = select i1 %19, ptr %89, ptr %88
+  %91 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3
+  %92 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3
+  %93 = select i1 %19, ptr %92, ptr %91
+  %94 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3, i64 1
+  %95 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 1
+  %96 = select i1 %19, ptr %95, ptr %94
+  %97 = getelementptr inbounds %struct.Simplex, ptr %12, i64 0, i32 3, i64 2
+  %98 = getelementptr inbounds %struct.Simplex, ptr %9, i64 0, i32 3, i64 2
+  %99 = select i1 %19, ptr %98, ptr %97
+  br label %100
 
-147:                                              ; preds = %157
-  %148 = load double, ptr %8, align 8
-  %149 = fmul double %112, %148
-  %150 = load double, ptr %55, align 8
-  %151 = fmul double %150, %115
-  %152 = fadd double %149, %151
-  %153 = load double, ptr %56, align 8
-  %154 = fmul double %153, %118
-  %155 = fadd double %152, %154
-  store double %155, ptr %57, align 8
-  %156 = load double, ptr %6, align 8
-  br label %165
+100:                                              ; preds = %75, %230
+  %101 = phi i32 [ 0, %75 ], [ %231, %230 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %2, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
+  br label %129
 
-157:                                              ; preds = %146, %157
-  %158 = phi i64 [ %163, %157 ], [ 0, %146 ]
-  %159 = getelementptr inbounds [3 x double], ptr %23, i64 0, i64 %158
-  %160 = load double, ptr %159, align 8
-  %161 = fdiv double %160, %129
-  %162 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %158
-  store double %161, ptr %162, align 8
-  %163 = add nuw nsw i64 %158, 1
-  %164 = icmp eq i64 %163, 3
-  br i1 %164, label %147, label %157
+102:                                              ; preds = %129
+  call fastcc void @support(ptr noundef %0, ptr noundef nonnull %17, ptr noundef nonnull %15)
+  call fastcc void @support(ptr noundef %1, ptr noundef nonnull %14, ptr noundef nonnull %16)
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #19
+  %103 = load double, ptr %15, align 16
+  %104 = load double, ptr %16, align 16
+  %105 = fsub double %103, %104
+  store double %105, ptr %18, align 16
+  %106 = load double, ptr %77, align 8
+  %107 = load double, ptr %78, align 8
+  %108 = fsub double %106, %107
+  store double %108, ptr %76, align 8
+  %109 = load double, ptr %80, align 16
+  %110 = load double, ptr %81, align 16
+  %111 = fsub double %109, %110
+  store double %111, ptr %79, align 16
+  %112 = load double, ptr %14, align 16
+  %113 = fmul double %112, %112
+  %114 = load double, ptr %82, align 8
+  %115 = fmul double %114, %114
+  %116 = fadd double %113, %115
+  %117 = load double, ptr %83, align 16
+  %118 = fmul double %117, %117
+  %119 = fadd double %116, %118
+  %120 = call double @llvm.sqrt.f64(double %119)
+  %121 = fmul double %105, %112
+  %122 = fmul double %108, %114
+  %123 = fadd double %121, %122
+  %124 = fmul double %111, %117
+  %125 = fadd double %123, %124
+  %126 = fdiv double %125, %120
+  %127 = load double, ptr %6, align 8
+  %128 = fcmp ogt double %126, %127
+  br i1 %128, label %137, label %156
 
-165:                                              ; preds = %146, %147, %111
-  %166 = phi double [ %135, %146 ], [ %156, %147 ], [ %136, %111 ]
-  %167 = fcmp ogt double %166, %3
-  br i1 %167, label %620, label %168
+129:                                              ; preds = %100, %129
+  %130 = phi i64 [ 0, %100 ], [ %135, %129 ]
+  %131 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fneg double %132
+  %134 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %130
+  store double %133, ptr %134, align 8
+  %135 = add nuw nsw i64 %130, 1
+  %136 = icmp eq i64 %135, 3
+  br i1 %136, label %102, label %129
 
-168:                                              ; preds = %165
-  %169 = load double, ptr %7, align 8
-  %170 = fsub double %169, %166
-  %171 = fcmp ugt double %170, %5
-  br i1 %171, label %172, label %620
+137:                                              ; preds = %102
+  store double %126, ptr %6, align 8
+  br i1 %84, label %156, label %148
 
-172:                                              ; preds = %168
-  %173 = icmp sgt i32 %109, 0
-  br i1 %173, label %174, label %184
+138:                                              ; preds = %148
+  %139 = load double, ptr %8, align 8
+  %140 = fmul double %103, %139
+  %141 = load double, ptr %85, align 8
+  %142 = fmul double %141, %106
+  %143 = fadd double %140, %142
+  %144 = load double, ptr %86, align 8
+  %145 = fmul double %144, %109
+  %146 = fadd double %143, %145
+  store double %146, ptr %87, align 8
+  %147 = load double, ptr %6, align 8
+  br label %156
 
-174:                                              ; preds = %172
-  %175 = zext i32 %109 to i64
-  br label %179
+148:                                              ; preds = %137, %148
+  %149 = phi i64 [ %154, %148 ], [ 0, %137 ]
+  %150 = getelementptr inbounds [3 x double], ptr %14, i64 0, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fdiv double %151, %120
+  %153 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %149
+  store double %152, ptr %153, align 8
+  %154 = add nuw nsw i64 %149, 1
+  %155 = icmp eq i64 %154, 3
+  br i1 %155, label %138, label %148
 
-176:                                              ; preds = %179
-  %177 = add nuw nsw i64 %180, 1
-  %178 = icmp eq i64 %177, %175
-  br i1 %178, label %184, label %179
+156:                                              ; preds = %137, %138, %102
+  %157 = phi double [ %126, %137 ], [ %147, %138 ], [ %127, %102 ]
+  %158 = fcmp ogt double %157, %3
+  br i1 %158, label %228, label %159
 
-179:                                              ; preds = %174, %176
-  %180 = phi i64 [ 0, %174 ], [ %177, %176 ]
-  %181 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %180
-  %182 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %181, ptr noundef nonnull dereferenceable(24) %27, i64 24)
-  %183 = icmp eq i32 %182, 0
-  br i1 %183, label %620, label %176
+159:                                              ; preds = %156
+  %160 = load double, ptr %7, align 8
+  %161 = fsub double %160, %157
+  %162 = fcmp ugt double %161, %5
+  br i1 %162, label %163, label %228
 
-184:                                              ; preds = %176, %172
-  br i1 %28, label %185, label %186
+163:                                              ; preds = %159
+  %164 = load i32, ptr %90, align 8
+  %165 = icmp sgt i32 %164, 0
+  br i1 %165, label %166, label %176
 
-185:                                              ; preds = %184
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %22, ptr noundef nonnull align 8 dereferenceable(224) %42, i64 224, i1 false)
-  br label %186
+166:                                              ; preds = %163
+  %167 = zext i32 %164 to i64
+  br label %171
 
-186:                                              ; preds = %185, %184
-  %187 = sext i32 %109 to i64
-  %188 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %187
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %188, ptr noundef nonnull align 16 dereferenceable(24) %27, i64 24, i1 false)
-  %189 = load i32, ptr %45, align 8
-  %190 = add nsw i32 %189, 1
-  store i32 %190, ptr %45, align 8
-  %191 = sext i32 %189 to i64
-  %192 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %191
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %192, ptr noundef nonnull align 16 dereferenceable(24) %24, i64 24, i1 false)
-  %193 = load i32, ptr %45, align 8
-  switch i32 %193, label %246 [
-    i32 1, label %194
-    i32 2, label %195
+168:                                              ; preds = %171
+  %169 = add nuw nsw i64 %172, 1
+  %170 = icmp eq i64 %169, %167
+  br i1 %170, label %176, label %171
+
+171:                                              ; preds = %166, %168
+  %172 = phi i64 [ 0, %166 ], [ %169, %168 ]
+  %173 = getelementptr inbounds [4 x [3 x double]], ptr %33, i64 0, i64 %172
+  %174 = call i32 @bcmp(ptr noundef nonnull dereferenceable(24) %173, ptr noundef nonnull dereferenceable(24) %18, i64 24)
+  %175 = icmp eq i32 %174, 0
+  br i1 %175, label %228, label %168
+
+176:                                              ; preds = %168, %163
+  br i1 %19, label %177, label %178
+
+177:                                              ; preds = %176
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %13, ptr noundef nonnull align 8 dereferenceable(224) %33, i64 224, i1 false)
+  br label %178
+
+178:                                              ; preds = %177, %176
+  %179 = sext i32 %164 to i64
+  %180 = getelementptr inbounds [4 x [3 x double]], ptr %33, i64 0, i64 %179
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %180, ptr noundef nonnull align 16 dereferenceable(24) %18, i64 24, i1 false)
+  %181 = load i32, ptr %90, align 8
+  %182 = add nsw i32 %181, 1
+  store i32 %182, ptr %90, align 8
+  %183 = sext i32 %181 to i64
+  %184 = getelementptr inbounds %struct.Simplex, ptr %33, i64 0, i32 1, i64 %183
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %184, ptr noundef nonnull align 16 dereferenceable(24) %15, i64 24, i1 false)
+  %185 = call fastcc i32 @reduce(ptr noundef %33)
+  %186 = load double, ptr %93, align 8
+  %187 = fmul double %186, %186
+  %188 = load double, ptr %96, align 8
+  %189 = fmul double %188, %188
+  %190 = fadd double %187, %189
+  %191 = load double, ptr %99, align 8
+  %192 = fmul double %191, %191
+  %193 = fadd double %190, %192
+  %194 = call double @llvm.sqrt.f64(double %193)
+  %195 = icmp eq i32 %185, 0
+  br i1 %195, label %199, label %196
+
+196:                                              ; preds = %178
+  %197 = load double, ptr %6, align 8
+  %198 = fcmp ugt double %197, 1.000000e-10
+  br i1 %198, label %203, label %228
+
+199:                                              ; preds = %178
+  %200 = icmp ne i32 %101, 0
+  %201 = select i1 %34, i1 true, i1 %200
+  %202 = select i1 %19, i1 %201, i1 false
+  br i1 %202, label %207, label %212
+
+203:                                              ; preds = %196
+  %204 = icmp ne i32 %101, 0
+  %205 = select i1 %34, i1 true, i1 %204
+  %206 = select i1 %19, i1 %205, i1 false
+  br i1 %206, label %211, label %228
+
+207:                                              ; preds = %199
+  %208 = load double, ptr %7, align 8
+  %209 = fcmp ult double %194, %208
+  br i1 %209, label %212, label %210
+
+210:                                              ; preds = %207
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %33, ptr noundef nonnull align 8 dereferenceable(224) %13, i64 224, i1 false)
+  br label %212
+
+211:                                              ; preds = %203
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %33, ptr noundef nonnull align 8 dereferenceable(224) %13, i64 224, i1 false)
+  br label %228
+
+212:                                              ; preds = %199, %207, %210
+  %213 = phi i1 [ true, %210 ], [ %201, %199 ], [ true, %207 ]
+  %214 = load double, ptr %7, align 8
+  %215 = fcmp oge double %194, %214
+  %216 = select i1 %215, i1 %213, i1 false
+  br i1 %216, label %228, label %217
+
+217:                                              ; preds = %212
+  store double %194, ptr %7, align 8
+  %218 = fcmp ugt double %194, 1.000000e-10
+  br i1 %218, label %219, label %228
+
+219:                                              ; preds = %217
+  %220 = fcmp ugt double %194, %4
+  br i1 %220, label %221, label %228
+
+221:                                              ; preds = %219
+  %222 = load double, ptr %6, align 8
+  %223 = fsub double %194, %222
+  %224 = fcmp ugt double %223, %5
+  br i1 %224, label %225, label %228
+
+225:                                              ; preds = %221
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %14, ptr noundef nonnull align 8 dereferenceable(24) %93, i64 24, i1 false)
+  %226 = load i32, ptr %90, align 8
+  %227 = icmp eq i32 %226, 4
+  br i1 %227, label %228, label %230
+
+228:                                              ; preds = %159, %156, %212, %217, %221, %219, %225, %171, %196, %203, %211
+  %229 = phi i32 [ 1, %211 ], [ 0, %196 ], [ 1, %203 ], [ 1, %171 ], [ 1, %225 ], [ 1, %159 ], [ 1, %156 ], [ 1, %212 ], [ 0, %217 ], [ 1, %221 ], [ 1, %219 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #19
+  br label %233
+
+230:                                              ; preds = %225
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #19
+  %231 = add nuw nsw i32 %101, 1
+  %232 = icmp eq i32 %231, 300
+  br i1 %232, label %233, label %100
+
+233:                                              ; preds = %230, %228, %49
+  %234 = phi i32 [ 0, %49 ], [ %229, %228 ], [ 1, %230 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %15) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14) #19
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %13)
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %12) #19
+  ret i32 %234
+}
+
+define internal fastcc i32 @reduce(ptr noundef %0) unnamed_addr #3 {
+  %2 = alloca [3 x double], align 16
+  %3 = alloca [3 x double], align 16
+  %4 = alloca [3 x double], align 16
+  %5 = alloca [3 x double], align 16
+  %6 = alloca [3 x i32], align 4
+  %7 = alloca [3 x double], align 16
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = alloca [3 x double], align 16
+  %11 = alloca [3 x i32], align 4
+  %12 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 2
+  %13 = load i32, ptr %12, align 8
+  switch i32 %13, label %78 [
+    i32 1, label %14
+    i32 2, label %16
   ]
 
-194:                                              ; preds = %186
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 8 dereferenceable(24) %42, i64 24, i1 false)
-  br label %578
+14:                                               ; preds = %1
+  %15 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 3
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %15, ptr noundef nonnull align 8 dereferenceable(24) %0, i64 24, i1 false)
+  br label %423
 
-195:                                              ; preds = %186
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %13) #18
-  br label %206
+16:                                               ; preds = %1
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %4) #19
+  br label %29
 
-196:                                              ; preds = %206
-  %197 = load double, ptr %13, align 16
-  %198 = fmul double %197, %197
-  %199 = load double, ptr %58, align 8
-  %200 = fmul double %199, %199
-  %201 = fadd double %198, %200
-  %202 = load double, ptr %59, align 16
-  %203 = fmul double %202, %202
-  %204 = fadd double %201, %203
-  %205 = fcmp ogt double %204, 0.000000e+00
-  br i1 %205, label %216, label %243
+17:                                               ; preds = %29
+  %18 = load double, ptr %4, align 16
+  %19 = fmul double %18, %18
+  %20 = getelementptr inbounds double, ptr %4, i64 1
+  %21 = load double, ptr %20, align 8
+  %22 = fmul double %21, %21
+  %23 = fadd double %19, %22
+  %24 = getelementptr inbounds double, ptr %4, i64 2
+  %25 = load double, ptr %24, align 16
+  %26 = fmul double %25, %25
+  %27 = fadd double %23, %26
+  %28 = fcmp ogt double %27, 0.000000e+00
+  br i1 %28, label %39, label %53
 
-206:                                              ; preds = %206, %195
-  %207 = phi i64 [ 0, %195 ], [ %214, %206 ]
-  %208 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 1, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = getelementptr inbounds [3 x double], ptr %42, i64 0, i64 %207
-  %211 = load double, ptr %210, align 8
-  %212 = fsub double %209, %211
-  %213 = getelementptr inbounds [3 x double], ptr %13, i64 0, i64 %207
-  store double %212, ptr %213, align 8
-  %214 = add nuw nsw i64 %207, 1
-  %215 = icmp eq i64 %214, 3
-  br i1 %215, label %196, label %206
+29:                                               ; preds = %16, %29
+  %30 = phi i64 [ 0, %16 ], [ %37, %29 ]
+  %31 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 1, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = getelementptr inbounds [3 x double], ptr %0, i64 0, i64 %30
+  %34 = load double, ptr %33, align 8
+  %35 = fsub double %32, %34
+  %36 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %30
+  store double %35, ptr %36, align 8
+  %37 = add nuw nsw i64 %30, 1
+  %38 = icmp eq i64 %37, 3
+  br i1 %38, label %17, label %29
 
-216:                                              ; preds = %196
-  %217 = load double, ptr %42, align 8
-  %218 = fmul double %197, %217
-  %219 = load double, ptr %61, align 8
-  %220 = fmul double %199, %219
-  %221 = fadd double %218, %220
-  %222 = load double, ptr %63, align 8
-  %223 = fmul double %202, %222
-  %224 = fadd double %221, %223
-  %225 = fneg double %224
-  %226 = fdiv double %225, %204
-  %227 = fcmp ugt double %226, 0.000000e+00
-  br i1 %227, label %228, label %243
+39:                                               ; preds = %17
+  %40 = load double, ptr %0, align 8
+  %41 = fmul double %18, %40
+  %42 = getelementptr inbounds double, ptr %0, i64 1
+  %43 = load double, ptr %42, align 8
+  %44 = fmul double %21, %43
+  %45 = fadd double %41, %44
+  %46 = getelementptr inbounds double, ptr %0, i64 2
+  %47 = load double, ptr %46, align 8
+  %48 = fmul double %25, %47
+  %49 = fadd double %45, %48
+  %50 = fneg double %49
+  %51 = fdiv double %50, %27
+  %52 = fcmp ugt double %51, 0.000000e+00
+  br i1 %52, label %55, label %53
 
-228:                                              ; preds = %216
-  %229 = fcmp ult double %226, 1.000000e+00
-  br i1 %229, label %231, label %230
+53:                                               ; preds = %39, %17
+  store i32 1, ptr %12, align 8
+  %54 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 3
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %54, ptr noundef nonnull align 8 dereferenceable(24) %0, i64 24, i1 false)
+  br label %77
 
-230:                                              ; preds = %228
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %42, ptr noundef nonnull align 8 dereferenceable(24) %72, i64 24, i1 false)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %75, ptr noundef nonnull align 8 dereferenceable(24) %69, i64 24, i1 false)
-  br label %243
+55:                                               ; preds = %39
+  %56 = fcmp ult double %51, 1.000000e+00
+  br i1 %56, label %62, label %57
 
-231:                                              ; preds = %228, %231
-  %232 = phi i64 [ %241, %231 ], [ 0, %228 ]
-  %233 = getelementptr inbounds double, ptr %42, i64 %232
-  %234 = load double, ptr %233, align 8
-  %235 = getelementptr inbounds double, ptr %72, i64 %232
-  %236 = load double, ptr %235, align 8
-  %237 = fsub double %236, %234
-  %238 = fmul double %226, %237
-  %239 = fadd double %234, %238
-  %240 = getelementptr inbounds double, ptr %66, i64 %232
-  store double %239, ptr %240, align 8
-  %241 = add nuw nsw i64 %232, 1
-  %242 = icmp eq i64 %241, 3
-  br i1 %242, label %245, label %231
+57:                                               ; preds = %55
+  %58 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 1, i64 1
+  %59 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 1
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %0, ptr noundef nonnull align 8 dereferenceable(24) %59, i64 24, i1 false)
+  %60 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 1, i64 0
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %60, ptr noundef nonnull align 8 dereferenceable(24) %58, i64 24, i1 false)
+  store i32 1, ptr %12, align 8
+  %61 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 3
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %61, ptr noundef nonnull align 8 dereferenceable(24) %59, i64 24, i1 false)
+  br label %77
 
-243:                                              ; preds = %196, %216, %230
-  %244 = phi ptr [ %72, %230 ], [ %42, %216 ], [ %42, %196 ]
-  store i32 1, ptr %45, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 8 dereferenceable(24) %244, i64 24, i1 false)
-  br label %245
+62:                                               ; preds = %55
+  %63 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 1
+  %64 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 3
+  br label %65
 
-245:                                              ; preds = %231, %243
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %13) #18
-  br label %578
+65:                                               ; preds = %65, %62
+  %66 = phi i64 [ 0, %62 ], [ %75, %65 ]
+  %67 = getelementptr inbounds double, ptr %0, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = getelementptr inbounds double, ptr %63, i64 %66
+  %70 = load double, ptr %69, align 8
+  %71 = fsub double %70, %68
+  %72 = fmul double %51, %71
+  %73 = fadd double %68, %72
+  %74 = getelementptr inbounds double, ptr %64, i64 %66
+  store double %73, ptr %74, align 8
+  %75 = add nuw nsw i64 %66, 1
+  %76 = icmp eq i64 %75, 3
+  br i1 %76, label %77, label %65
 
-246:                                              ; preds = %186
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %14)
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %15) #18
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
-  %247 = icmp eq i32 %193, 4
-  %248 = zext i1 %247 to i32
-  %249 = icmp ne i32 %193, 3
-  br label %253
+77:                                               ; preds = %65, %57, %53
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %4) #19
+  br label %423
 
-250:                                              ; preds = %529
-  %251 = icmp ne i32 %530, 0
-  %252 = select i1 %247, i1 %251, i1 false
-  br i1 %252, label %576, label %536
+78:                                               ; preds = %1
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5)
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %6) #19
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %6, ptr noundef nonnull align 4 dereferenceable(12) @__const.reduce.chosen, i64 12, i1 false)
+  %79 = icmp eq i32 %13, 4
+  %80 = zext i1 %79 to i32
+  %81 = icmp ne i32 %13, 3
+  %82 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 1
+  %83 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 2
+  %84 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 2
+  %85 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 1
+  %86 = getelementptr inbounds double, ptr %9, i64 1
+  %87 = getelementptr inbounds double, ptr %9, i64 2
+  %88 = getelementptr inbounds double, ptr %2, i64 1
+  %89 = getelementptr inbounds double, ptr %2, i64 2
+  %90 = getelementptr inbounds double, ptr %3, i64 1
+  %91 = getelementptr inbounds double, ptr %3, i64 2
+  %92 = getelementptr inbounds double, ptr %10, i64 1
+  %93 = getelementptr inbounds double, ptr %10, i64 2
+  br label %97
 
-253:                                              ; preds = %529, %246
-  %254 = phi i64 [ 0, %246 ], [ %533, %529 ]
-  %255 = phi double [ 0x7FF0000000000000, %246 ], [ %532, %529 ]
-  %256 = phi i32 [ 7, %246 ], [ %531, %529 ]
-  %257 = phi i32 [ %248, %246 ], [ %530, %529 ]
-  %258 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254
-  %259 = load i32, ptr %258, align 4
-  %260 = sext i32 %259 to i64
-  %261 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %260
-  %262 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254, i64 1
-  %263 = load i32, ptr %262, align 4
-  %264 = sext i32 %263 to i64
-  %265 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %264
-  %266 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %254, i64 2
-  %267 = load i32, ptr %266, align 4
-  %268 = sext i32 %267 to i64
-  %269 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %268
-  br i1 %247, label %270, label %335
+94:                                               ; preds = %373
+  %95 = icmp ne i32 %374, 0
+  %96 = select i1 %79, i1 %95, i1 false
+  br i1 %96, label %421, label %380
 
-270:                                              ; preds = %253
-  %271 = add i32 %259, %263
-  %272 = add i32 %271, %267
-  %273 = sub i32 6, %272
-  %274 = sext i32 %273 to i64
-  %275 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %274
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %16) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %17) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %18) #18
-  br label %301
+97:                                               ; preds = %78, %373
+  %98 = phi i64 [ 0, %78 ], [ %377, %373 ]
+  %99 = phi double [ 0x7FF0000000000000, %78 ], [ %376, %373 ]
+  %100 = phi i32 [ 7, %78 ], [ %375, %373 ]
+  %101 = phi i32 [ %80, %78 ], [ %374, %373 ]
+  %102 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %98
+  %103 = load i32, ptr %102, align 4
+  %104 = sext i32 %103 to i64
+  %105 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %104
+  %106 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %98, i64 1
+  %107 = load i32, ptr %106, align 4
+  %108 = sext i32 %107 to i64
+  %109 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %108
+  %110 = getelementptr inbounds [4 x [3 x i32]], ptr @reduce.face, i64 0, i64 %98, i64 2
+  %111 = load i32, ptr %110, align 4
+  %112 = sext i32 %111 to i64
+  %113 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %112
+  br i1 %79, label %114, label %179
 
-276:                                              ; preds = %301
-  %277 = load double, ptr %76, align 8
-  %278 = load double, ptr %77, align 16
-  %279 = fmul double %277, %278
-  %280 = load double, ptr %78, align 16
-  %281 = load double, ptr %79, align 8
-  %282 = fmul double %280, %281
-  %283 = fsub double %279, %282
-  %284 = load double, ptr %17, align 16
-  %285 = fmul double %280, %284
-  %286 = load double, ptr %16, align 16
-  %287 = fmul double %278, %286
-  %288 = fsub double %285, %287
-  %289 = fmul double %281, %286
-  %290 = fmul double %277, %284
-  %291 = fsub double %289, %290
-  %292 = load double, ptr %18, align 16
-  %293 = fmul double %283, %292
-  %294 = load double, ptr %80, align 8
-  %295 = fmul double %288, %294
-  %296 = fadd double %293, %295
-  %297 = load double, ptr %81, align 16
-  %298 = fmul double %291, %297
-  %299 = fadd double %296, %298
-  %300 = fcmp oeq double %299, 0.000000e+00
-  br i1 %300, label %333, label %319
+114:                                              ; preds = %97
+  %115 = add i32 %103, %107
+  %116 = add i32 %115, %111
+  %117 = sub i32 6, %116
+  %118 = sext i32 %117 to i64
+  %119 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %118
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %9) #19
+  br label %145
 
-301:                                              ; preds = %301, %270
-  %302 = phi i64 [ 0, %270 ], [ %317, %301 ]
-  %303 = getelementptr inbounds double, ptr %265, i64 %302
-  %304 = load double, ptr %303, align 8
-  %305 = getelementptr inbounds double, ptr %261, i64 %302
-  %306 = load double, ptr %305, align 8
-  %307 = fsub double %304, %306
-  %308 = getelementptr inbounds [3 x double], ptr %16, i64 0, i64 %302
-  store double %307, ptr %308, align 8
-  %309 = getelementptr inbounds double, ptr %269, i64 %302
-  %310 = load double, ptr %309, align 8
-  %311 = fsub double %310, %306
-  %312 = getelementptr inbounds [3 x double], ptr %17, i64 0, i64 %302
-  store double %311, ptr %312, align 8
-  %313 = getelementptr inbounds double, ptr %275, i64 %302
-  %314 = load double, ptr %313, align 8
-  %315 = fsub double %314, %306
-  %316 = getelementptr inbounds [3 x double], ptr %18, i64 0, i64 %302
-  store double %315, ptr %316, align 8
-  %317 = add nuw nsw i64 %302, 1
-  %318 = icmp eq i64 %317, 3
-  br i1 %318, label %276, label %301
+120:                                              ; preds = %145
+  %121 = load double, ptr %82, align 8
+  %122 = load double, ptr %83, align 16
+  %123 = fmul double %121, %122
+  %124 = load double, ptr %84, align 16
+  %125 = load double, ptr %85, align 8
+  %126 = fmul double %124, %125
+  %127 = fsub double %123, %126
+  %128 = load double, ptr %8, align 16
+  %129 = fmul double %124, %128
+  %130 = load double, ptr %7, align 16
+  %131 = fmul double %122, %130
+  %132 = fsub double %129, %131
+  %133 = fmul double %125, %130
+  %134 = fmul double %121, %128
+  %135 = fsub double %133, %134
+  %136 = load double, ptr %9, align 16
+  %137 = fmul double %127, %136
+  %138 = load double, ptr %86, align 8
+  %139 = fmul double %132, %138
+  %140 = fadd double %137, %139
+  %141 = load double, ptr %87, align 16
+  %142 = fmul double %135, %141
+  %143 = fadd double %140, %142
+  %144 = fcmp oeq double %143, 0.000000e+00
+  br i1 %144, label %177, label %163
 
-319:                                              ; preds = %276
-  %320 = load double, ptr %261, align 8
-  %321 = fmul double %283, %320
-  %322 = getelementptr inbounds double, ptr %261, i64 1
-  %323 = load double, ptr %322, align 8
-  %324 = fmul double %288, %323
-  %325 = fadd double %321, %324
-  %326 = getelementptr inbounds double, ptr %261, i64 2
-  %327 = load double, ptr %326, align 8
-  %328 = fmul double %291, %327
-  %329 = fadd double %325, %328
-  %330 = fneg double %329
-  %331 = fmul double %299, %330
-  %332 = fcmp ult double %331, 0.000000e+00
-  br i1 %332, label %333, label %334
+145:                                              ; preds = %114, %145
+  %146 = phi i64 [ 0, %114 ], [ %161, %145 ]
+  %147 = getelementptr inbounds double, ptr %109, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = getelementptr inbounds double, ptr %105, i64 %146
+  %150 = load double, ptr %149, align 8
+  %151 = fsub double %148, %150
+  %152 = getelementptr inbounds [3 x double], ptr %7, i64 0, i64 %146
+  store double %151, ptr %152, align 8
+  %153 = getelementptr inbounds double, ptr %113, i64 %146
+  %154 = load double, ptr %153, align 8
+  %155 = fsub double %154, %150
+  %156 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %146
+  store double %155, ptr %156, align 8
+  %157 = getelementptr inbounds double, ptr %119, i64 %146
+  %158 = load double, ptr %157, align 8
+  %159 = fsub double %158, %150
+  %160 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %146
+  store double %159, ptr %160, align 8
+  %161 = add nuw nsw i64 %146, 1
+  %162 = icmp eq i64 %161, 3
+  br i1 %162, label %120, label %145
 
-333:                                              ; preds = %319, %276
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
-  br label %335
+163:                                              ; preds = %120
+  %164 = load double, ptr %105, align 8
+  %165 = fmul double %127, %164
+  %166 = getelementptr inbounds double, ptr %105, i64 1
+  %167 = load double, ptr %166, align 8
+  %168 = fmul double %132, %167
+  %169 = fadd double %165, %168
+  %170 = getelementptr inbounds double, ptr %105, i64 2
+  %171 = load double, ptr %170, align 8
+  %172 = fmul double %135, %171
+  %173 = fadd double %169, %172
+  %174 = fneg double %173
+  %175 = fmul double %143, %174
+  %176 = fcmp ult double %175, 0.000000e+00
+  br i1 %176, label %177, label %178
 
-334:                                              ; preds = %319
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %18) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %17) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %16) #18
-  br label %529
+177:                                              ; preds = %163, %120
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  br label %179
 
-335:                                              ; preds = %333, %253
-  %336 = phi i32 [ %257, %253 ], [ 0, %333 ]
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %19) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %11) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %12) #18
-  br label %394
+178:                                              ; preds = %163
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  br label %373
 
-337:                                              ; preds = %394
-  %338 = load double, ptr %11, align 16
-  %339 = load double, ptr %261, align 8
-  %340 = fmul double %338, %339
-  %341 = load double, ptr %82, align 8
-  %342 = getelementptr inbounds double, ptr %261, i64 1
+179:                                              ; preds = %177, %97
+  %180 = phi i32 [ %101, %97 ], [ 0, %177 ]
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %2) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %3) #19
+  br label %238
+
+181:                                              ; preds = %238
+  %182 = load double, ptr %2, align 16
+  %183 = load double, ptr %105, align 8
+  %184 = fmul double %182, %183
+  %185 = load double, ptr %88, align 8
+  %186 = getelementptr inbounds double, ptr %105, i64 1
+  %187 = load double, ptr %186, align 8
+  %188 = fmul double %185, %187
+  %189 = fadd double %184, %188
+  %190 = load double, ptr %89, align 16
+  %191 = getelementptr inbounds double, ptr %105, i64 2
+  %192 = load double, ptr %191, align 8
+  %193 = fmul double %190, %192
+  %194 = fadd double %189, %193
+  %195 = fneg double %194
+  %196 = load double, ptr %3, align 16
+  %197 = fmul double %183, %196
+  %198 = load double, ptr %90, align 8
+  %199 = fmul double %187, %198
+  %200 = fadd double %197, %199
+  %201 = load double, ptr %91, align 16
+  %202 = fmul double %192, %201
+  %203 = fadd double %200, %202
+  %204 = fneg double %203
+  %205 = load double, ptr %109, align 8
+  %206 = fmul double %182, %205
+  %207 = getelementptr inbounds double, ptr %109, i64 1
+  %208 = load double, ptr %207, align 8
+  %209 = fmul double %185, %208
+  %210 = fadd double %206, %209
+  %211 = getelementptr inbounds double, ptr %109, i64 2
+  %212 = load double, ptr %211, align 8
+  %213 = fmul double %190, %212
+  %214 = fadd double %210, %213
+  %215 = fmul double %196, %205
+  %216 = fmul double %198, %208
+  %217 = fadd double %215, %216
+  %218 = fmul double %201, %212
+  %219 = fadd double %217, %218
+  %220 = load double, ptr %113, align 8
+  %221 = fmul double %182, %220
+  %222 = getelementptr inbounds double, ptr %113, i64 1
+  %223 = load double, ptr %222, align 8
+  %224 = fmul double %185, %223
+  %225 = fadd double %221, %224
+  %226 = getelementptr inbounds double, ptr %113, i64 2
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %190, %227
+  %229 = fadd double %225, %228
+  %230 = fmul double %196, %220
+  %231 = fmul double %198, %223
+  %232 = fadd double %230, %231
+  %233 = fmul double %201, %227
+  %234 = fadd double %232, %233
+  %235 = fcmp oge double %194, 0.000000e+00
+  %236 = fcmp oge double %203, 0.000000e+00
+  %237 = select i1 %235, i1 %236, i1 false
+  br i1 %237, label %355, label %252
+
+238:                                              ; preds = %238, %179
+  %239 = phi i64 [ 0, %179 ], [ %250, %238 ]
+  %240 = getelementptr inbounds double, ptr %109, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = getelementptr inbounds double, ptr %105, i64 %239
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %241, %243
+  %245 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %239
+  store double %244, ptr %245, align 8
+  %246 = getelementptr inbounds double, ptr %113, i64 %239
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %247, %243
+  %249 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %239
+  store double %248, ptr %249, align 8
+  %250 = add nuw nsw i64 %239, 1
+  %251 = icmp eq i64 %250, 3
+  br i1 %251, label %181, label %238
+
+252:                                              ; preds = %181
+  %253 = fcmp ugt double %214, 0.000000e+00
+  %254 = fcmp ult double %219, %214
+  %255 = select i1 %253, i1 true, i1 %254
+  br i1 %255, label %256, label %355
+
+256:                                              ; preds = %252
+  %257 = fcmp ugt double %234, 0.000000e+00
+  %258 = fcmp ult double %229, %234
+  %259 = select i1 %257, i1 true, i1 %258
+  br i1 %259, label %260, label %355
+
+260:                                              ; preds = %256
+  %261 = fmul double %194, %219
+  %262 = fmul double %203, %214
+  %263 = fsub double %261, %262
+  %264 = fcmp ole double %263, 0.000000e+00
+  %265 = fcmp ole double %194, 0.000000e+00
+  %266 = select i1 %264, i1 %265, i1 false
+  %267 = fcmp oge double %214, 0.000000e+00
+  %268 = select i1 %266, i1 %267, i1 false
+  br i1 %268, label %269, label %284
+
+269:                                              ; preds = %260
+  %270 = fsub double %214, %194
+  %271 = fdiv double %195, %270
+  br label %272
+
+272:                                              ; preds = %272, %269
+  %273 = phi i64 [ 0, %269 ], [ %282, %272 ]
+  %274 = getelementptr inbounds double, ptr %105, i64 %273
+  %275 = load double, ptr %274, align 8
+  %276 = getelementptr inbounds double, ptr %109, i64 %273
+  %277 = load double, ptr %276, align 8
+  %278 = fsub double %277, %275
+  %279 = fmul double %271, %278
+  %280 = fadd double %275, %279
+  %281 = getelementptr inbounds double, ptr %10, i64 %273
+  store double %280, ptr %281, align 8
+  %282 = add nuw nsw i64 %273, 1
+  %283 = icmp eq i64 %282, 3
+  br i1 %283, label %358, label %272
+
+284:                                              ; preds = %260
+  %285 = fmul double %203, %229
+  %286 = fmul double %194, %234
+  %287 = fsub double %285, %286
+  %288 = fcmp ole double %287, 0.000000e+00
+  %289 = fcmp ole double %203, 0.000000e+00
+  %290 = select i1 %288, i1 %289, i1 false
+  %291 = fcmp oge double %234, 0.000000e+00
+  %292 = select i1 %290, i1 %291, i1 false
+  br i1 %292, label %293, label %308
+
+293:                                              ; preds = %284
+  %294 = fsub double %234, %203
+  %295 = fdiv double %204, %294
+  br label %296
+
+296:                                              ; preds = %296, %293
+  %297 = phi i64 [ 0, %293 ], [ %306, %296 ]
+  %298 = getelementptr inbounds double, ptr %105, i64 %297
+  %299 = load double, ptr %298, align 8
+  %300 = getelementptr inbounds double, ptr %113, i64 %297
+  %301 = load double, ptr %300, align 8
+  %302 = fsub double %301, %299
+  %303 = fmul double %295, %302
+  %304 = fadd double %299, %303
+  %305 = getelementptr inbounds double, ptr %10, i64 %297
+  store double %304, ptr %305, align 8
+  %306 = add nuw nsw i64 %297, 1
+  %307 = icmp eq i64 %306, 3
+  br i1 %307, label %358, label %296
+
+308:                                              ; preds = %284
+  %309 = fmul double %214, %234
+  %310 = fmul double %219, %229
+  %311 = fsub double %309, %310
+  %312 = fcmp ugt double %311, 0.000000e+00
+  br i1 %312, label %335, label %313
+
+313:                                              ; preds = %308
+  %314 = fsub double %214, %219
+  %315 = fcmp ult double %314, 0.000000e+00
+  %316 = fsub double %234, %229
+  %317 = fcmp ult double %316, 0.000000e+00
+  %318 = select i1 %315, i1 true, i1 %317
+  br i1 %318, label %335, label %319
+
+319:                                              ; preds = %313
+  %320 = fsub double %314, %229
+  %321 = fadd double %234, %320
+  %322 = fdiv double %314, %321
+  br label %323
+
+323:                                              ; preds = %323, %319
+  %324 = phi i64 [ 0, %319 ], [ %333, %323 ]
+  %325 = getelementptr inbounds double, ptr %109, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = getelementptr inbounds double, ptr %113, i64 %324
+  %328 = load double, ptr %327, align 8
+  %329 = fsub double %328, %326
+  %330 = fmul double %322, %329
+  %331 = fadd double %326, %330
+  %332 = getelementptr inbounds double, ptr %10, i64 %324
+  store double %331, ptr %332, align 8
+  %333 = add nuw nsw i64 %324, 1
+  %334 = icmp eq i64 %333, 3
+  br i1 %334, label %358, label %323
+
+335:                                              ; preds = %313, %308
+  %336 = fadd double %311, %287
+  %337 = fadd double %263, %336
+  %338 = fdiv double %287, %337
+  %339 = fdiv double %263, %337
+  br label %340
+
+340:                                              ; preds = %340, %335
+  %341 = phi i64 [ 0, %335 ], [ %353, %340 ]
+  %342 = getelementptr inbounds double, ptr %105, i64 %341
   %343 = load double, ptr %342, align 8
-  %344 = fmul double %341, %343
-  %345 = fadd double %340, %344
-  %346 = load double, ptr %83, align 16
-  %347 = getelementptr inbounds double, ptr %261, i64 2
-  %348 = load double, ptr %347, align 8
-  %349 = fmul double %346, %348
-  %350 = fadd double %345, %349
-  %351 = fneg double %350
-  %352 = load double, ptr %12, align 16
-  %353 = fmul double %339, %352
-  %354 = load double, ptr %84, align 8
-  %355 = fmul double %343, %354
-  %356 = fadd double %353, %355
-  %357 = load double, ptr %85, align 16
-  %358 = fmul double %348, %357
-  %359 = fadd double %356, %358
-  %360 = fneg double %359
-  %361 = load double, ptr %265, align 8
-  %362 = fmul double %338, %361
-  %363 = getelementptr inbounds double, ptr %265, i64 1
-  %364 = load double, ptr %363, align 8
-  %365 = fmul double %341, %364
-  %366 = fadd double %362, %365
-  %367 = getelementptr inbounds double, ptr %265, i64 2
-  %368 = load double, ptr %367, align 8
-  %369 = fmul double %346, %368
-  %370 = fadd double %366, %369
-  %371 = fmul double %352, %361
-  %372 = fmul double %354, %364
-  %373 = fadd double %371, %372
-  %374 = fmul double %357, %368
-  %375 = fadd double %373, %374
-  %376 = load double, ptr %269, align 8
-  %377 = fmul double %338, %376
-  %378 = getelementptr inbounds double, ptr %269, i64 1
-  %379 = load double, ptr %378, align 8
-  %380 = fmul double %341, %379
-  %381 = fadd double %377, %380
-  %382 = getelementptr inbounds double, ptr %269, i64 2
-  %383 = load double, ptr %382, align 8
-  %384 = fmul double %346, %383
-  %385 = fadd double %381, %384
-  %386 = fmul double %352, %376
-  %387 = fmul double %354, %379
-  %388 = fadd double %386, %387
-  %389 = fmul double %357, %383
-  %390 = fadd double %388, %389
-  %391 = fcmp oge double %350, 0.000000e+00
-  %392 = fcmp oge double %359, 0.000000e+00
-  %393 = select i1 %391, i1 %392, i1 false
-  br i1 %393, label %511, label %408
+  %344 = getelementptr inbounds [3 x double], ptr %2, i64 0, i64 %341
+  %345 = load double, ptr %344, align 8
+  %346 = fmul double %338, %345
+  %347 = fadd double %343, %346
+  %348 = getelementptr inbounds [3 x double], ptr %3, i64 0, i64 %341
+  %349 = load double, ptr %348, align 8
+  %350 = fmul double %339, %349
+  %351 = fadd double %347, %350
+  %352 = getelementptr inbounds double, ptr %10, i64 %341
+  store double %351, ptr %352, align 8
+  %353 = add nuw nsw i64 %341, 1
+  %354 = icmp eq i64 %353, 3
+  br i1 %354, label %358, label %340
 
-394:                                              ; preds = %394, %335
-  %395 = phi i64 [ 0, %335 ], [ %406, %394 ]
-  %396 = getelementptr inbounds double, ptr %265, i64 %395
-  %397 = load double, ptr %396, align 8
-  %398 = getelementptr inbounds double, ptr %261, i64 %395
-  %399 = load double, ptr %398, align 8
-  %400 = fsub double %397, %399
-  %401 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %395
-  store double %400, ptr %401, align 8
-  %402 = getelementptr inbounds double, ptr %269, i64 %395
-  %403 = load double, ptr %402, align 8
-  %404 = fsub double %403, %399
-  %405 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %395
-  store double %404, ptr %405, align 8
-  %406 = add nuw nsw i64 %395, 1
-  %407 = icmp eq i64 %406, 3
-  br i1 %407, label %337, label %394
+355:                                              ; preds = %256, %252, %181
+  %356 = phi ptr [ %105, %181 ], [ %109, %252 ], [ %113, %256 ]
+  %357 = phi i32 [ 1, %181 ], [ 2, %252 ], [ 4, %256 ]
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, ptr noundef nonnull align 8 dereferenceable(24) %356, i64 24, i1 false)
+  br label %358
 
-408:                                              ; preds = %337
-  %409 = fcmp ugt double %370, 0.000000e+00
-  %410 = fcmp ult double %375, %370
-  %411 = select i1 %409, i1 true, i1 %410
-  br i1 %411, label %412, label %511
+358:                                              ; preds = %323, %340, %296, %272, %355
+  %359 = phi i32 [ %357, %355 ], [ 3, %272 ], [ 5, %296 ], [ 7, %340 ], [ 6, %323 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %3) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %2) #19
+  %360 = load double, ptr %10, align 16
+  %361 = fmul double %360, %360
+  %362 = load double, ptr %92, align 8
+  %363 = fmul double %362, %362
+  %364 = fadd double %361, %363
+  %365 = load double, ptr %93, align 16
+  %366 = fmul double %365, %365
+  %367 = fadd double %364, %366
+  %368 = fcmp olt double %367, %99
+  br i1 %368, label %369, label %370
 
-412:                                              ; preds = %408
-  %413 = fcmp ugt double %390, 0.000000e+00
-  %414 = fcmp ult double %385, %390
-  %415 = select i1 %413, i1 true, i1 %414
-  br i1 %415, label %416, label %511
+369:                                              ; preds = %358
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %5, ptr noundef nonnull align 16 dereferenceable(24) %10, i64 24, i1 false)
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %6, ptr noundef nonnull align 4 dereferenceable(12) %102, i64 12, i1 false)
+  br label %370
 
-416:                                              ; preds = %412
-  %417 = fmul double %350, %375
-  %418 = fmul double %359, %370
-  %419 = fsub double %417, %418
-  %420 = fcmp ole double %419, 0.000000e+00
-  %421 = fcmp ole double %350, 0.000000e+00
-  %422 = select i1 %420, i1 %421, i1 false
-  %423 = fcmp oge double %370, 0.000000e+00
-  %424 = select i1 %422, i1 %423, i1 false
-  br i1 %424, label %425, label %440
+370:                                              ; preds = %369, %358
+  %371 = phi i32 [ %359, %369 ], [ %100, %358 ]
+  %372 = phi double [ %367, %369 ], [ %99, %358 ]
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %10) #19
+  br label %373
 
-425:                                              ; preds = %416
-  %426 = fsub double %370, %350
-  %427 = fdiv double %351, %426
-  br label %428
+373:                                              ; preds = %178, %370
+  %374 = phi i32 [ %180, %370 ], [ %101, %178 ]
+  %375 = phi i32 [ %371, %370 ], [ %100, %178 ]
+  %376 = phi double [ %372, %370 ], [ %99, %178 ]
+  %377 = add nuw nsw i64 %98, 1
+  %378 = icmp ult i64 %98, 3
+  %379 = select i1 %81, i1 %378, i1 false
+  br i1 %379, label %97, label %94
 
-428:                                              ; preds = %428, %425
-  %429 = phi i64 [ 0, %425 ], [ %438, %428 ]
-  %430 = getelementptr inbounds double, ptr %261, i64 %429
-  %431 = load double, ptr %430, align 8
-  %432 = getelementptr inbounds double, ptr %265, i64 %429
-  %433 = load double, ptr %432, align 8
-  %434 = fsub double %433, %431
-  %435 = fmul double %427, %434
-  %436 = fadd double %431, %435
-  %437 = getelementptr inbounds double, ptr %19, i64 %429
-  store double %436, ptr %437, align 8
-  %438 = add nuw nsw i64 %429, 1
-  %439 = icmp eq i64 %438, 3
-  br i1 %439, label %514, label %428
+380:                                              ; preds = %94
+  %381 = fcmp oeq double %376, 0x7FF0000000000000
+  br i1 %381, label %421, label %382
 
-440:                                              ; preds = %416
-  %441 = fmul double %359, %385
-  %442 = fmul double %350, %390
-  %443 = fsub double %441, %442
-  %444 = fcmp ole double %443, 0.000000e+00
-  %445 = fcmp ole double %359, 0.000000e+00
-  %446 = select i1 %444, i1 %445, i1 false
-  %447 = fcmp oge double %390, 0.000000e+00
-  %448 = select i1 %446, i1 %447, i1 false
-  br i1 %448, label %449, label %464
+382:                                              ; preds = %380
+  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %11) #19
+  br label %404
 
-449:                                              ; preds = %440
-  %450 = fsub double %390, %359
-  %451 = fdiv double %360, %450
-  br label %452
+383:                                              ; preds = %417
+  %384 = icmp sgt i32 %418, 0
+  br i1 %384, label %385, label %402
 
-452:                                              ; preds = %452, %449
-  %453 = phi i64 [ 0, %449 ], [ %462, %452 ]
-  %454 = getelementptr inbounds double, ptr %261, i64 %453
-  %455 = load double, ptr %454, align 8
-  %456 = getelementptr inbounds double, ptr %269, i64 %453
-  %457 = load double, ptr %456, align 8
-  %458 = fsub double %457, %455
-  %459 = fmul double %451, %458
-  %460 = fadd double %455, %459
-  %461 = getelementptr inbounds double, ptr %19, i64 %453
-  store double %460, ptr %461, align 8
-  %462 = add nuw nsw i64 %453, 1
-  %463 = icmp eq i64 %462, 3
-  br i1 %463, label %514, label %452
+385:                                              ; preds = %383
+  %386 = zext i32 %418 to i64
+  br label %387
 
-464:                                              ; preds = %440
-  %465 = fmul double %370, %390
-  %466 = fmul double %375, %385
-  %467 = fsub double %465, %466
-  %468 = fcmp ugt double %467, 0.000000e+00
-  br i1 %468, label %491, label %469
+387:                                              ; preds = %399, %385
+  %388 = phi i64 [ 0, %385 ], [ %400, %399 ]
+  %389 = getelementptr inbounds i32, ptr %11, i64 %388
+  %390 = load i32, ptr %389, align 4
+  %391 = zext i32 %390 to i64
+  %392 = icmp eq i64 %388, %391
+  br i1 %392, label %399, label %393
 
-469:                                              ; preds = %464
-  %470 = fsub double %370, %375
-  %471 = fcmp ult double %470, 0.000000e+00
-  %472 = fsub double %390, %385
-  %473 = fcmp ult double %472, 0.000000e+00
-  %474 = select i1 %471, i1 true, i1 %473
-  br i1 %474, label %491, label %475
+393:                                              ; preds = %387
+  %394 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %388
+  %395 = sext i32 %390 to i64
+  %396 = getelementptr inbounds [4 x [3 x double]], ptr %0, i64 0, i64 %395
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %394, ptr noundef nonnull align 8 dereferenceable(24) %396, i64 24, i1 false)
+  %397 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 1, i64 %388
+  %398 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 1, i64 %395
+  tail call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %397, ptr noundef nonnull align 8 dereferenceable(24) %398, i64 24, i1 false)
+  br label %399
 
-475:                                              ; preds = %469
-  %476 = fsub double %470, %385
-  %477 = fadd double %390, %476
-  %478 = fdiv double %470, %477
-  br label %479
+399:                                              ; preds = %393, %387
+  %400 = add nuw nsw i64 %388, 1
+  %401 = icmp eq i64 %400, %386
+  br i1 %401, label %402, label %387
 
-479:                                              ; preds = %479, %475
-  %480 = phi i64 [ 0, %475 ], [ %489, %479 ]
-  %481 = getelementptr inbounds double, ptr %265, i64 %480
-  %482 = load double, ptr %481, align 8
-  %483 = getelementptr inbounds double, ptr %269, i64 %480
-  %484 = load double, ptr %483, align 8
-  %485 = fsub double %484, %482
-  %486 = fmul double %478, %485
-  %487 = fadd double %482, %486
-  %488 = getelementptr inbounds double, ptr %19, i64 %480
-  store double %487, ptr %488, align 8
-  %489 = add nuw nsw i64 %480, 1
-  %490 = icmp eq i64 %489, 3
-  br i1 %490, label %514, label %479
+402:                                              ; preds = %399, %383
+  store i32 %418, ptr %12, align 8
+  %403 = getelementptr inbounds %struct.Simplex, ptr %0, i64 0, i32 3
+  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %403, ptr noundef nonnull align 16 dereferenceable(24) %5, i64 24, i1 false)
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %11) #19
+  br label %421
 
-491:                                              ; preds = %469, %464
-  %492 = fadd double %467, %443
-  %493 = fadd double %419, %492
-  %494 = fdiv double %443, %493
-  %495 = fdiv double %419, %493
-  br label %496
+404:                                              ; preds = %382, %417
+  %405 = phi i64 [ 0, %382 ], [ %419, %417 ]
+  %406 = phi i32 [ 0, %382 ], [ %418, %417 ]
+  %407 = trunc i64 %405 to i32
+  %408 = shl nuw nsw i32 1, %407
+  %409 = and i32 %408, %375
+  %410 = icmp eq i32 %409, 0
+  br i1 %410, label %417, label %411
 
-496:                                              ; preds = %496, %491
-  %497 = phi i64 [ 0, %491 ], [ %509, %496 ]
-  %498 = getelementptr inbounds double, ptr %261, i64 %497
-  %499 = load double, ptr %498, align 8
-  %500 = getelementptr inbounds [3 x double], ptr %11, i64 0, i64 %497
-  %501 = load double, ptr %500, align 8
-  %502 = fmul double %494, %501
-  %503 = fadd double %499, %502
-  %504 = getelementptr inbounds [3 x double], ptr %12, i64 0, i64 %497
-  %505 = load double, ptr %504, align 8
-  %506 = fmul double %495, %505
-  %507 = fadd double %503, %506
-  %508 = getelementptr inbounds double, ptr %19, i64 %497
-  store double %507, ptr %508, align 8
-  %509 = add nuw nsw i64 %497, 1
-  %510 = icmp eq i64 %509, 3
-  br i1 %510, label %514, label %496
+411:                                              ; preds = %404
+  %412 = getelementptr inbounds [3 x i32], ptr %6, i64 0, i64 %405
+  %413 = load i32, ptr %412, align 4
+  %414 = add nsw i32 %406, 1
+  %415 = sext i32 %406 to i64
+  %416 = getelementptr inbounds [3 x i32], ptr %11, i64 0, i64 %415
+  store i32 %413, ptr %416, align 4
+  br label %417
 
-511:                                              ; preds = %412, %408, %337
-  %512 = phi ptr [ %261, %337 ], [ %265, %408 ], [ %269, %412 ]
-  %513 = phi i32 [ 1, %337 ], [ 2, %408 ], [ 4, %412 ]
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %19, ptr noundef nonnull align 8 dereferenceable(24) %512, i64 24, i1 false)
-  br label %514
+417:                                              ; preds = %404, %411
+  %418 = phi i32 [ %414, %411 ], [ %406, %404 ]
+  %419 = add nuw nsw i64 %405, 1
+  %420 = icmp eq i64 %419, 3
+  br i1 %420, label %383, label %404
 
-514:                                              ; preds = %479, %496, %452, %428, %511
-  %515 = phi i32 [ %513, %511 ], [ 3, %428 ], [ 5, %452 ], [ 7, %496 ], [ 6, %479 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %12) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %11) #18
-  %516 = load double, ptr %19, align 16
-  %517 = fmul double %516, %516
-  %518 = load double, ptr %86, align 8
-  %519 = fmul double %518, %518
-  %520 = fadd double %517, %519
-  %521 = load double, ptr %87, align 16
-  %522 = fmul double %521, %521
-  %523 = fadd double %520, %522
-  %524 = fcmp olt double %523, %255
-  br i1 %524, label %525, label %526
+421:                                              ; preds = %380, %94, %402
+  %422 = phi i32 [ 0, %402 ], [ 1, %94 ], [ 0, %380 ]
+  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5)
+  br label %423
 
-525:                                              ; preds = %514
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %14, ptr noundef nonnull align 16 dereferenceable(24) %19, i64 24, i1 false)
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 4 dereferenceable(12) %15, ptr noundef nonnull align 4 dereferenceable(12) %258, i64 12, i1 false)
-  br label %526
-
-526:                                              ; preds = %525, %514
-  %527 = phi i32 [ %515, %525 ], [ %256, %514 ]
-  %528 = phi double [ %523, %525 ], [ %255, %514 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %19) #18
-  br label %529
-
-529:                                              ; preds = %526, %334
-  %530 = phi i32 [ %336, %526 ], [ %257, %334 ]
-  %531 = phi i32 [ %527, %526 ], [ %256, %334 ]
-  %532 = phi double [ %528, %526 ], [ %255, %334 ]
-  %533 = add nuw nsw i64 %254, 1
-  %534 = icmp ult i64 %254, 3
-  %535 = select i1 %249, i1 %534, i1 false
-  br i1 %535, label %253, label %250
-
-536:                                              ; preds = %250
-  %537 = fcmp oeq double %532, 0x7FF0000000000000
-  br i1 %537, label %576, label %538
-
-538:                                              ; preds = %536
-  call void @llvm.lifetime.start.p0(i64 12, ptr nonnull %20) #18
-  br label %559
-
-539:                                              ; preds = %572
-  %540 = icmp sgt i32 %573, 0
-  br i1 %540, label %541, label %558
-
-541:                                              ; preds = %539
-  %542 = zext i32 %573 to i64
-  br label %543
-
-543:                                              ; preds = %555, %541
-  %544 = phi i64 [ 0, %541 ], [ %556, %555 ]
-  %545 = getelementptr inbounds i32, ptr %20, i64 %544
-  %546 = load i32, ptr %545, align 4
-  %547 = zext i32 %546 to i64
-  %548 = icmp eq i64 %544, %547
-  br i1 %548, label %555, label %549
-
-549:                                              ; preds = %543
-  %550 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %544
-  %551 = sext i32 %546 to i64
-  %552 = getelementptr inbounds [4 x [3 x double]], ptr %42, i64 0, i64 %551
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %550, ptr noundef nonnull align 8 dereferenceable(24) %552, i64 24, i1 false)
-  %553 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %544
-  %554 = getelementptr inbounds %struct.Simplex, ptr %42, i64 0, i32 1, i64 %551
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %553, ptr noundef nonnull align 8 dereferenceable(24) %554, i64 24, i1 false)
-  br label %555
-
-555:                                              ; preds = %549, %543
-  %556 = add nuw nsw i64 %544, 1
-  %557 = icmp eq i64 %556, %542
-  br i1 %557, label %558, label %543
-
-558:                                              ; preds = %555, %539
-  store i32 %573, ptr %45, align 8
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %66, ptr noundef nonnull align 16 dereferenceable(24) %14, i64 24, i1 false)
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %20) #18
-  br label %576
-
-559:                                              ; preds = %572, %538
-  %560 = phi i64 [ 0, %538 ], [ %574, %572 ]
-  %561 = phi i32 [ 0, %538 ], [ %573, %572 ]
-  %562 = trunc i64 %560 to i32
-  %563 = shl nuw nsw i32 1, %562
-  %564 = and i32 %563, %531
-  %565 = icmp eq i32 %564, 0
-  br i1 %565, label %572, label %566
-
-566:                                              ; preds = %559
-  %567 = getelementptr inbounds [3 x i32], ptr %15, i64 0, i64 %560
-  %568 = load i32, ptr %567, align 4
-  %569 = add nsw i32 %561, 1
-  %570 = sext i32 %561 to i64
-  %571 = getelementptr inbounds [3 x i32], ptr %20, i64 0, i64 %570
-  store i32 %568, ptr %571, align 4
-  br label %572
-
-572:                                              ; preds = %566, %559
-  %573 = phi i32 [ %569, %566 ], [ %561, %559 ]
-  %574 = add nuw nsw i64 %560, 1
-  %575 = icmp eq i64 %574, 3
-  br i1 %575, label %539, label %559
-
-576:                                              ; preds = %558, %536, %250
-  %577 = phi i32 [ 0, %558 ], [ 1, %250 ], [ 0, %536 ]
-  call void @llvm.lifetime.end.p0(i64 12, ptr nonnull %15) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %14)
-  br label %578
-
-578:                                              ; preds = %194, %245, %576
-  %579 = phi i32 [ 0, %194 ], [ 0, %245 ], [ %577, %576 ]
-  %580 = load double, ptr %66, align 8
-  %581 = fmul double %580, %580
-  %582 = load double, ptr %90, align 8
-  %583 = fmul double %582, %582
-  %584 = fadd double %581, %583
-  %585 = load double, ptr %93, align 8
-  %586 = fmul double %585, %585
-  %587 = fadd double %584, %586
-  %588 = tail call double @llvm.sqrt.f64(double %587)
-  %589 = icmp eq i32 %579, 0
-  br i1 %589, label %593, label %590
-
-590:                                              ; preds = %578
-  %591 = load double, ptr %6, align 8
-  %592 = fcmp ugt double %591, 1.000000e-10
-  br i1 %592, label %596, label %620
-
-593:                                              ; preds = %578
-  %594 = icmp ne i32 %110, 0
-  %595 = select i1 %28, i1 %594, i1 false
-  br i1 %595, label %599, label %604
-
-596:                                              ; preds = %590
-  %597 = icmp ne i32 %110, 0
-  %598 = select i1 %28, i1 %597, i1 false
-  br i1 %598, label %603, label %620
-
-599:                                              ; preds = %593
-  %600 = load double, ptr %7, align 8
-  %601 = fcmp ult double %588, %600
-  br i1 %601, label %604, label %602
-
-602:                                              ; preds = %599
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
-  br label %604
-
-603:                                              ; preds = %596
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(224) %42, ptr noundef nonnull align 8 dereferenceable(224) %22, i64 224, i1 false)
-  br label %620
-
-604:                                              ; preds = %593, %599, %602
-  %605 = phi i1 [ true, %602 ], [ %594, %593 ], [ true, %599 ]
-  %606 = load double, ptr %7, align 8
-  %607 = fcmp oge double %588, %606
-  %608 = select i1 %607, i1 %605, i1 false
-  br i1 %608, label %620, label %609
-
-609:                                              ; preds = %604
-  store double %588, ptr %7, align 8
-  %610 = fcmp ugt double %588, 1.000000e-10
-  br i1 %610, label %611, label %620
-
-611:                                              ; preds = %609
-  %612 = fcmp ugt double %588, %4
-  br i1 %612, label %613, label %620
-
-613:                                              ; preds = %611
-  %614 = load double, ptr %6, align 8
-  %615 = fsub double %588, %614
-  %616 = fcmp ugt double %615, %5
-  br i1 %616, label %617, label %620
-
-617:                                              ; preds = %613
-  call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %23, ptr noundef nonnull align 8 dereferenceable(24) %66, i64 24, i1 false)
-  %618 = load i32, ptr %45, align 8
-  %619 = icmp eq i32 %618, 4
-  br i1 %619, label %620, label %622
-
-620:                                              ; preds = %168, %165, %604, %609, %613, %611, %617, %179, %590, %596, %603
-  %621 = phi i32 [ 1, %603 ], [ 0, %590 ], [ 1, %596 ], [ 1, %179 ], [ 1, %617 ], [ 1, %168 ], [ 1, %165 ], [ 1, %604 ], [ 0, %609 ], [ 1, %613 ], [ 1, %611 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
-  br label %625
-
-622:                                              ; preds = %617
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %27) #18
-  %623 = add nuw nsw i32 %110, 1
-  %624 = icmp eq i32 %623, 300
-  br i1 %624, label %625, label %108
-
-625:                                              ; preds = %622, %620
-  %626 = phi i32 [ %621, %620 ], [ 1, %622 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %26) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %25) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %24) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %23) #18
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %22)
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %21) #18
-  ret i32 %626
+423:                                              ; preds = %421, %77, %14
+  %424 = phi i32 [ 0, %14 ], [ 0, %77 ], [ %422, %421 ]
+  ret i32 %424
 }
 
 define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, i64 noundef %2, double noundef %3, ptr nocapture noundef readonly %4) unnamed_addr #6 {
@@ -10100,14 +10602,14 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   %15 = load ptr, ptr %14, align 8
   %16 = mul nsw i64 %2, 9
   %17 = getelementptr inbounds double, ptr %15, i64 %16
-  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #18
-  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #18
+  call void @llvm.lifetime.start.p0(i64 72, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %8) #19
+  call void @llvm.lifetime.start.p0(i64 8, ptr nonnull %9) #19
   %18 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 6
   %19 = load ptr, ptr %18, align 8
   %20 = icmp eq ptr %19, null
-  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #18
+  call void @llvm.lifetime.start.p0(i64 152, ptr nonnull %10) #19
   br label %21
 
 21:                                               ; preds = %51, %5
@@ -10174,10 +10676,10 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   %66 = getelementptr inbounds double, ptr %6, i64 6
   %67 = getelementptr inbounds %struct.Core, ptr %10, i64 0, i32 4
   store ptr %66, ptr %67, align 8
-  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #18
+  call void @llvm.lifetime.start.p0(i64 32, ptr nonnull %11) #19
   %68 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 10
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %11, ptr noundef nonnull align 8 dereferenceable(32) %68, i64 32, i1 false)
-  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %12) #18
+  call void @llvm.lifetime.start.p0(i64 224, ptr nonnull %12) #19
   call void @llvm.memcpy.p0.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %7, ptr noundef nonnull align 8 dereferenceable(24) %4, i64 24, i1 false)
   %69 = getelementptr inbounds %struct.Search, ptr %0, i64 0, i32 1
   %70 = load i64, ptr %69, align 8
@@ -10192,7 +10694,7 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   %79 = fadd double %76, %78
   %80 = fadd double %79, %3
   %81 = fadd double %58, %79
-  %82 = call fastcc i32 @bounds(ptr noundef %72, ptr noundef nonnull %10, ptr noundef nonnull %7, double noundef %80, double noundef %81, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %8, ptr noundef nonnull %9, ptr noundef nonnull %11, ptr noundef nonnull %12)
+  %82 = call fastcc i32 @bounds_from(ptr noundef %72, ptr noundef nonnull %10, ptr noundef nonnull %7, double noundef %80, double noundef %81, double noundef 0x3DA5FD7FE1796495, ptr noundef nonnull %8, ptr noundef nonnull %9, ptr noundef nonnull %11, ptr noundef nonnull %12, i32 noundef 0)
   %83 = load double, ptr %8, align 8
   %84 = fsub double %83, %79
   %85 = load double, ptr %9, align 8
@@ -10298,13 +10800,13 @@ define internal fastcc void @one_leaf(ptr nocapture noundef %0, i64 noundef %1, 
   br label %147
 
 147:                                              ; preds = %94, %146, %88, %92
-  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %12) #18
-  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #18
-  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #18
-  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 224, ptr nonnull %12) #19
+  call void @llvm.lifetime.end.p0(i64 32, ptr nonnull %11) #19
+  call void @llvm.lifetime.end.p0(i64 152, ptr nonnull %10) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %9) #19
+  call void @llvm.lifetime.end.p0(i64 8, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 72, ptr nonnull %6) #19
   ret void
 }
 
@@ -10378,9 +10880,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   %59 = load i64, ptr %58, align 8
   %60 = mul nsw i64 %59, 9
   %61 = getelementptr inbounds double, ptr %57, i64 %60
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %5) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
   br label %93
 
 62:                                               ; preds = %93
@@ -10497,9 +10999,9 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
 
 159:                                              ; preds = %156, %148, %128, %113, %62
   %160 = phi i32 [ 0, %62 ], [ 0, %113 ], [ %158, %156 ], [ 0, %148 ], [ 0, %128 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %5) #19
   br label %161
 
 161:                                              ; preds = %16, %159
@@ -10508,7 +11010,7 @@ define internal fastcc i32 @leaves(ptr noundef %0, i64 noundef %1, ptr noundef %
   ret i32 %163
 }
 
-define internal fastcc double @in_front(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #13 {
+define internal fastcc double @in_front(ptr nocapture noundef readonly %0, ptr nocapture noundef readonly %1) unnamed_addr #14 {
   %3 = load double, ptr %0, align 8
   %4 = load double, ptr %1, align 8
   %5 = fmul double %3, %4
@@ -10560,9 +11062,9 @@ define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 nou
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   %9 = sext i32 %2 to i64
   %10 = sext i32 %1 to i64
   %11 = sext i32 %3 to i64
@@ -10670,9 +11172,9 @@ define internal fastcc i32 @make_face(ptr nocapture noundef readonly %0, i32 nou
 
 94:                                               ; preds = %36, %63
   %95 = phi i32 [ %85, %63 ], [ 0, %36 ]
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   ret i32 %95
 }
 
@@ -10684,7 +11186,7 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   %6 = alloca [3 x double], align 16
   %7 = alloca [3 x double], align 16
   %8 = alloca [3 x double], align 16
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %6) #19
   br label %15
 
 9:                                                ; preds = %15
@@ -10717,8 +11219,8 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   %31 = load i64, ptr %30, align 8
   %32 = mul nsw i64 %31, 12
   %33 = getelementptr inbounds double, ptr %27, i64 %32
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #18
-  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #18
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %7) #19
+  call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %8) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %8, i8 0, i64 24, i1 false)
   %34 = load double, ptr %6, align 16
   %35 = getelementptr inbounds [3 x double], ptr %6, i64 0, i64 1
@@ -10789,8 +11291,8 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   br i1 %91, label %92, label %69
 
 92:                                               ; preds = %69
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #18
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %8) #19
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %7) #19
   br label %93
 
 93:                                               ; preds = %94, %92
@@ -10801,7 +11303,7 @@ define internal fastcc double @lowest(ptr nocapture noundef readonly %0, i64 nou
   br label %93
 
 95:                                               ; preds = %96
-  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #18
+  call void @llvm.lifetime.end.p0(i64 24, ptr nonnull %6) #19
   ret double %108
 
 96:                                               ; preds = %93, %96
@@ -10918,11 +11420,11 @@ define internal fastcc double @lowest_of(ptr nocapture noundef readonly %0, i64 
   ret double %78
 }
 
-declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #14
+declare i32 @bcmp(ptr nocapture, ptr nocapture, i64) local_unnamed_addr #15
 
-declare i64 @llvm.smin.i64(i64, i64) #15
+declare i64 @llvm.smin.i64(i64, i64) #16
 
-declare i64 @llvm.smax.i64(i64, i64) #15
+declare i64 @llvm.smax.i64(i64, i64) #16
 
 
 attributes #0 = { nofree nounwind uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
@@ -10938,11 +11440,12 @@ attributes #9 = { mustprogress nocallback nofree nounwind willreturn memory(argm
 attributes #10 = { nofree nosync nounwind memory(read, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #11 = { mustprogress nofree nosync nounwind willreturn memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
 attributes #12 = { nofree nounwind memory(read, argmem: readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #13 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
-attributes #14 = { nofree nounwind willreturn memory(argmem: read) }
-attributes #15 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #16 = { nocallback nofree nosync nounwind willreturn memory(inaccessiblemem: readwrite) }
-attributes #17 = { memory(none) }
-attributes #18 = { nounwind }
+attributes #13 = { inlinehint nofree nounwind memory(readwrite, inaccessiblemem: none) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #14 = { mustprogress nofree norecurse nosync nounwind willreturn memory(argmem: read) uwtable "min-legal-vector-width"="0" "no-trapping-math"="true" "stack-protector-buffer-size"="8"    }
+attributes #15 = { nofree nounwind willreturn memory(argmem: read) }
+attributes #16 = { nocallback nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #17 = { nocallback nofree nosync nounwind willreturn memory(inaccessiblemem: readwrite) }
+attributes #18 = { memory(none) }
+attributes #19 = { nounwind }
 
 

@@ -19,6 +19,8 @@ from manipplan.support.compiling.native import NativeCode, native_code
 
 #: As in distances.c.
 FREE, TOUCHING, UNDECIDED = range(3)
+#: Numbers that are kept per pair from one configuration to the next; as in distances.c.
+GUESS = 22
 #: Initial room for near pairs per configuration.
 ROOM = 64
 
@@ -134,7 +136,7 @@ class DistanceKernel:
             "centres": arrays["ball"][:, :3].copy(),
             "least": np.full(len(self._bodies), np.inf),
             "found": np.empty(len(self._bodies), dtype=np.int64),
-            "guess": np.zeros((len(self._bodies), 3)),
+            "guess": np.zeros((len(self._bodies), GUESS)),
         }
         numbers = {
             "n": joints,

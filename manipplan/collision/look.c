@@ -7,12 +7,14 @@
 #include <stdlib.h>
 
 enum { ASKING = -1, MORE_ROOM = -2 };   /* what `manipplan_look` returns when it is not done */
+enum { GUESS = 22 };                    /* as in distances.c */
 
 typedef struct {
     double low, middle, high;   /* places s on the curve */
     double left, least, right;  /* the distances there [m] */
     double next, found;         /* the place of which the distance is asked, and the answer; NaN: nothing is asked, or known */
     long steps;                 /* number of steps taken */
+    long pair;
 } Bracket;
 
 typedef struct {
@@ -21,20 +23,17 @@ typedef struct {
     long (*curve_at)(const void *curve, const double *s, long m, double spacing, double *out);  /* manipplan_curve */
     double spacing;             /* of the grid of configurations [rad or m] */
     const void *world;
-    void (*distance)(const void *world, const double *q, long m, const long *bodies, const double *reach, double *out,
-                     long *leaf);                                                               /* manipplan_pairs */
+    double (*distance)(const void *world, const double *q, const long *bodies, double *guess);  /* manipplan_pair */
     double grid;                /* spacing of the grid of distances [m] */
     double enough;              /* width at which a bracket is narrow enough */
     long most_steps;
 } Dips;
 
-/* The distance at s, rounded to the grid; NaN where the kernel cannot tell. */
-static double distance_at(const Dips *d, double s, const long *bodies) {
-    double q[d->n], reach = INFINITY, out;
-    long leaf;
+/* The distance at s, rounded to the grid; NaN where the kernel cannot tell. `guess` (GUESS): from a place nearby, or zeros. */
+static double distance_at(const Dips *d, double s, const long *bodies, double *guess) {
+    double q[d->n];
     if (d->curve_at(d->curve, &s, 1, d->spacing, q)) return NAN;
-    d->distance(d->world, q, 1, bodies, &reach, &out, &leaf);
-    return rint(out / d->grid) * d->grid;
+    return rint(d->distance(d->world, q, bodies, guess) / d->grid) * d->grid;
 }
 
 static int is_done(const Dips *d, const Bracket *b) {
@@ -67,12 +66,13 @@ static long find_bottoms(const Dips *d, const long *bodies, long m, Bracket *bra
     long waiting = 0;
     for (long k = 0; k < m; k++) {
         Bracket *b = bracket + k;
+        double guess[GUESS] = {0};
         if (!isnan(b->next)) {
             narrow(b, b->next, b->found);
             b->next = NAN;
         }
         while (!is_done(d, b)) {
-            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k);
+            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k, guess);
             if (isnan(value)) {
                 b->next = place, waiting++;
                 break;
@@ -103,8 +103,8 @@ typedef struct {
     long *where;                /* work: (room) */
     double *distance;           /* work: (room) */
     Bracket *bracket;           /* work: (room + known) */
+    long most_dips;             /* maximum number of brackets apart from those around known places: the lowest */
     long dips;                  /* number of brackets */
-    long *bracket_pair;         /* work: (room + known) */
     long *bracket_bodies;       /* work: (room + known, 2) */
 } Look;
 
@@ -169,13 +169,21 @@ static double beside(const Look *l, long *start, long end, long wanted, double m
 
 /* Measure the distances of a bracket that are NaN. Returns whether the kernel could tell them. */
 static int complete(const Dips *d, Bracket *b, const long *bodies) {
-    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies);
-    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies);
-    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies);
+    double guess[GUESS] = {0};
+    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies, guess);
+    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies, guess);
+    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies, guess);
     return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
 }
 
-/* Brackets around all dips that may be near the target, and around the known places. */
+static int lower(const void *one, const void *two) {
+    const Bracket *a = one, *b = two;
+    if (a->least != b->least) return a->least < b->least ? -1 : 1;
+    if (a->middle != b->middle) return a->middle < b->middle ? -1 : 1;
+    return a->pair < b->pair ? -1 : 1;
+}
+
+/* Brackets around the dips that may be near the target, and around the known places. */
 static void place_brackets(Look *l) {
     double most = l->target + l->farthest, step = 1.0 / (double)(l->places - 1);
     long found = 0, before = 0, after = 0;
@@ -189,17 +197,21 @@ static void place_brackets(Look *l) {
         /* what is cut off is measured; at an end of the curve the bracket ends at the dip itself */
         Bracket new = {.low = l->s[row > 0 ? row - 1 : 0], .middle = l->s[row], .high = l->s[row < last ? row + 1 : last],
                        .left = row == 0 ? here : left < most ? left : NAN, .least = here,
-                       .right = row == last ? here : right < most ? right : NAN, .next = NAN};
-        l->bracket[found] = new, l->bracket_pair[found++] = l->where[k] % l->pairs;
+                       .right = row == last ? here : right < most ? right : NAN, .next = NAN, .pair = l->where[k] % l->pairs};
+        l->bracket[found++] = new;
+    }
+    if (found > l->most_dips) {
+        qsort(l->bracket, (size_t)found, sizeof *l->bracket, lower);
+        found = l->most_dips;
     }
     for (long k = 0; k < l->known; k++) {
         double at = l->known_s[k];
         Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
-                       .right = NAN, .next = NAN};
-        l->bracket[found] = new, l->bracket_pair[found++] = l->known_pair[k];
+                       .right = NAN, .next = NAN, .pair = l->known_pair[k]};
+        l->bracket[found++] = new;
     }
     for (long k = 0; k < found; k++)
-        for (int i = 0; i < 2; i++) l->bracket_bodies[2 * k + i] = l->bodies[2 * l->bracket_pair[k] + i];
+        for (int i = 0; i < 2; i++) l->bracket_bodies[2 * k + i] = l->bodies[2 * l->bracket[k].pair + i];
     l->dips = found;
 }
 
@@ -230,7 +242,7 @@ long manipplan_look(const Dips *d, Look *l, double band, Found *out) {
         out[all++] = near;
     }
     for (long k = 0; k < l->dips; k++) {
-        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket_pair[k], 1};
+        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket[k].pair, 1};
         out[all++] = bottom;
     }
     qsort(out, (size_t)all, sizeof *out, order);

@@ -25,6 +25,8 @@ FARTHEST = 0.03
 DEEP = 1e-3
 #: Distance above the target below which every place of the grid is returned [m].
 CLOSE = 2e-3
+#: Maximum number of dips that are located, the lowest: a turning part with many corners, close to another, has hundreds.
+MOST_DIPS = 160
 #: Accuracy of the place of a bottom in s.
 BOTTOM = 1e-6
 #: Maximum number of steps to the bottom of a dip.
@@ -38,7 +40,10 @@ _P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 #: Result and arguments of the functions of look.c.
 SIGNATURES: dict[str, tuple[Any, ...]] = {"look": (_N, _P, _P, _D, _P)}
 _BRACKET = np.dtype(
-    [*((name, float) for name in ("low", "middle", "high", "left", "least", "right", "next", "found")), ("steps", int)]
+    [
+        *((name, float) for name in ("low", "middle", "high", "left", "least", "right", "next", "found")),
+        *((name, int) for name in ("steps", "pair")),
+    ]
 )
 _FOUND = np.dtype([("distance", float), ("s", float), ("pair", int), ("is_bottom", int)])
 
@@ -71,8 +76,8 @@ class _Look(ctypes.Structure):
         *((name, _P) for name in ("known_s", "known_pair", "q", "reach")),
         ("room", _N),
         *((name, _P) for name in ("where", "distance", "bracket")),
-        ("dips", _N),
-        *((name, _P) for name in ("bracket_pair", "bracket_bodies")),
+        *((name, _N) for name in ("most_dips", "dips")),
+        ("bracket_bodies", _P),
     ]
 
 
@@ -132,7 +137,7 @@ class DistanceSearch:
             curve_at=curves.address("manipplan_curve"),
             spacing=FINE,
             world=kernel.world,
-            distance=kernel.address("pairs"),
+            distance=kernel.address("pair"),
             grid=FINE_DISTANCE,
             enough=BOTTOM,
             most_steps=BOTTOM_STEPS,
@@ -178,7 +183,8 @@ class DistanceSearch:
             rows, pairs = np.divmod(where[asked], self._kernel.pairs)
             distances[asked] = self.model.pair_distances(self._kept["q"][rows], pairs)
             return
-        brackets, pairs = (self._kept[name][: self._look.dips] for name in ("bracket", "bracket_pair"))
+        brackets = self._kept["bracket"][: self._look.dips]
+        pairs = brackets["pair"]
         for name, at in (("left", "low"), ("least", "middle"), ("right", "high")):
             self._measure(curve, brackets, pairs, name, at, np.isnan(brackets[name]))
         self._measure(curve, brackets, pairs, "found", "next", ~np.isnan(brackets["next"]))
@@ -208,7 +214,6 @@ class DistanceSearch:
             "where": np.empty(room, dtype=np.int64),
             "distance": np.empty(room),
             "bracket": np.empty(room + known, dtype=_BRACKET),
-            "bracket_pair": np.empty(room + known, dtype=np.int64),
             "bracket_bodies": np.empty((room + known, 2), dtype=np.int64),
         }
         return _Look(
@@ -219,6 +224,7 @@ class DistanceSearch:
             close=CLOSE,
             deep=DEEP,
             farthest=FARTHEST,
+            most_dips=MOST_DIPS,
             room=room,
             **{name: array.ctypes.data for name, array in self._kept.items()},
         )

@@ -6,6 +6,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
+from manipplan.robots.hulls import box_corners
 from manipplan.support.checks import Array
 
 
@@ -45,11 +46,7 @@ def core_of(shape: coal.CollisionGeometry) -> tuple[Array, float]:
         return np.array(shape.points()), 0.0
     if isinstance(shape, coal.BVHModelBase):
         return np.array(shape.vertices()), 0.0
-    shape.computeLocalAABB()
-    box = shape.aabb_local
-    low, high = np.array(box.min_), np.array(box.max_)
-    corners = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, -1).T
-    return corners, 0.0
+    return box_corners(shape), 0.0
 
 
 def mesh_triangles(mesh: coal.BVHModelBase) -> Array:

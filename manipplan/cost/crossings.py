@@ -49,7 +49,7 @@ OUT = 0.1
 LONG = 0.1
 #: Number of places of the path at which that is measured.
 PLACES = 2000
-#: Number of places at which it is looked whether a path is singular everywhere.
+#: Number of places on a path that are checked for whether it is singular everywhere.
 ALONG = 25
 
 

@@ -128,8 +128,8 @@ class Solver:
             raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
         form = closed_form(robot, held) if method != "newton" and not few else None
         if form is None and method == "closed-form":
-            told = "only rows are solved for, as it has too few joints for a free motion" if few else "has no closed form"
-            raise InvalidInputError("method", method, f"'newton': {robot.name} {told}")
+            reason = "only rows are solved for, as it has too few joints for a free motion" if few else "has no closed form"
+            raise InvalidInputError("method", method, f"'newton': {robot.name} {reason}")
         screws = form.screws if form is not None else Screws.of(robot)
         if form is not None:
             indices = form.held

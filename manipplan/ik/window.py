@@ -187,7 +187,6 @@ class Bridge:
             sides[:, k] = np.linalg.norm(point - self._points[k], axis=1)
             levers = levers + own
         targets = poses[:, :3, 3]
-        apart = np.full(len(middle), np.inf)
         if self._whole:
             behind, own = self._carried(self._trailing[::-1], -1.0, self._points[-1], middle, half)
             levers = levers + own

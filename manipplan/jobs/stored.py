@@ -12,6 +12,7 @@ import pinocchio as pin
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.robots.attached import Part, with_part
+from manipplan.robots.hulls import box_around
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
@@ -52,9 +53,7 @@ def outlines(robot: Robot) -> Array:
     """
     rows = []
     for body in robot.geometry.geometryObjects:
-        body.geometry.computeLocalAABB()
-        box = body.geometry.aabb_local
-        rows.append([[body.parentJoint], body.placement.homogeneous[:3].ravel(), box.min_, box.max_])
+        rows.append([[body.parentJoint], body.placement.homogeneous[:3].ravel(), *box_around(body.geometry)])
     return np.array([np.concatenate(row) for row in rows]).reshape(-1, OUTLINE)
 
 

@@ -195,8 +195,8 @@ def optimize_path(
     tell(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
         hint = idle_hint(objective.kinematics(robot, compiled=compiled))
-        told = f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite"
-        raise PlanningError(f"{told}: {hint}" if hint else told, best)
+        reason = f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite"
+        raise PlanningError(f"{reason}: {hint}" if hint else reason, best)
     return best
 
 

@@ -1,8 +1,6 @@
-"""Known arms by name, from the package example-robot-data, and the planar n-link arm built without a file."""
+"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
-import logging
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -23,15 +21,20 @@ from manipplan.support.errors import InvalidInputError, MissingExtraError, Unkno
 
 #: Endings of the files that hold a robot.
 FILES = (".urdf", ".xacro", ".xml", ".mjcf")
-log = logging.getLogger("manipplan")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Entry:
     """One arm of the catalogue: where its files are and which part of them is the arm.
 
-    `joints` is their number, and `ik` the method of `inverse_kinematics`, of several arms that of each; `manipplan robots`
-    lists both without loading the arm.
+    Attributes:
+        folder, urdf, srdf: folder in the package, and files in it.
+        tool: the tool frame, or several, one for each arm.
+        joints: number of active joints, which `manipplan robots` lists without loading the arm.
+        ik: method of `inverse_kinematics`; of several arms that of each.
+        first: the first active joint; None: all joints that move a tool are active.
+        neutral: usual posture, one value per joint [rad or m].
+        acceleration, jerk: published limits in SI units, one number or one per joint; `data_sheet` is their source.
     """
 
     folder: str
@@ -63,8 +66,23 @@ _UR = Entry(
     neutral=_UR_NEUTRAL,
 )
 _BAXTER_NEUTRAL = (0.0, -0.55, 0.0, 0.75, 0.0, 1.26, 0.0)
-
-_KINOVA_NEUTRAL = (4.8, 2.9, 1.0, 4.2, 1.4, 0.0)
+_BAXTER = Entry(
+    folder="baxter_description",
+    urdf="urdf/baxter.urdf",
+    srdf="srdf/baxter_manipulation.srdf",
+    tool=("left_gripper", "right_gripper"),
+    joints=14,
+    neutral=_BAXTER_NEUTRAL * 2,
+)
+_KINOVA = Entry(
+    folder="kinova_description",
+    urdf="robots/kinova.urdf",
+    srdf="srdf/kinova.srdf",
+    tool="j2s6s200_end_effector",
+    joints=6,
+    ik="spherical",
+    neutral=(4.8, 2.9, 1.0, 4.2, 1.4, 0.0),
+)
 _Z1 = Entry(
     folder="z1_description",
     urdf="urdf/z1.urdf",
@@ -166,52 +184,20 @@ CATALOG: Mapping[str, Entry] = {
         jerk=float(np.deg2rad(28647.0)),
         data_sheet="UFACTORY xArm user manual, motion parameters",
     ),
-    "kinova": Entry(
-        folder="kinova_description",
-        urdf="robots/kinova.urdf",
-        srdf="srdf/kinova.srdf",
-        tool="j2s6s200_end_effector",
-        joints=6,
-        ik="spherical",
-        neutral=_KINOVA_NEUTRAL,
-    ),
-    "anymal_kinova": Entry(
+    "kinova": _KINOVA,
+    "anymal_kinova": replace(
+        _KINOVA,
         folder="anymal_b_simple_description",
         urdf="robots/anymal-kinova.urdf",
         srdf="srdf/anymal-kinova.srdf",
-        tool="j2s6s200_end_effector",
-        joints=6,
-        ik="spherical",
-        neutral=_KINOVA_NEUTRAL,
     ),
     "z1": _Z1,
     "b1_z1": replace(_Z1, folder="b1_description", urdf="urdf/b1-z1.urdf", srdf="srdf/b1-z1.srdf"),
     "bravo7_no_ee": _BRAVO,
     "bravo7_gripper": replace(_BRAVO, urdf="urdf/bravo7_gripper.urdf", srdf="srdf/bravo7_gripper.srdf", tool=_BRAVO_HAND),
-    "baxter_left": Entry(
-        folder="baxter_description",
-        urdf="urdf/baxter.urdf",
-        srdf="srdf/baxter_manipulation.srdf",
-        tool="left_gripper",
-        joints=7,
-        neutral=_BAXTER_NEUTRAL,
-    ),
-    "baxter_right": Entry(
-        folder="baxter_description",
-        urdf="urdf/baxter.urdf",
-        srdf="srdf/baxter_manipulation.srdf",
-        tool="right_gripper",
-        joints=7,
-        neutral=_BAXTER_NEUTRAL,
-    ),
-    "baxter": Entry(
-        folder="baxter_description",
-        urdf="urdf/baxter.urdf",
-        srdf="srdf/baxter_manipulation.srdf",
-        tool=("left_gripper", "right_gripper"),
-        joints=14,
-        neutral=_BAXTER_NEUTRAL * 2,
-    ),
+    "baxter_left": replace(_BAXTER, tool="left_gripper", joints=7, neutral=_BAXTER_NEUTRAL),
+    "baxter_right": replace(_BAXTER, tool="right_gripper", joints=7, neutral=_BAXTER_NEUTRAL),
+    "baxter": _BAXTER,
     "talos": _TALOS,
     "talos_left_arm": replace(_TALOS, tool="wrist_left_ft_tool_link", first="arm_left_1_joint", joints=7),
     "talos_right_arm": replace(_TALOS, tool="wrist_right_ft_tool_link", first="arm_right_1_joint", joints=7),
@@ -334,8 +320,7 @@ def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
     robot_options = {**chosen, **options}
     if entry.first is not None and robot_options["joints"] is None:
         robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
-    with _own_srdf():
-        robot = _read(folder / entry.urdf, robot_options)
+    robot = _read(folder / entry.urdf, robot_options)
     if robot_options["joints"] is None:
         published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
         published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
@@ -343,20 +328,6 @@ def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
             robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
         robot = with_published_limits(robot, options)
     return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=name))
-
-
-@contextmanager
-def _own_srdf() -> Iterator[None]:
-    """Without the warnings about names in an SRDF: those of the catalogue are known, and one serves three arms of UR."""
-
-    def others(record: logging.LogRecord) -> bool:
-        return record.module != "srdf"
-
-    log.addFilter(others)
-    try:
-        yield
-    finally:
-        log.removeFilter(others)
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:

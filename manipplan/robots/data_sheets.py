@@ -1,4 +1,4 @@
-"""Limits that manufacturers publish for arms which can be told by the names of their joints."""
+"""Limits that manufacturers publish for arms that are recognised by the names of their joints."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass

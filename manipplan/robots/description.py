@@ -9,9 +9,10 @@ import pinocchio as pin
 
 from manipplan.robots.formats.urdf_check import check_urdf, joined_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
-from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_sizes, check_visuals
+from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_visuals
 from manipplan.robots.mimics import Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
+from manipplan.robots.sizes import check_sizes
 
 log = logging.getLogger("manipplan")
 

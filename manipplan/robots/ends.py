@@ -30,6 +30,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.description import Description
+from manipplan.robots.hulls import box_corners
 from manipplan.robots.mimics import Mimic
 from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute
 from manipplan.robots.srdf import Semantics
@@ -294,12 +295,8 @@ class _Tree:
         ]
         for item in self.read.geometry.geometryObjects:
             if item.parentJoint == joint:
-                item.geometry.computeLocalAABB()
-                box = item.geometry.aabb_local
-                low, high = np.array(box.min_), np.array(box.max_)
-                corners = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, -1)
-                placed = item.placement.rotation @ corners + item.placement.translation[:, None]
-                found.append(float(np.linalg.norm(placed, axis=0).max()))
+                placed = box_corners(item.geometry) @ item.placement.rotation.T + item.placement.translation
+                found.append(float(np.linalg.norm(placed, axis=1).max()))
         return max(found, default=0.0)
 
     def _is_solid(self, body: int) -> bool:

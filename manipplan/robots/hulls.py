@@ -19,7 +19,7 @@ FLAT = 1e-6
 FARTHEST = 1e6
 #: Number of corners below which a hull is not thinned out; by how much one with fewer corners may stick out, as a share of its
 #: longest side; and by how much its planes are moved out, so that rounding leaves no corner outside.
-FEW, SLACK, ROUNDING = 100, 1e-4, 1e-12
+FEW, SLACK, ROUNDING = 250, 1e-4, 1e-12
 #: Maximum number of neighbours of a corner in coal.
 MOST_NEIGHBOURS = 254
 
@@ -31,6 +31,17 @@ def has_hull(corners: Array) -> bool:
     middle = corners - corners.mean(axis=0)
     sides = np.ptp(middle @ np.linalg.svd(middle, full_matrices=False)[2].T, axis=0)
     return bool(sides.min() > max(FLAT * sides.max(), 1e-9)) and _qhull(corners) is not None
+
+
+def box_around(shape: coal.CollisionGeometry) -> tuple[Array, Array]:
+    """Lower and upper corner (3,) of the box around a shape, along the axes of its own frame [m]."""
+    shape.computeLocalAABB()
+    return np.array(shape.aabb_local.min_), np.array(shape.aabb_local.max_)
+
+
+def box_corners(shape: coal.CollisionGeometry) -> Array:
+    """Corners (8, 3) of the box around a shape, in its own frame [m]."""
+    return np.array(np.meshgrid(*zip(*box_around(shape), strict=True))).reshape(3, -1).T
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -19,7 +19,10 @@ from manipplan.robots.description import Description
 from manipplan.robots.formats.mjcf_files import compile_mjcf
 from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.robots.hulls import FARTHEST
+from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.mimics import WORLD, Mimic, first_leaders
+from manipplan.robots.model_tree import joint_about
+from manipplan.robots.sizes import check_sizes
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
@@ -53,6 +56,7 @@ def read_mjcf(file: Path) -> Description:
     names = _joint_names(mj)
     model, frames = _tree(file, mj, names)
     geometry = _geometry(file, mj, model, frames, colliding)
+    check_sizes(file, model, geometry)
     _log_left_out(file, mj)
     return Description(
         file=file,
@@ -166,12 +170,9 @@ def _add_joint(model: pin.Model, mj: Any, parent: int, place: pin.SE3, k: int, n
     reference = float(mj.qpos0[mj.jnt_qposadr[k]])
     if kind == "slide":
         at_zero = pin.SE3(np.eye(3), -reference * axis)
-        aligned, general = (pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ), pin.JointModelPrismaticUnaligned
     else:
         at_zero = pin.SE3(pin.AngleAxis(-reference, axis).toRotationMatrix() if reference else np.eye(3), np.zeros(3))
-        aligned, general = (pin.JointModelRX, pin.JointModelRY, pin.JointModelRZ), pin.JointModelRevoluteUnaligned
-    along = np.flatnonzero(axis == 1.0)
-    joint = aligned[along[0]]() if len(along) else general(axis)
+    joint = joint_about(axis, slides=kind == "slide")
     lower, upper = mj.jnt_range[k] if mj.jnt_limited[k] else (-np.inf, np.inf)
     limits = (_effort(mj, k), np.inf, lower, upper)
     return model.addJoint(parent, joint, place * anchor * at_zero, name, *(np.array([each]) for each in limits)), back
@@ -250,7 +251,7 @@ def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geom
         data = int(mj.geom_type[k]), int(mj.geom_dataid[k])  # several geoms may show one mesh
         kind = SHAPES[mj.geom_type[k]]
         if kind in ("mesh", "hfield"):
-            surfaces[data] = shape = surfaces.get(data) or _triangles(*surface_of(file, mj, k))
+            surfaces[data] = shape = surfaces.get(data) or triangle_tree(*surface_of(file, mj, k))
         else:
             shape = _primitive(file, kind, name, [float(each) for each in mj.geom_size[k]])
         place = frame.placement * local_pose(mj.geom_pos[k], mj.geom_quat[k])
@@ -277,15 +278,6 @@ def _primitive(file: Path, kind: str, name: str, size: Sequence[float]) -> coal.
         return coal.Box(*(2 * each for each in size))
     wanted = f"geoms of the kinds {', '.join(SHAPES[:-1])}; {name} is of the kind {kind}: make it a mesh, or give it"
     raise FileFormatError("file", str(file), f'{wanted} contype="0" conaffinity="0"')
-
-
-def _triangles(vertices: Array, faces: NDArray[np.int64]) -> coal.BVHModelOBBRSS:
-    mesh = coal.BVHModelOBBRSS()
-    mesh.beginModel(len(faces), len(vertices))
-    mesh.addVertices(vertices)
-    mesh.addTriangles(faces)
-    mesh.endModel()
-    return mesh
 
 
 def _height_field(file: Path, mj: Any, number: int) -> tuple[Array, NDArray[np.int64]]:

@@ -34,6 +34,14 @@ def axis_of(joint: pin.JointModel) -> Array:
     return np.asarray(np.eye(3)["XYZ".index(name[-1])])
 
 
+def joint_about(axis: Array, *, slides: bool) -> pin.JointModel:
+    """The prismatic or revolute joint with a unit axis (3,), of the kind that Pinocchio takes for it when it reads a file."""
+    for unit, name in zip(np.eye(3), "XYZ", strict=True):
+        if np.array_equal(axis, unit):
+            return getattr(pin, f"JointModel{'P' if slides else 'R'}{name}")()
+    return (pin.JointModelPrismaticUnaligned if slides else pin.JointModelRevoluteUnaligned)(axis)
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointTree:
     """The joints of a model of plain angles as arrays; some of its N joints may follow others.
@@ -63,12 +71,17 @@ class JointTree:
     @property
     def has_followers(self) -> bool:
         """Whether a joint follows another."""
-        return len(self.leader) > len(set(self.leader.tolist()))
+        return len(self.leader) > self.leads
+
+    @property
+    def leads(self) -> int:
+        """The number n of the joints that follow no other, the entries of q."""
+        return int(self.leader.max(initial=-1)) + 1
 
     @property
     def matrix(self) -> Array:
         """The derivatives (N, n) of the joints' positions by q."""
-        found = np.zeros((len(self.leader), int(self.leader.max(initial=-1)) + 1))
+        found = np.zeros((len(self.leader), self.leads))
         found[np.arange(len(self.leader)), self.leader] = self.ratio
         return found
 

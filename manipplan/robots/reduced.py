@@ -11,8 +11,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.mimics import Mimic
-from manipplan.robots.model_tree import joint_names, joint_tree
-from manipplan.support.checks import Array
+from manipplan.robots.model_tree import joint_about, joint_names, joint_tree
 from manipplan.support.errors import FileFormatError
 
 #: Before the number of a frame while joints are locked. No name in an XML file can have it.
@@ -120,17 +119,9 @@ def uncoupled(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model,
         if name + _ITSELF in names:
             continue  # it only stands for the leader
         if model.joints[i].nq == 0:
-            kinds[i] = _joint(tree.axes[i - 1], slides=bool(tree.slides[i - 1]))
+            kinds[i] = joint_about(tree.axes[i - 1], slides=bool(tree.slides[i - 1]))
         order.append((name.removesuffix(_ITSELF), i, True))
     return *_rebuilt(model, geometry, order, kinds), followers
-
-
-def _joint(axis: Array, *, slides: bool) -> pin.JointModel:
-    """The joint with an axis (3,), of the kind that Pinocchio takes for it when it reads a file."""
-    for unit, name in zip(np.eye(3), "XYZ", strict=True):
-        if np.array_equal(axis, unit):
-            return getattr(pin, f"JointModel{'P' if slides else 'R'}{name}")()
-    return (pin.JointModelPrismaticUnaligned if slides else pin.JointModelRevoluteUnaligned)(axis)
 
 
 def _rebuilt(

@@ -63,14 +63,15 @@ class NamedStates(dict[str, Array]):
 def read_srdf(file: Path, model: pin.Model) -> Semantics:
     """End effector, disabled pairs and named states of an SRDF for the robot of `model`.
 
-    An SRDF is often shared by variants of a robot: names of links and joints that this one does not have are in the log.
+    An SRDF is often shared by variants of a robot: another robot's name and joints that this one does not have are in the log
+    (level INFO). A pair with a link that it does not have is a warning, as that pair is checked.
 
     Raises FileFormatError for a misspelt element or attribute, for a state or a joint of a state that is given twice, and for
     values that are not finite numbers, one per joint.
     """
     root = read_xml("srdf", file, "robot")
     if root.get("name", model.name) != model.name:
-        log.warning("%s is for the robot %s, not for %s", file, root.get("name"), model.name)
+        log.info("%s is for the robot %s, not for %s", file, root.get("name"), model.name)
     for element in root:
         near = difflib.get_close_matches(element.tag.lower(), READ, n=1, cutoff=0.8)
         if near and element.tag not in (*READ, *PASSED):
@@ -78,7 +79,8 @@ def read_srdf(file: Path, model: pin.Model) -> Semantics:
     links = {frame.name for frame in model.frames if frame.type == pin.FrameType.BODY}
     effector = root.find("end_effector")
     disabled = {_disabled(file, pair) for pair in root.findall("disable_collisions")}
-    _warn(file, "links in <disable_collisions>", {link for pair in disabled for link in pair} - links)
+    unknown = {link for pair in disabled for link in pair} - links
+    _log_unknown(logging.WARNING, file, "links in <disable_collisions>", unknown)
     states = _states(file, root, model)
     return Semantics(
         end_effector=effector.get("parent_link") if effector is not None else None,
@@ -127,14 +129,14 @@ def _states(file: Path, root: ET.Element, model: pin.Model) -> tuple[tuple[str, 
                 wanted = f"finite joint values, one number per joint; {name} of the state {called} is {text!r}"
                 raise FileFormatError("srdf", str(file), wanted)
         states.append((called, values))
-    _warn(file, "joints in <group_state>", unknown)
+    _log_unknown(logging.INFO, file, "joints in <group_state>", unknown)
     return tuple(states)
 
 
-def _warn(file: Path, where: str, unknown: set[str]) -> None:
+def _log_unknown(level: int, file: Path, where: str, unknown: set[str]) -> None:
     if unknown:
         more = f" and {len(unknown) - 12} more" if len(unknown) > 12 else ""
-        log.warning("%s: %s that the robot does not have: %s%s", file, where, ", ".join(sorted(unknown)[:12]), more)
+        log.log(level, "%s: %s that the robot does not have: %s%s", file, where, ", ".join(sorted(unknown)[:12]), more)
 
 
 def write_srdf(

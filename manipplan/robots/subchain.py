@@ -179,8 +179,8 @@ def limits_of_leaders(
             wanted = f"limits that leave its leader room: it moves as {mimic}; lower= and upper= set those of the leader"
             raise InvalidInputError(f"position limits of {name}", [float(low), float(high)], wanted)
         if changes:
-            told = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
-            log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, told)
+            narrowed = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
+            log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, narrowed)
     return replace(limits, lower=lower, upper=upper, velocity=velocity) if followers else limits
 
 

@@ -120,7 +120,7 @@ def carriers_of(tree: JointTree, joint: int, placements: Sequence[Placement]) ->
 
 def jacobian_of(tree: JointTree, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
     """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
-    columns = [ca.SX(6, 1)] * (int(tree.leader.max(initial=-1)) + 1)
+    columns = [ca.SX(6, 1)] * tree.leads
     for i, joint in enumerate(carriers):
         if joint is None:
             continue

@@ -176,6 +176,25 @@ def test_any_single_obstacle(panda, wedge, shape, place, turn, size, clearance, 
     assert_kernel_is_right(scene.collision_model(panda), q, clearance)
 
 
+@pytest.mark.slow
+@examples(40)
+@given(
+    shape=st.sampled_from(SHAPES),
+    place=st.tuples(*[st.floats(-0.8, 0.8)] * 3),
+    turn=st.tuples(*[angle] * 3),
+    size=st.floats(0.05, 1.0),
+    step=st.sampled_from([0.0, 1e-9, 1e-4, 1e-2, 0.3]),
+    seed=st.integers(0, 2**31),
+)
+def test_distances_along_a_path_are_those_of_each_configuration(panda, wedge, shape, place, turn, size, step, seed):
+    """Along a path each pair is compared from the simplex or the triangles that were nearest before."""
+    model = mp.Scene([obstacle(shape, place, turn, size, wedge)]).collision_model(panda)
+    start, end = panda.random_configuration(np.random.default_rng(seed), size=2)
+    q = start + step * np.linspace(0, 1, 12)[:, None] * (end - start)
+    alone = np.concatenate([model.distance_rows(each[None]) for each in q])
+    np.testing.assert_allclose(model.distance_rows(q), alone, rtol=0, atol=2e-8)
+
+
 def test_the_clearance_is_a_sharp_border(panda):
     """At a hair less than the distance a configuration is free, at a hair more it is not."""
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.6, 0.1, 0.3), name="ball")])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
+from manipplan.collision import build
 from manipplan.collision.model import CollisionModel
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'
@@ -121,7 +122,19 @@ def test_a_ring_around_a_rod_is_taken_by_more_pieces(tmp_path, rng):
     assert mp.plan(robot, q[0], q[1]).report.passed
 
 
+def test_sleeves_with_a_gap_of_a_millimetre_are_taken_by_sectors(tmp_path, rng):
+    robot = wrist(tmp_path, tube(0.041, 0.05, 0.2, 96), tube(0.03, 0.039, 0.3, 96), 0.012)
+    model = mp.Scene().collision_model(robot)
+    outer = [name for pair in model.pair_names for name in pair if name.startswith("l1_0.of")]
+    assert len(set(outer)) >= 24 and not model.solids
+    q = robot.random_configuration(rng, size=300)
+    assert not model.in_collision_rows(q).any()
+    q[:, 2] = 0.022
+    assert model.in_collision_rows(q).all()
+
+
 def test_sleeves_with_a_gap_of_a_millimetre_are_decided_by_their_triangles(tmp_path, rng, monkeypatch):
+    monkeypatch.setattr(build, "FINE", ())
     robot = wrist(tmp_path, tube(0.041, 0.05, 0.2, 24), tube(0.03, 0.0395, 0.3, 24), 0.02)
     model = mp.Scene().collision_model(robot)
     assert ("l3_0.mesh", "l1_0.mesh") in model.pair_names and len(model.solids) == 2

@@ -568,7 +568,7 @@ def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path):
     fake = tmp_path / "fake"
     (fake / "mujoco").mkdir(parents=True)
     (fake / "mujoco" / "__init__.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
-    monkeypatch.setattr(mjcf_files.commands, "search_path", lambda: [str(fake), *sys.path])
+    monkeypatch.syspath_prepend(fake)
     with pytest.raises(mp.FileFormatError, match="MuJoCo ended by SIGSEGV"):
         mp.Robot.from_mjcf(arm(), velocity=1.0)
 
@@ -720,3 +720,51 @@ def test_random_trees(tmp_path_factory, texts, seed):
             [whole.model.lowerPositionLimit[joint.idx_q], whole.model.upperPositionLimit[joint.idx_q]], expected
         )
     assert sum(each.mass for each in whole.model.inertias) <= judge.model.body_mass.sum() * (1 + 1e-12)
+
+
+def test_a_mesh_in_millimetres_is_refused(tmp_path):
+    """Without scale="0.001 0.001 0.001" a body of 100 mm is 100 m long."""
+    corners = [(x, y, z) for x in (0, 100) for y in (0, 100) for z in (0, 100)]
+    faces = [(1, 2, 4), (1, 4, 3), (5, 7, 8), (5, 8, 6), (1, 5, 6), (1, 6, 2), (3, 4, 8), (3, 8, 7), (1, 3, 7), (1, 7, 5)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in [*faces, (2, 6, 8), (2, 8, 4)]]
+    (tmp_path / "cube.obj").write_text("\n".join(lines))
+    text = (
+        '<mujoco><asset><mesh name="cube" file="cube.obj"{}/></asset><worldbody><body name="a"><joint name="j" axis="0 0 1"/>'
+        '<geom name="part" type="mesh" mesh="cube"/><body name="tcp" pos="0.3 0 0"/></body></worldbody></mujoco>'
+    )
+    (tmp_path / "arm.xml").write_text(text.format(""))
+    with pytest.raises(mp.FileFormatError, match=r"part of link a \(mesh\) is 100 m long.*scale=\"0.001"):
+        mp.load_robot(tmp_path / "arm.xml")
+    (tmp_path / "arm.xml").write_text(text.format(' scale="0.001 0.001 0.001"'))
+    assert mp.load_robot(tmp_path / "arm.xml", tool="tcp").n == 1
+
+
+def test_a_part_inside_a_closed_mesh_touches(tmp_path):
+    """The cabinet is a cube of 12 triangles: what is wholly inside it was free, with a clearance of 102 mm."""
+    corners = [(x, y, z) for x in (-0.25, 0.25) for y in (-0.25, 0.25) for z in (-0.25, 0.25)]
+    faces = [(1, 2, 4), (1, 4, 3), (5, 7, 8), (5, 8, 6), (1, 5, 6), (1, 6, 2), (3, 4, 8), (3, 8, 7), (1, 3, 7), (1, 7, 5)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in [*faces, (2, 6, 8), (2, 8, 4)]]
+    (tmp_path / "cube.obj").write_text("\n".join(lines))
+    mass = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
+    file = tmp_path / "cabinet.xml"
+    file.write_text(
+        '<mujoco><compiler angle="radian"/><asset><mesh name="cube" file="cube.obj"/></asset><worldbody><body name="base">'
+        '<geom name="cabinet" type="mesh" mesh="cube" pos=".6 0 .5"/>'
+        f'<body name="a" pos="0 0 .5"><joint name="j1" axis="0 0 1" range="-1 1"/>{mass}'
+        f'<body name="b" pos=".1 0 0"><joint name="j2" axis="0 1 0" range="-1 1"/>{mass}'
+        '<body name="c" pos=".2 0 0"><joint name="j3" type="slide" axis="1 0 0" range="0 .5"/>'
+        '<geom name="tip" type="sphere" size=".03" pos=".1 0 0"/><body name="tcp" pos=".1 0 0"/></body></body></body></body>'
+        "</worldbody></mujoco>"
+    )
+    robot = mp.load_robot(file, velocity=1.0)
+    model = mujoco.MjModel.from_xml_path(str(file))
+    data, q = mujoco.MjData(model), robot.random_configuration(np.random.default_rng(0), size=400)
+    touching = []
+    for each in q:
+        data.qpos[:] = each
+        mujoco.mj_fwdPosition(model, data)
+        touching.append(any(contact.dist <= 0 for contact in data.contact))
+    assert 50 < sum(touching) < 350
+    np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), touching)
+    with pytest.raises(mp.InvalidInputError, match="tip and cabinet overlap"):
+        mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])

@@ -6,7 +6,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, convex_pieces
+from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _Mesh, _Part, convex_pieces
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.shells import winding_number
 
@@ -89,3 +89,36 @@ def test_a_flat_mesh_gets_a_little_thickness():
     [piece] = convex_pieces(square)
     assert in_some_piece(square.reshape(-1, 3), [piece]).all()
     assert 0 < np.ptp(piece.hull.corners[:, 2]) < 1e-3
+
+
+def test_a_part_without_triangles_is_not_cut():
+    """A cell inside a mesh that is no solid: pieces of the iCub's arm failed there."""
+    triangles = box([-0.1] * 3, [0.1] * 3)
+    cuts = tuple((sign * axis, 0.05) for axis in np.eye(3) for sign in (1.0, -1.0))
+    corners = 0.05 * np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T
+    assert _Part(_Mesh(triangles), np.empty((0, 3, 3)), corners, cuts).best_cut(0.0) is None
+
+
+def ring(inner, outer, length, sides=96):
+    """A tube along x of which both ends are open polygons."""
+    angle = 2 * np.pi * np.arange(sides + 1) / sides
+    rims = [
+        np.column_stack([np.full(sides + 1, x), r * np.cos(angle), r * np.sin(angle)])
+        for r, x in ((inner, -length / 2), (outer, -length / 2), (outer, length / 2), (inner, length / 2))
+    ]
+    quads = [(a[k], a[k + 1], b[k + 1], b[k]) for a, b in zip(rims, rims[1:] + rims[:1], strict=True) for k in range(sides)]
+    return np.array([[[a, b, c], [a, c, d]] for a, b, c, d in quads]).reshape(-1, 3, 3)
+
+
+@pytest.mark.parametrize(("inner", "outer", "length"), [(0.05, 0.065, 0.15), (0.041, 0.05, 0.2), (0.06, 0.08, 0.04)])
+def test_sectors_of_a_tube_stick_into_its_hole_by_their_chords(inner, outer, length, rng):
+    mesh, most = ring(inner, outer, length), 24
+    found = convex_pieces(mesh, most)
+    assert len(found) <= most
+    assert in_some_piece(points_on(mesh, rng, 1000), found).all() and in_some_piece(points_inside(mesh, rng, 1000), found).all()
+    chord = inner * np.cos(np.pi / most)
+    angle = rng.uniform(-np.pi, np.pi, 500)
+    hole = np.column_stack(
+        [rng.uniform(-length / 2, length / 2, 500), chord * 0.99 * np.cos(angle), chord * 0.99 * np.sin(angle)]
+    )
+    assert not in_some_piece(hole, found).any()

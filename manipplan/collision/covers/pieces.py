@@ -7,7 +7,7 @@ which three cuts meet.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import coal
 import numpy as np
@@ -52,7 +52,16 @@ class Piece:
 def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
     """At most `most` convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
     mesh = _Mesh(triangles)
-    open_pieces = [_Part(mesh, triangles, np.empty((0, 3)), ())]
+    found = _cut_up(mesh, [_Part(mesh, triangles, np.empty((0, 3)), ())], most)
+    if most > MOST_PIECES:
+        for count in (most, most // 2):
+            around = _cut_up(mesh, _sectors(mesh, triangles, count), most)
+            found = min(found, around, key=lambda parts: sum(_volume(part.hull.corners) for part in parts))
+    return [part.piece() for part in found]
+
+
+def _cut_up(mesh: "_Mesh", open_pieces: list["_Part"], most: int) -> list["_Part"]:
+    """Cut the part that sticks out most until none does, or there are `most`."""
     done: list[_Part] = []
     while open_pieces and len(open_pieces) + len(done) < most:
         part = open_pieces.pop(int(np.argmax([each.excess for each in open_pieces])))
@@ -66,7 +75,34 @@ def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
             inner = mesh.inner_corners(cuts)
             if len(side) or len(inner) > 3:
                 open_pieces.append(_Part(mesh, side, inner, cuts))
-    return [part.piece() for part in [*done, *open_pieces]]
+    return [*done, *open_pieces]
+
+
+def _sectors(mesh: "_Mesh", triangles: Array, count: int) -> list["_Part"]:
+    """`count` equal sectors of a mesh around the main axis through its middle for which they need the smallest volume.
+
+    A tube has the same hull as its halves together, so that single cuts do not find sectors.
+    """
+    points = triangles.reshape(-1, 3)
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    angles = 2 * np.pi * np.arange(count + 1) / count
+    best: list[tuple[Array, tuple[Plane, ...]]] = []
+    least = np.inf
+    for k in range(3):
+        normals = np.zeros((count + 1, 3))
+        normals[:, k - 2], normals[:, k - 1] = -np.sin(angles), np.cos(angles)
+        sectors: list[tuple[Array, tuple[Plane, ...]]] = []
+        for start, end in pairwise(normals):
+            cuts = ((-start, float(-start @ middle)), (end, float(end @ middle)))
+            side = triangles
+            for axis, offset in cuts:
+                side = _clip(side, axis, offset)
+            if len(side):
+                sectors.append((side, cuts))
+        volume = sum(_volume(side.reshape(-1, 3)) for side, _ in sectors)
+        if volume < least:
+            best, least = sectors, volume
+    return [_Part(mesh, side, np.empty((0, 3)), cuts) for side, cuts in best]
 
 
 class _Part:
@@ -92,6 +128,8 @@ class _Part:
 
         Only across axes along which the part is longer than the share `long` of its largest length.
         """
+        if not len(self.triangles):
+            return None
         points = subdivide(self.triangles).mean(axis=1)
         points = np.concatenate(
             [points[:: 1 + len(points) // MOST_POINTS], self.hull.corners[:: 1 + len(self.hull.corners) // MOST_POINTS]]

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import logging
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,15 +13,19 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.covers import fitting, pieces
-from manipplan.collision.primitives import Primitive, outside
+from manipplan.collision.primitives import Primitive, mesh_triangles, outside
 from manipplan.collision.surfaces import shells
 from manipplan.robots import hulls
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
+from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
 
 log = logging.getLogger("manipplan")
 
+#: For two objects of a robot, by their numbers, how finely each is taken.
+Levels = dict[tuple[int, int], tuple[int, int]]
 #: Class of each stored shape, and its number of sizes.
 SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
 
@@ -72,6 +77,49 @@ def find_or_cut(triangles: Array, most: int = pieces.MOST_PIECES) -> list[pieces
     except InvalidInputError as error:
         log.info("convex pieces are not kept on disk: %s", error)
     return found
+
+
+def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -> Levels:
+    """How finely pairs of a robot's objects are taken, from the cache folder if an earlier process has chosen them.
+
+    Args:
+        robot: the arm.
+        samples: (m, n) configurations at which pairs are compared.
+        choose: makes the choice.
+    """
+    bodies = [
+        (item.name, item.parentJoint, item.placement.homogeneous, _content(item.geometry))
+        for item in robot.geometry.geometryObjects
+    ]
+    parts = [_choice_sources(), robot.tree, samples, bodies, dict(robot.unchecked), robot.disabled_pairs]
+    try:
+        file = private_folder() / "levels" / f"{content_key(parts)[:32]}.json"
+        file.parent.mkdir(mode=0o700, exist_ok=True)
+        pairs = json.loads(file.read_text())
+        return {(int(i), int(j)): (int(a), int(b)) for i, j, a, b in pairs}
+    except FileNotFoundError:
+        found = choose()
+    except (OSError, ValueError, TypeError) as error:
+        log.info("the choice of pieces is made again: %s", error)
+        return choose()
+    try:
+        write_text(file, json.dumps([[*pair, *levels] for pair, levels in found.items()]))
+    except InvalidInputError as error:
+        log.info("the choice of pieces is not kept on disk: %s", error)
+    return found
+
+
+def _content(shape: coal.CollisionGeometry) -> object:
+    """What a shape is, for a key: the triangles of a mesh, since coal pickles far more of it."""
+    return mesh_triangles(shape) if isinstance(shape, coal.BVHModelBase) else shape
+
+
+@cache
+def _choice_sources() -> bytes:
+    """The sources that a choice depends on."""
+    folder = Path(__file__).parents[1]
+    files = (folder / "build.py", folder / "described.py", folder / "distances.c", folder / "surfaces" / "meshes.py")
+    return b"".join([_sources(), np.__version__.encode(), *(file.read_bytes() for file in files)])
 
 
 def _read_pieces(file: Path) -> list[pieces.Piece] | None:

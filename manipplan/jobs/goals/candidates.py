@@ -134,10 +134,10 @@ def find_candidates(
     more, of = _refined(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):
-        told = _nothing_free(targets, useless, ", within the constraints" if constraints.constraints else "")
+        refusal = _nothing_free(targets, useless, ", within the constraints" if constraints.constraints else "")
         if missed and len(missed) == len(useless):
-            raise OutOfReachError(*told, min(missed, key=lambda each: np.hypot(each.position, each.rotation)))
-        raise InvalidInputError(*told)
+            raise OutOfReachError(*refusal, min(missed, key=lambda each: np.hypot(each.position, each.rotation)))
+        raise InvalidInputError(*refusal)
     return [*ordered(measured(q, index.tolist(), start, integral)), *useless]
 
 

@@ -55,9 +55,13 @@ class Surroundings:
     def places(self, look: Look) -> NDArray[np.intp]:
         """The entries (r,) of a look that get rows, bottoms of dips first."""
         bottoms, others = np.flatnonzero(look.is_bottom), np.flatnonzero(~look.is_bottom)
-        beside = np.abs(look.s[others, None] - look.s[bottoms]) < APART
-        alone = others[~((look.pairs[others, None] == look.pairs[bottoms]) & beside).any(axis=1)]
-        return np.concatenate([bottoms, alone])[:MOST_PLACES]
+        if len(bottoms) and len(bottoms) < MOST_PLACES:
+            along = 2 * look.pairs + look.s  # by pair, then place
+            ordered = np.sort(along[bottoms])
+            after = np.searchsorted(ordered, along[others])
+            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
+            others = others[np.minimum(*gaps) >= APART]
+        return np.concatenate([bottoms, others])[:MOST_PLACES]
 
     def planes(self, found: Witnesses) -> Array:
         """Clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""

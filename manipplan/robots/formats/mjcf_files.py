@@ -5,12 +5,10 @@ So repetitions are counted first, the file is compiled under limits of memory an
 """
 
 import importlib.util
-import json
 import logging
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -49,18 +47,15 @@ def compile_mjcf(file: Path) -> Any:
     if importlib.util.find_spec("mujoco") is None:
         raise MissingExtraError("mujoco", "mujoco")
     with tempfile.TemporaryDirectory() as folder:
-        request = {"file": str(file.expanduser().absolute()), "path": commands.search_path(), "processor": PROCESSOR}
-        Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
+        request = {"file": str(file.expanduser().absolute()), "processor": PROCESSOR}
         try:
-            run = commands.run_module(__name__, folder, limit=TIME_LIMIT)
+            answer, run = commands.ask_module(__name__, folder, request, limit=TIME_LIMIT)
         except subprocess.TimeoutExpired as error:
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:
             raise _fault(file, f"MuJoCo cannot be started ({error.strerror})") from error
-        try:
-            answer = json.loads(Path(folder, "answer.json").read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            raise _fault(file, _end_of(run)) from error
+        if answer is None:
+            raise _fault(file, _end_of(run))
         if "error" in answer:
             raise _fault(file, f"MuJoCo says: {answer['error']}")
         model = _read(Path(folder, "model.mjb"))
@@ -75,12 +70,11 @@ def compile_mjcf(file: Path) -> Any:
 
 
 def main(folder: str) -> None:
-    """Compile the file of `request.json` in `folder` into `model.mjb`; `answer.json` gets an error, if there is one."""
-    request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
-    sys.path[:] = request["path"]
+    """Compile the file of the request in `folder` into `model.mjb`; the answer has an error, if there is one."""
+    request = commands.request_in(folder)
     commands.set_limits(memory=MEMORY, written=WRITTEN, processor=request["processor"])
     os.chdir(folder)  # for MuJoCo's log
-    Path(folder, "answer.json").write_text(json.dumps(_compiled(request["file"])), encoding="utf-8")
+    commands.write_answer(folder, _compiled(request["file"]))
 
 
 def _compiled(file: str) -> dict[str, str]:

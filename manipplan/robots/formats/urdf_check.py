@@ -55,22 +55,12 @@ ADDED_ATTRIBUTES = {
         *("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit"),
     ),
 }
-#: Elements of other programs and of URDF itself that change neither motion nor collision: passed over without a word.
+#: Elements of other programs and of URDF itself that change neither motion nor collision: passed over, also by the log.
 PASSED = {
     "robot": (
-        *(
-            "material",
-            "gazebo",
-            "transmission",
-            "ros2_control",
-            "sensor",
-            "mujoco",
-            "frame",
-            "force_element",
-            "cable",
-            "bullet",
-        ),
-        *("collision_filter_group", "self_collision_checking", "collision_checking", "gripper", "group", "parameter"),
+        *("material", "gazebo", "transmission", "ros2_control", "sensor", "mujoco", "frame", "force_element", "cable"),
+        *("bullet", "collision_filter_group", "self_collision_checking", "collision_checking", "gripper", "group"),
+        "parameter",
     ),
     "link": (
         *("contact", "self_collision_checking", "collision_checking", "gravity", "kinematic", "surface", "self_filter"),

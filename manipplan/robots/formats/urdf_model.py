@@ -31,10 +31,6 @@ log = logging.getLogger("manipplan")
 
 T = TypeVar("T")
 
-#: A mesh may be as long, and as far from its link, as this many times the length of the arm, or as `ROOM` [m].
-REACHES, ROOM = 10.0, 5.0
-#: Widest range of a slide that counts as a length of the arm [m]; wider ones are written where there is no limit.
-TRAVEL = 1000.0
 #: Colour of a visual body without a material, as Pinocchio has it.
 PLAIN = (0.9, 0.9, 0.9, 1.0)
 
@@ -203,48 +199,6 @@ def check_visuals(file: Path, root: ET.Element) -> None:
             if fault is not None:
                 wanted = f"a URDF whose visual elements can be read; visual element {k} of link {link.get('name')}: {fault}"
                 raise FileFormatError("file", str(file), wanted)
-
-
-def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> None:
-    """Raise FileFormatError for a body that is larger, or farther from its link, than the arm makes plausible.
-
-    Such a body is drawn in another unit. What stands on no joint, such as a floor, may be large if it is no mesh.
-    """
-    reach, travel = _reach(model)
-    most = max(REACHES * reach, travel, ROOM)
-    for item in geometry.geometryObjects:
-        if isinstance(item.geometry, coal.Halfspace | coal.Plane):
-            continue
-        item.geometry.computeLocalAABB()
-        box = item.geometry.aabb_local
-        low, high = np.array(box.min_), np.array(box.max_)
-        frame = model.frames[item.parentFrame]
-        link = (frame.placement.inverse() * item.placement).inverse().translation  # the origin of the link in the body
-        distance = float(np.linalg.norm(np.clip(link, low, high) - link))
-        size = float((high - low).max())
-        largest = most if item.parentJoint or isinstance(item.geometry, coal.BVHModelBase) else FARTHEST
-        if size > largest or distance > most:
-            fault = f"is {size:.3g} m long" if size > largest else f"is {distance:.3g} m away from its link"
-            which = f"mesh {item.meshPath}" if item.meshPath else f"a {type(item.geometry).__name__}"
-            unit = 'scale="0.001 0.001 0.001" in its <mesh> reads millimetres' if item.meshPath else "lengths are in metres"
-            wanted = (
-                f"bodies within {most:.3g} m, {REACHES:g} times the length of the arm or {ROOM:g} m; "
-                f"body {item.name} of link {frame.name} ({which}) {fault}. Is it in another unit? {unit}"
-            )
-            raise FileFormatError("file", str(file), wanted)
-
-
-def _reach(model: pin.Model) -> tuple[float, float]:
-    """The length of the longest chain of links, and the widest range of a slide below `TRAVEL` [m]."""
-    lengths, travel = [0.0], 0.0
-    for k in range(1, model.njoints):
-        joint = model.joints[k]
-        lengths.append(lengths[model.parents[k]] + float(np.linalg.norm(model.jointPlacements[k].translation)))
-        if joint.shortname().startswith("JointModelP") and joint.nq == 1:
-            width = float(model.upperPositionLimit[joint.idx_q] - model.lowerPositionLimit[joint.idx_q])
-            travel = max(travel, width) if width < TRAVEL else travel
-    ends = (lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
-    return max(ends), travel
 
 
 def pinocchio_says(file: Path, wanted: str, build: Callable[[], T]) -> T:

@@ -7,16 +7,14 @@ read from known folders only, and environment variables are not read.
 The process runs with an empty package `manipplan`: this module and what it imports need nothing but the standard library.
 """
 
-import json
 import os
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from manipplan.robots.formats.expressions import RefusedError, evaluate
 from manipplan.robots.formats.packages import PackageFolders
-from manipplan.support.processes.commands import set_limits
+from manipplan.support.processes.commands import request_in, set_limits, write_answer
 
 #: Maximum number of files that include one another in a row.
 DEEPEST = 50
@@ -49,11 +47,10 @@ class Arguments(dict[str, str]):
 
 
 def main(folder: str) -> None:
-    """Expand the file of `request.json` in `folder`; `answer.json` gets the URDF, or the error."""
-    request = json.loads(Path(folder, "request.json").read_text(encoding="utf-8"))
-    sys.path[:] = request["path"]
+    """Expand the file of the request in `folder`; the answer is the URDF, or the error."""
+    request = request_in(folder)
     set_limits(memory=MEMORY, written=WRITTEN)
-    Path(folder, "answer.json").write_text(json.dumps(expanded(request)), encoding="utf-8")
+    write_answer(folder, expanded(request))
 
 
 def expanded(request: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,7 +1,6 @@
 """Expands xacro files to URDF, in a process of its own: with a time limit, and without changes to this process."""
 
 import importlib.util
-import json
 import logging
 import subprocess
 import tempfile
@@ -41,21 +40,17 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
         "packages": {name: str(folder) for name, folder in folders.packages.items()},
         "package_dirs": [str(folder) for folder in folders.package_dirs],
         "trust": trust,
-        "path": commands.search_path(),
     }
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "request.json").write_text(json.dumps(request), encoding="utf-8")
         try:
-            run = commands.run_module("manipplan.robots.formats.xacro_child", folder, limit=TIME_LIMIT)
+            answer, run = commands.ask_module("manipplan.robots.formats.xacro_child", folder, request, limit=TIME_LIMIT)
         except subprocess.TimeoutExpired as error:
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:
             raise _fault(file, f"xacro cannot be started ({error.strerror})") from error
-        try:
-            answer = json.loads(Path(folder, "answer.json").read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            last = (run.stderr.strip().splitlines() or ["no message"])[-1]
-            raise _fault(file, f"xacro ended with code {run.returncode}: {last}") from error
+    if answer is None:
+        last = (run.stderr.strip().splitlines() or ["no message"])[-1]
+        raise _fault(file, f"xacro ended with code {run.returncode}: {last}")
     if "error" in answer:
         where = " > ".join(answer["where"][1:])
         raise _fault(file, answer["error"] + (f"; in {where}" if where else ""))

@@ -212,23 +212,23 @@ def usual_samples(solver: "Solver") -> Sequence[int]:
 
 
 def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> InvalidInputError:
-    """The error that tells why a position has no candidate, and the remedy."""
+    """The error that says why a position has no candidate, and the remedy."""
     if reached:
         spec = sampler.spec
         apart, (first, second) = sampler.widest(pose, values)
         needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
         needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
-        told = (
+        wanted = (
             f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
             f"{apart_text(apart)}; needed: {needed}"
         )
-        return InvalidInputError(position, pose.tolist(), told)
+        return InvalidInputError(position, pose.tolist(), wanted)
     nearest = sampler.nearest(pose)
     if nearest.position < REACHES[0] and nearest.rotation < REACHES[1]:
-        told = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
-        return InvalidInputError(position, pose.tolist(), told)
-    told = f"a pose within reach and joint limits; the arm stays {nearest}"
-    return OutOfReachError(position, pose.tolist(), told, nearest)
+        wanted = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
+        return InvalidInputError(position, pose.tolist(), wanted)
+    wanted = f"a pose within reach and joint limits; the arm stays {nearest}"
+    return OutOfReachError(position, pose.tolist(), wanted, nearest)
 
 
 def _check_grid(

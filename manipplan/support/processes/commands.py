@@ -1,13 +1,15 @@
 """Run a program, or a module of this package, with limits, and stop it together with all processes that it has started."""
 
+import json
 import os
 import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 #: An empty package `manipplan`, because the whole one takes a second to import; then the module's `main`.
 _START = """
@@ -17,6 +19,9 @@ package.__path__ = [sys.argv[1]]
 sys.modules["manipplan"] = package
 importlib.import_module(sys.argv[2]).main(sys.argv[3])
 """
+
+#: Files with the request to a module, and with its answer.
+_REQUEST, _ANSWER = "request.json", "answer.json"
 
 
 def run(command: Sequence[str], *, limit: float) -> subprocess.CompletedProcess[str]:
@@ -50,9 +55,32 @@ def run_module(module: str, folder: str | Path, *, limit: float) -> subprocess.C
     return run([sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, module, str(folder)], limit=limit)
 
 
-def search_path() -> list[str]:
-    """The folders in which this process finds modules, for a process of its own."""
-    return [each if each else str(Path.cwd()) for each in sys.path]
+def ask_module(
+    module: str, folder: str | Path, request: Mapping[str, Any], *, limit: float
+) -> tuple[dict[str, Any] | None, subprocess.CompletedProcess[str]]:
+    """Run a module as `run_module` does, with a request that its `main` gets by `request_in`, both in an empty `folder`.
+
+    Returns the answer that it gives by `write_answer`, None where there is none, and how the process ended.
+    """
+    path = [each if each else str(Path.cwd()) for each in sys.path]
+    Path(folder, _REQUEST).write_text(json.dumps({**request, "path": path}), encoding="utf-8")
+    run = run_module(module, folder, limit=limit)
+    try:
+        return json.loads(Path(folder, _ANSWER).read_text(encoding="utf-8")), run
+    except (OSError, ValueError):
+        return None, run
+
+
+def request_in(folder: str) -> dict[str, Any]:
+    """The request for this process, which from now on finds modules where the one that asks does."""
+    request: dict[str, Any] = json.loads(Path(folder, _REQUEST).read_text(encoding="utf-8"))
+    sys.path[:] = request["path"]
+    return request
+
+
+def write_answer(folder: str, answer: Mapping[str, Any]) -> None:
+    """Answer the request in `folder`."""
+    Path(folder, _ANSWER).write_text(json.dumps(answer), encoding="utf-8")
 
 
 def set_limits(*, memory: int, written: int, processor: int | None = None) -> None:
