@@ -12,6 +12,7 @@ from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
 from manipplan.robots.attached import number_names
+from manipplan.robots.description import VISUAL_HINT
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiling.patience import logged_when_slow
@@ -42,7 +43,8 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     alone, _ = self_model(robot)
     geometry = alone.geometry.copy()
     if scene.obstacles and not alone.bodies:
-        raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check")
+        hint = f"; {VISUAL_HINT}" if robot.source is not None and robot.source.kind == "urdf" else ""
+        raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check{hint}")
     check_names(robot, scene)
     dropped, radii, solids = dict(alone.dropped), dict[int, float](), set(alone.solids)
     named = dict(enumerate(alone.links))

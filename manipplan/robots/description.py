@@ -1,5 +1,6 @@
 """Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one."""
 
+import logging
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,11 @@ from manipplan.robots.formats.urdf_model import build_bodies, build_model, check
 from manipplan.robots.mimics import Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
 from manipplan.robots.sizes import check_sizes
+
+log = logging.getLogger("manipplan")
+
+#: What to do about a description without collision elements.
+VISUAL_HINT = "collision='visual' checks the visual elements, if there are any"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +47,8 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
     check_urdf(file, root)
     if files.collision == "visual":
         check_visuals(file, root)
+    elif root.find("link/collision") is None and root.find("link/visual") is not None:
+        log.warning("%s: no link has a collision element, so nothing of the robot is checked; %s", file, VISUAL_HINT)
     mimics = read_mimics(file, root)
     files.without_meshes(file, root, files.collision)
     model = build_model(file, root)

@@ -508,3 +508,34 @@ def test_planar_arms_of_any_number_of_links(links):
     across = np.array([1.0, 1.0]) / np.sqrt(2)
     assert np.abs((reached - start[:2, 3]) @ across).max() < BETWEEN[0]
     assert np.abs(reached[-1] - end[:2, 3]).max() < 1e-6
+
+
+GAP = """<robot name="gap"><link name="base"/>
+  <link name="l1"/><link name="l2"><collision><origin xyz="0.15 0 0"/><geometry><box size="0.2 0.06 0.06"/></geometry></collision></link>
+  <link name="l3"/><link name="collar"><collision><geometry><cylinder radius="0.03" length="0.1"/></geometry></collision></link>
+  <joint name="j1" type="revolute"><parent link="base"/><child link="l1"/><origin xyz="0 0 0.4"/><axis xyz="0 0 1"/>
+    <limit lower="-3" upper="3" velocity="2" effort="1"/></joint>
+  <joint name="j2" type="revolute"><parent link="l1"/><child link="l2"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" velocity="2" effort="1"/></joint>
+  <joint name="j3" type="revolute"><parent link="l2"/><child link="l3"/><origin xyz="0.282 0 0"/><axis xyz="0 1 0"/>
+    <limit lower="-3" upper="3" velocity="2" effort="1"/></joint>
+  <joint name="c" type="fixed"><parent link="l3"/><child link="collar"/><origin rpy="1.5707963267948966 0 0"/></joint>
+  <joint name="t" type="fixed"><parent link="l3"/><child link="tool"/><origin xyz="0.3 0 0"/></joint><link name="tool"/></robot>"""
+
+
+@pytest.mark.slow
+def test_a_gap_that_no_motion_widens(tmp_path):
+    """A collar turns 2 mm before the link that carries it, as on a wrist: less than candidates keep elsewhere."""
+    (tmp_path / "gap.urdf").write_text(GAP)
+    robot = mp.Robot.from_urdf(tmp_path / "gap.urdf", tool="tool")
+    model = mp.Scene().collision_model(robot)
+    [apart] = {round(float(model.distances(q)[0]), 9) for q in robot.random_configuration(np.random.default_rng(1), size=20)}
+    assert apart == 0.002
+    begin = robot.kinematics().pose(np.array([0.2, -0.5, 1.2]))
+    path = CartesianPath.line(begin, moved(begin, [-0.1, 0.05, 0.0]))
+    keep = {"objective": mp.PathObjective(task=mp.Task.position())}
+    plan = mp.follow(robot, path, **keep)
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert mp.follow(robot, path, clearance=0.0015, **keep).report.passed
+    with pytest.raises(mp.InvalidInputError, match="are 2 mm apart; needed: clearance 2.5 mm"):
+        mp.follow(robot, path, clearance=0.0025, **keep)

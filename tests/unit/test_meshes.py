@@ -587,3 +587,14 @@ def test_many_parts_are_quick():
 def test_a_tree_is_of_all_triangles():
     tree = triangle_tree(*merged_corners(RING))
     assert tree.num_tris == len(RING) and math.isfinite(tree.aabb_radius) and len(mesh_parts("m", RING)) == 1
+
+
+def test_a_closed_mesh_with_both_sides_of_each_triangle_is_solid():
+    """Some programs write each triangle twice, once per side: the box was a hollow surface."""
+    both = np.concatenate([BOX, BOX[:, ::-1]])
+    for triangles in (both, both[np.random.default_rng(0).permutation(len(both))]):
+        [part] = mp.Mesh(triangles=triangles).parts()
+        [once] = mp.Mesh(triangles=BOX).parts()
+        assert part.closed and type(part.shape) is type(once.shape)
+    [sheet] = mp.Mesh(triangles=np.concatenate([BOX[:2], BOX[:2, ::-1]])).parts()
+    assert not sheet.closed

@@ -167,7 +167,7 @@ def test_obstacles_need_a_robot_with_geometry(tmp_path):
     file = tmp_path / "bare.urdf"
     file.write_text("""<robot name="bare"><link name="base"/><link name="b"/><joint name="x" type="prismatic"><parent link="base"/>
       <child link="b"/><axis xyz="1 0 0"/><limit lower="-5" upper="5" velocity="1" effort="1"/></joint></robot>""")
-    with pytest.raises(mp.InvalidInputError, match="no collision geometry"):
+    with pytest.raises(mp.InvalidInputError, match="no collision geometry to check; collision='visual' checks"):
         mp.Scene([mp.Sphere(radius=1.0)]).in_collision(mp.load_robot(file), [0.0])
 
 

@@ -188,6 +188,10 @@ def test_bodies_from_visual_elements(edited, caplog):
     [body] = robot.geometry.geometryObjects
     assert (body.name, type(body.geometry)) == ("l1_0", coal.Cylinder)
     assert robot.source.load().geometry.ngeoms == 1 and mp.Robot.from_urdf(file).geometry.ngeoms == 2
+    assert "nothing of the robot is checked" not in caplog.text
+    bare = edited(*2 * [("<collision>", "<visual>"), ("</collision>", "</visual>")])
+    assert mp.Robot.from_urdf(bare).geometry.ngeoms == 0
+    assert "no link has a collision element, so nothing of the robot is checked; collision='visual'" in caplog.text
     with pytest.raises(mp.UnknownNameError, match="collision: got 'visuals'; allowed: did you mean visual"):
         mp.Robot.from_urdf(file, collision="visuals")
     file = edited(("</link>", "<visual><geometry><cone/></geometry></visual></link>"))

@@ -415,7 +415,7 @@ def test_other_files(arm, tmp_path):
     plain.write_text('<robot name="r"><link name="a"/></robot>')
     with pytest.raises(mp.InvalidInputError, match="only a xacro file has arguments"):
         mp.load_robot(plain, arguments={"a": 1})
-    with pytest.raises(mp.FileFormatError, match="at least one <link>"):
+    with pytest.raises(mp.FileFormatError, match="at least one <link>; .* give the file that includes it"):
         mp.load_robot(arm(text=""))
     with pytest.raises(mp.InvalidInputError, match="an existing file"):
         mp.load_robot(tmp_path / "no.xacro")

@@ -169,6 +169,7 @@ def _groups(labels: Faces) -> list[Faces]:
 
 def _part(corners: Array, faces: Faces) -> _Part:
     """A part connected by edges, oriented if it is closed."""
+    faces = _one_sided(faces)
     flat = ~_has_area(corners[faces])
     if flat.all():
         return _Part(triangles=np.empty((0, 3, 3)), volume=0.0, oriented=False)
@@ -186,6 +187,12 @@ def _part(corners: Array, faces: Faces) -> _Part:
     if not oriented and volume < 0:
         triangles, volume = triangles[:, ::-1], -volume
     return _Part(triangles=triangles, volume=volume, oriented=oriented)
+
+
+def _one_sided(faces: Faces) -> Faces:
+    """The faces once each, if every one of them is there with both orientations, as some programs write them."""
+    first, index = first_of_rows(np.sort(faces, axis=1))
+    return faces[np.sort(first)] if (np.bincount(index) == 2).all() else faces
 
 
 def _is_cycle(faces: Faces) -> bool:

@@ -86,12 +86,13 @@ def check_urdf(file: Path, root: ET.Element) -> None:
 
     Elements that are passed over without being known are named in the log.
     """
+    links, joints = root.findall("link"), root.findall("joint")
+    if not links:
+        hint = "; this one has none, as a file of macros: give the file that includes it" if file.suffix == ".xacro" else ""
+        raise FileFormatError("file", str(file), f"a URDF with at least one <link>{hint}")
     if not root.get("name"):
         raise FileFormatError("file", str(file), "a URDF whose <robot> has a name")
     strange = _check_elements(file, root, "<robot>")
-    links, joints = root.findall("link"), root.findall("joint")
-    if not links:
-        raise FileFormatError("file", str(file), "a URDF with at least one <link>")
     bodies = len(root.findall("link/collision"))
     if bodies > MOST_BODIES:
         raise FileFormatError("file", str(file), f"a URDF with at most {MOST_BODIES} collision elements, not {bodies}")

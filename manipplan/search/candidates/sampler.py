@@ -2,7 +2,7 @@
 
 import pickle
 import threading
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from manipplan.symbolic.task import Task
 
 #: Maximum number of configurations whose distances are measured for a message.
 MEASURED = 2000
+#: Number of random configurations that show which pairs never have a distance to spare.
+SHOWN = 50
 
 
 class CandidateSampler:
@@ -49,7 +51,25 @@ class CandidateSampler:
             return np.ones(len(q), dtype=np.bool_)
         if not hasattr(self._own, "model"):
             self._own.model = self.collision.copy()
-        return np.asarray(~self._own.model.in_collision_rows(q, clearance=self.spec.clearance))
+        model, spec = self._own.model, self.spec
+        free = ~model.in_collision_rows(q, clearance=spec.clearance)
+        if spec.spare and not free.all() and self._tight.any():
+            near = np.flatnonzero(~free)
+            distances = model.distance_rows(q[near], beyond=spec.clearance)
+            needed = np.where(self._tight, spec.clearance - spec.spare, spec.clearance)
+            free[near] = ((distances > 0) & (distances >= needed)).all(axis=1)
+        return np.asarray(free)
+
+    @cached_property
+    def _tight(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        """The pairs (k,) that no configuration brings as far apart as candidates have to be, so that nothing is to be spared.
+
+        An example is a link that turns in a gap of the link before.
+        """
+        assert self.collision is not None
+        q = self.spec.robot.random_configuration(np.random.default_rng(0), size=SHOWN)
+        found = self.collision.copy().distance_rows(q, beyond=self.spec.clearance)
+        return np.asarray((found < self.spec.clearance).all(axis=0))
 
     def widest(self, pose: Array, values: Array) -> tuple[float, tuple[str, str]]:
         """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
