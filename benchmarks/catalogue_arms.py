@@ -100,7 +100,11 @@ def main() -> None:
         line, counts = row(name, options.postures, options.plans)
         lines.append(line)
         sums += counts
-    lines += [f"| **all** | | {' | '.join(map(str, sums))} | |", "", "Command: `python benchmarks/catalogue_arms.py`."]
+    lines += [
+        f"| **all** | | {' | '.join(map(str, sums))} | |",
+        "",
+        f"Command: `python benchmarks/catalogue_arms.py --postures {options.postures} --plans {options.plans}`.",
+    ]
     OUT.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(OUT.read_text(encoding="utf-8"))
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
+from chains import chain_file
 
 import manipplan as mp
 from manipplan.cli import main
@@ -39,16 +40,24 @@ def plan_arguments(arm_file, folder, **changes):
 
 
 @pytest.mark.slow
-def test_a_singular_plan_is_written_and_told_by_its_exit_code(arm_file, tmp_path, capsys):
-    """Three rows of position for an arm that stays in a plane: the index is zero everywhere."""
-    assert main(plan_arguments(arm_file, tmp_path / "out", acceleration=["9"])) == 3
+def test_a_singular_plan_is_written_and_told_by_its_exit_code(tmp_path, capsys, monkeypatch):
+    """Three rows of position for an arm whose last joint does not move the tool: the manipulability is zero everywhere."""
+    monkeypatch.setattr(mp.Robot, "default_task", property(lambda robot: mp.Task.position()))
+    joints = [
+        ("revolute", "0 0 0.2", "0 0 0", "0 0 1", -3, 3),
+        ("revolute", "0 0 0.1", f"{np.pi / 2} 0 0", "0 0 1", -1.5, 1.5),
+        ("revolute", "0.3 0 0", f"0 {np.pi / 2} 0", "0 0 1", -2.5, 2.5),
+    ]
+    file = chain_file(tmp_path / "three.urdf", joints, "0 0 0.1")
+    arguments = ["plan", str(file), "--start", "0", "0", "0", "--goal", "1", "0.5", "0.3", "--out", str(tmp_path / "out")]
+    assert main([*arguments, "--acceleration", "9", "--measure", "yoshikawa"]) == 3
     shown = capsys.readouterr()
     assert "the path is SINGULAR" in shown.out and "all checks passed\n" not in shown.out
     assert "default" not in shown.out
     assert "trajectory.yaml" in shown.out
     trajectory = mp.Trajectory.from_csv(tmp_path / "out" / "trajectory.csv")
-    np.testing.assert_allclose(trajectory.q[-1], [3.1, -2, 2], atol=1e-9)
-    assert np.abs(trajectory.qd).max() > 1 and np.abs(trajectory(trajectory.t, 2)).max() < 9 * (1 + 1e-6)
+    np.testing.assert_allclose(trajectory.q[-1], [1, 0.5, 0.3], atol=1e-9)
+    assert np.abs(trajectory.qd).max() > 0.5 and np.abs(trajectory(trajectory.t, 2)).max() < 9 * (1 + 1e-6)
 
 
 def test_robots_lists_and_prints(arm_file, capsys):

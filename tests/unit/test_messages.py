@@ -62,17 +62,18 @@ def test_a_joint_that_does_not_move_the_tool_is_named(tmp_path):
         ("revolute", "0.3 0 0", f"0 {QUARTER} 0", "0 0 1", -2.5, 2.5),
     ]
     arm = mp.Robot.from_urdf(chain_file(tmp_path / "three.urdf", joints, "0 0 0.1"), tool="tool")
-    plan = mp.plan(arm, [0, 0, 0], [1, 0.5, 0.3])
+    position = mp.PathObjective(task=mp.Task.position())  # the default task is cut to the directions that the joints span
+    plan = mp.plan(arm, [0, 0, 0], [1, 0.5, 0.3], objective=position)
     assert plan.status is mp.Status.SINGULAR
     text = str(plan.report)
     assert "j3 does not move the tool" in text and "robot.with_tool" in text
     assert "crosses a singularity at" not in text  # it is singular everywhere
     with pytest.raises(mp.PlanningError, match="j3 does not move the tool"):
-        mp.optimize_path(arm, [0, 0, 0], [1, 0.5, 0.3], objective=mp.PathObjective(floor=0.0))
+        mp.optimize_path(arm, [0, 0, 0], [1, 0.5, 0.3], objective=mp.PathObjective(floor=0.0, task=mp.Task.position()))
     moved = np.eye(4)
     moved[0, 3] = 0.1
     beside = arm.with_tool(moved)
-    assert "does not move" not in str(mp.plan(beside, [0, 0.3, 0.2], [1, 0.5, 0.6]).report)
+    assert "does not move" not in str(mp.plan(beside, [0, 0.3, 0.2], [1, 0.5, 0.6], objective=position).report)
 
 
 @pytest.mark.slow

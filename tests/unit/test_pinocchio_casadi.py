@@ -43,7 +43,7 @@ def test_functions_equal_pinocchio(name, rng):
 @pytest.mark.parametrize("name", ARMS)
 def test_backends_agree(name, rng):
     robot = arm(name)
-    task = mp.Task.pose(0.5) if robot.n >= 6 else mp.Task.position() if name != "planar" else mp.Task.planar()
+    task = mp.Task.pose(0.5) if robot.n >= 6 else robot.default_task
     ours, theirs = (robot.kinematics(task, backend=backend, compiled=False) for backend in ("chain", "bridge"))
     q = robot.random_configuration(rng, size=20)
     for quantity in ("pose", "jacobian", "manipulability", "mass_matrix"):
