@@ -39,16 +39,21 @@ def kinematic_difference(robot: mp.Robot, judge: Judge, postures: np.ndarray) ->
     joints = {each.get("name"): each for each in ET.parse(robot.source.file).getroot().findall("joint")}
     for k, name in enumerate(robot.joint_names):
         limit = joints[name].find("limit")
-        pairs = [(robot.limits.velocity[k], limit.get("velocity"))]
+        stated = float(limit.get("velocity", "0"))
+        pairs = [(robot.limits.velocity[k], stated)] if stated > 0 and np.isfinite(robot.limits.velocity[k]) else []
         if joints[name].get("type") != "continuous":
             pairs += [(robot.limits.lower[k], limit.get("lower", "0")), (robot.limits.upper[k], limit.get("upper", "0"))]
-        worst = max(worst, *(abs(ours - float(text)) for ours, text in pairs))
+        worst = max([worst, *(abs(ours - float(text)) for ours, text in pairs)])
     return worst
 
 
 def row(name: str, postures: int, plans: int) -> tuple[str, list[int]]:
     """The line of one arm, and its counts."""
-    robot = mp.load_robot(name)
+    described = mp.load_robot(name)
+    speeds, ramps = described.limits.velocity, described.limits.acceleration  # the files of some arms state no velocities
+    robot = described.with_limits(
+        velocity=np.where(np.isfinite(speeds), speeds, 1.0), acceleration=np.where(np.isfinite(ramps), ramps, 5.0)
+    )
     rng = np.random.default_rng(1)
     q, judge = robot.random_configuration(rng, size=postures), Judge(robot.source.file, robot)
     scene = mp.Scene()
@@ -85,7 +90,7 @@ def row(name: str, postures: int, plans: int) -> tuple[str, list[int]]:
         bad += bool(beyond) or any(touching - left_out for touching in judge.verdicts(places).touching)
     counts = [postures, hits, free, wrong, close, count, optimal, other, bad]
     median = f"{np.median(times):.2f} s" if times else "–"
-    difference = kinematic_difference(robot, judge, q[:50])
+    difference = kinematic_difference(described, judge, q[:50])
     return f"| `{name}` | {difference:.0e} | {' | '.join(map(str, counts))} | {median} |", counts
 
 
