@@ -26,7 +26,7 @@ import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "mesh_pairs.md"
 SEED = 6
-#: Tool paths go through the poses of so many configurations, on a straight motion by this much of each joint [rad].
+#: Number of configurations whose poses a tool path goes through, on a straight motion by this much of each joint [rad].
 POSES, MOTION = 9, np.array([0.3, 0.2, -0.2, 0.1, 0.01, 0.1])
 #: The functions of the collision model that ask coal.
 COAL = ("_distance", "_witness", "_touches")

@@ -16,11 +16,11 @@ from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
-#: How finely a mesh is taken: by its triangles, or by so many convex pieces.
+#: How finely a mesh is taken: by its triangles, or by at most this number of convex pieces, tried in turn.
 MESH, FINE = 0, (12, 24, 48)
 #: Distances above this need not be known to tell whether a pair touches [m].
 TOUCHING = 1e-6
-#: Two meshes of at most so many triangles in all are compared as fast as pieces of them.
+#: Total number of triangles of two meshes up to which they are compared as fast as pieces of them.
 FEW_TRIANGLES = 100
 
 
