@@ -39,6 +39,8 @@ def kinematic_difference(robot: mp.Robot, judge: Judge, postures: np.ndarray) ->
     joints = {each.get("name"): each for each in ET.parse(robot.source.file).getroot().findall("joint")}
     for k, name in enumerate(robot.joint_names):
         limit = joints[name].find("limit")
+        if limit is None:  # a continuous joint
+            continue
         stated = float(limit.get("velocity", "0"))
         pairs = [(robot.limits.velocity[k], stated)] if stated > 0 and np.isfinite(robot.limits.velocity[k]) else []
         if joints[name].get("type") != "continuous":
