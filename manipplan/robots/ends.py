@@ -32,7 +32,7 @@ import pinocchio as pin
 from manipplan.robots.description import Description
 from manipplan.robots.hulls import box_corners
 from manipplan.robots.mimics import Mimic
-from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute
+from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute, parent_bodies
 from manipplan.robots.srdf import Semantics
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -142,15 +142,7 @@ class _Tree:
     @cached_property
     def parents(self) -> dict[int, int]:
         """The body that carries each body, through whatever joint; 0: the world."""
-        frames = self.model.frames
-        bodies = {i for i, frame in enumerate(frames) if frame.type == pin.FrameType.BODY and i > 0}
-        found = {}
-        for body in bodies:
-            above = int(frames[body].parentFrame)
-            while above and above not in bodies:
-                above = int(frames[above].parentFrame)
-            found[body] = above
-        return found
+        return parent_bodies(self.model)
 
     @cached_property
     def ends(self) -> list[int]:
