@@ -98,7 +98,8 @@ def _reach(model: pin.Model) -> float:
     lengths = [0.0]
     for k in range(1, model.njoints):
         lengths.append(lengths[model.parents[k]] + float(np.linalg.norm(model.jointPlacements[k].translation)))
-    return max(lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
+    ends = (lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
+    return max(ends, default=0.0)
 
 
 def _travel(model: pin.Model) -> float:

@@ -103,10 +103,10 @@ def locked_values(
             wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name in active:
-            wanted = f"joints that are not active; {name} moves the tool, and joints= without it locks it"
+            wanted = f"joints that are not active; {name} is active, as it moves the tool: joints= without it locks it"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name not in others:
-            raise UnknownNameError("locked", str(name), others, empty="none: every joint of the robot is active")
+            raise UnknownNameError("locked", str(name), [*others, *active])
         number(f"locked[{name!r}]", value)
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
