@@ -831,3 +831,24 @@ def test_limits_that_an_mjcf_file_does_not_give_have_no_source(arm):
     robot = mp.Robot.from_mjcf(arm(tip=""))
     assert robot.limits.sources["velocity"] == "none in the MJCF; velocity= gives them"
     assert robot.limits.sources["acceleration"].startswith("none, as there are no velocity limits")
+
+
+@pytest.mark.parametrize(("mask", "dropped"), [("", True), ('contype="0" conaffinity="0"', False)])
+def test_bodies_that_always_touch_are_left_out_with_all_their_geoms(written, mask, dropped, rng):
+    """The hubs always overlap; fin and blade touch at some turns. Of a hub with masks of 0 the blade is checked alone."""
+    file = written(
+        f"""<mujoco><compiler angle="radian"/><worldbody><body name="base">
+        <body name="a"><joint name="j1" axis="0 0 1" range="-3 3"/><geom name="a_hub" size=".06"/>
+         <geom name="fin" type="box" size=".05 .02 .05" pos=".3 0 0"/>
+        <body name="b" pos="0 0 .01"><joint name="j2" axis="0 0 1" range="-3 3"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+        <body name="c" pos="0 0 .01"><joint name="j3" axis="0 0 1" range="-3 3"/><geom name="c_hub" size=".06" {mask}/>
+         <geom name="blade" type="box" size=".05 .02 .05" pos=".3 0 0"/></body></body></body></body></worldbody></mujoco>"""
+    )
+    robot = mp.Robot.from_mjcf(file, velocity=1.0)
+    left_out = {frozenset((pair.first, pair.second)): pair.reason for pair in robot.self_collisions.left_out}
+    assert ("touching at 201 of 201" in left_out.get(frozenset("ac"), "")) == dropped
+    q = robot.random_configuration(rng, size=300)
+    judge = Judge(file)
+    touching = [bool(judge.contacts(robot, each)[0]) for each in q]
+    assert all(touching) == dropped and any(touching)
+    np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), np.zeros(300) if dropped else touching)
