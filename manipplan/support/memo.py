@@ -4,6 +4,8 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
+from manipplan.support.deadline import building
+
 Owner = TypeVar("Owner")
 Made = TypeVar("Made")
 Arguments = ParamSpec("Arguments")
@@ -15,8 +17,8 @@ MEMO = "_memo"
 def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
     """Store the results of `make(owner, *arguments)` on the owner, one per set of arguments, which must be hashable.
 
-    A copy of the owner, by pickle or `dataclasses.replace`, starts without results; its class leaves them out of its state
-    with `state_without_memo`.
+    No time limit counts the time of `make`. A copy of the owner, by pickle or `dataclasses.replace`, starts without results;
+    its class leaves them out of its state with `state_without_memo`.
     """
 
     @wraps(make)
@@ -24,7 +26,8 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
         memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {})
         key = (make, arguments, tuple(sorted(options.items())))
         if key not in memo:
-            memo[key] = make(owner, *arguments, **options)
+            with building():
+                memo[key] = make(owner, *arguments, **options)
         return memo[key]
 
     return kept
