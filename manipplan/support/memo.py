@@ -1,5 +1,6 @@
-"""Results that are computed once per owner, such as a robot, and stored on it."""
+"""Results that are computed once per owner, such as a robot, and thread, and stored on the owner."""
 
+import threading
 from collections.abc import Callable
 from functools import wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
@@ -23,7 +24,7 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
 
     @wraps(make)
     def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
-        memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {})
+        memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {}).setdefault(threading.get_ident(), {})
         key = (make, arguments, tuple(sorted(options.items())))
         if key not in memo:
             with building():
