@@ -207,12 +207,12 @@ def test_an_upper_arm_that_cannot_pass_the_head(tmp_path):
     for roll in np.linspace(-3.0, 3.0, 61):
         pin.updateGeometryPlacements(model, data, geometry, found, np.array([0.0, 0.0, roll, 0.0]))
         assert pin.computeCollision(geometry, found, 0)
-    began = time.monotonic()
+    began = work_time()
     with pytest.raises(
         mp.PlanningError, match="every motion of lift and roll within their limits .* brings head_0 and upper_0"
     ):
         mp.seed_path(robot, start, goal)
-    assert time.monotonic() - began < 3.0
+    assert work_time() - began < 3.0
     low = shoulder(tmp_path / "low.urdf", 0.06)
     assert why_unreachable(task(low, start, goal, mp.Scene())) is None
     assert mp.seed_path(low, start, goal).n == 4
