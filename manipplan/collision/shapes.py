@@ -222,8 +222,9 @@ class Mesh(Obstacle):
         super().__post_init__()
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
         for name, allowed in (("up", ("z", "y")), ("fill", (None, "hull"))):
-            if not any(getattr(self, name) is each or getattr(self, name) == each for each in allowed):
-                raise InvalidInputError(self._argument(name), getattr(self, name), " or ".join(map(repr, allowed)))
+            given = getattr(self, name)
+            if not (given is None or isinstance(given, str)) or given not in allowed:
+                raise InvalidInputError(self._argument(name), given, " or ".join(map(repr, allowed)))
         if (self.file is None) == (self.triangles is None):
             given = "neither" if self.file is None else "both"
             raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")

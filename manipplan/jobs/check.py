@@ -18,7 +18,7 @@ from manipplan.paths.export import READERS, read_trajectory
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
@@ -105,7 +105,7 @@ def check(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
-    instance("torque", torque, bool)
+    flag("torque", torque)
     return measure(
         motion,
         scene.collision_model(robot),

@@ -16,7 +16,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, teller
@@ -109,7 +109,8 @@ def improve(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("tolerance", tolerance, Tolerance)
     instance("objective", objective, PathObjective)
-    instance("degrees", degrees, bool)
+    flag("degrees", degrees)
+    flag("throw", throw)
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)

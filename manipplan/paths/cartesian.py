@@ -10,16 +10,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import (
-    Array,
-    existing_file,
-    finite_array,
-    instance,
-    number,
-    number_array,
-    pose_matrix,
-    whole_number,
-)
+from manipplan.support.checks import Array, existing_file, finite_array, flag, number, number_array, pose_matrix, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -104,7 +95,7 @@ class CartesianPath(ABC):
             centre=finite_array("centre", centre, (3,)),
             axis=axis / length,
             angle=number("angle", angle),
-            turning=instance("turning", turning, bool),
+            turning=flag("turning", turning),
         )
 
     @classmethod

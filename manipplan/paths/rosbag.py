@@ -9,7 +9,7 @@ import numpy as np
 
 from manipplan.paths.export import nanoseconds_of, ros_time
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import Array, number
+from manipplan.support.checks import Array, number, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
@@ -23,8 +23,7 @@ BEGIN = 10**9
 def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
     """Write a ROS 2 bag with the motion as one JointTrajectory and as a stream of JointStates; see `Trajectory.to_rosbag`."""
     path = _new_folder(file)
-    if storage not in STORAGES:
-        raise UnknownNameError("storage", str(storage), STORAGES)
+    one_of("storage", storage, STORAGES)
     number("rate", rate, above=0.0, most=10_000.0)
     nanoseconds_of(trajectory)  # raises if ROS stamps cannot represent the sample times
     _rosbags()

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import MOST_ORDER, JointPath
 from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
 from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
@@ -102,7 +102,7 @@ class Trajectory(Pictured):
         t = number_array("t", t)
         if not ((t >= 0) & (t <= self.duration)).all():
             raise InvalidInputError("t", t, f"times from 0 to {self.duration:g} s")
-        order = whole_number("order", order, least=0)
+        order = whole_number("order", order, least=0, most=MOST_ORDER)
         segment = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.t) - 2)
         coefficients = self.segments()[1]
         for _ in range(order):
