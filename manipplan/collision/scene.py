@@ -17,7 +17,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, configurations, existing_file, instance, one_of, path_of, pose_matrix
+from manipplan.support.checks import Array, configurations, entries, existing_file, instance, one_of, path_of, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes, write_text
@@ -278,11 +278,9 @@ class Scene(Pictured):
 
 
 def _pairs(allowed: Iterable[Collection[str]]) -> frozenset[frozenset[str]]:
-    if not isinstance(allowed, Iterable):
-        raise InvalidInputError("allowed", allowed, "pairs of two different names")
     pairs = set()
-    for pair in allowed:
-        names = list(pair) if isinstance(pair, Collection) and not isinstance(pair, str) else []
+    for pair in entries("allowed", allowed, "pairs of two different names"):
+        names = entries("allowed", pair, "pairs of two different names")
         if len(names) != 2 or not all(isinstance(name, str) and name for name in names) or names[0] == names[1]:
             raise InvalidInputError("allowed", pair, "pairs of two different names")
         pairs.add(frozenset(names))

@@ -15,7 +15,16 @@ from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
-from manipplan.support.checks import ROTATION, Array, existing_file, finite_array, number, number_array, pose_matrix
+from manipplan.support.checks import (
+    ROTATION,
+    Array,
+    existing_file,
+    finite_array,
+    number,
+    number_array,
+    pose_matrix,
+    text,
+)
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
 
@@ -93,7 +102,7 @@ class Obstacle(ABC):
 
     def called(self, name: str) -> Self:
         """A copy with another name."""
-        return self if name == self.name else self._changed(name=name)
+        return self if text("name", name) == self.name else self._changed(name=name)
 
     def _changed(self, **values: Any) -> Self:
         """A copy with other values, which are valid; the file of a mesh is not read again."""

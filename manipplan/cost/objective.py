@@ -55,8 +55,8 @@ class PathObjective:
             instance("task", self.task, Task)
         if self.measure is not None and not isinstance(self.measure, str | Measure):
             raise InvalidInputError("measure", self.measure, "a Measure or the name of one")
-        if self.metric is not None:
-            number_array("metric", self.metric)
+        if self.metric is not None and np.isnan(number_array("metric", self.metric)).any():
+            raise InvalidInputError("metric", self.metric, "numbers, no NaN")
 
     def kinematics(self, robot: Robot, *, compiled: bool | str = "auto") -> Kinematics:
         """The kinematics of a robot with this task and measure.

@@ -240,7 +240,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)
-    if isinstance(matrix, np.ndarray) and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
+    if type(matrix) is np.ndarray and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
         stack = np.array(matrix, order="C")
         if are_poses(stack):
             return stack
@@ -254,7 +254,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
 def _is_matrix(value: Any) -> bool:
     try:
         return np.ndim(value) == 2
-    except ValueError:  # rows of different lengths
+    except Exception:  # rows of different lengths, or a foreign object: the check of one pose says so
         return False
 
 

@@ -31,7 +31,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
-from manipplan.support.checks import existing_file
+from manipplan.support.checks import existing_file, is_folder, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready, stored_array
@@ -218,8 +218,9 @@ def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:
 
 def _plan_file(file: str | Path) -> Path:
     """The plan's file, given by its own path or by its folder."""
-    if isinstance(file, str | Path) and Path(file).expanduser().is_dir():
-        inside = Path(file).expanduser() / NAME
+    path = path_of("file", file)
+    if is_folder(path):
+        inside = path / NAME
         if not inside.is_file():
             raise FileFormatError("file", str(file), f"a folder written by Plan.save, with {NAME} in it")
         return inside

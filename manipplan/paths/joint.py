@@ -137,7 +137,7 @@ class JointPath:
 
     def __call__(self, s: ArrayLike, order: int = 0) -> Array:
         """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
-        return self.curve(order)(s if isinstance(s, np.ndarray) and s.dtype == np.float64 else number_array("s", s))
+        return self.curve(order)(s if type(s) is np.ndarray and s.dtype == np.float64 else number_array("s", s))
 
     def curve(self, order: int = 0) -> Curve:
         """The curve q(s), or its derivative of the given order with respect to s, for repeated evaluation."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import MOST_ORDER, JointPath
-from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, texts, whole_number
 from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -39,7 +39,7 @@ class Trajectory(Pictured):
 
     def __post_init__(self) -> None:
         t = _finite_samples("t", self.t, (None,))
-        names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
+        names = distinct_names("joint_names", self.joint_names, (number_array("q", self.q).shape or (0,))[-1])
         if len(t) < 2 or t[0] != 0:
             raise InvalidInputError("t", t, "at least two times, increasing from 0")
         if (np.diff(t) <= 0).any():
@@ -73,7 +73,8 @@ class Trajectory(Pictured):
 
         Raises UnknownNameError for a joint of the motion that is not among them, and InvalidInputError where one is missing.
         """
-        if self.joint_names == tuple(joint_names):
+        joint_names = texts("joint_names", joint_names)
+        if self.joint_names == joint_names:
             return self
         for name in self.joint_names:
             if name not in joint_names:

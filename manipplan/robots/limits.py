@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, number_array, one_of, positive_array, text
+from manipplan.support.checks import Array, configurations, number_array, one_of, positive_array, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -65,7 +65,5 @@ class JointLimits:
 
     def outside(self, q: Array) -> Array:
         """How far each joint of q (..., n) is outside its position limits [rad or m]; 0 inside."""
-        q = number_array("q", q)
-        if q.ndim == 0 or q.shape[-1] != self.n:
-            raise InvalidInputError("q", q, f"one value per joint, shape ({self.n},) or (..., {self.n}), not {q.shape}")
+        q = configurations("q", q, self.n)
         return np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)

@@ -139,9 +139,10 @@ class Robot(Pictured):
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        packages, arguments = ({} if each is None else each for each in (packages, arguments))
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages, meshes=meshes, collision=collision)
-        files = replace(places, arguments=arguments, trust_file=trust_file)
+        places = UrdfFiles(
+            package_dirs=package_dirs, packages={} if packages is None else packages, meshes=meshes, collision=collision
+        )
+        files = replace(places, arguments={} if arguments is None else arguments, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
 
@@ -249,10 +250,10 @@ class Robot(Pictured):
 
         Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
         """
-        joints = self.joints_of(tool)
+        joints, q = self.joints_of(tool), None if q is None else self.configuration("q", q)
         if len(joints) == self.n and self.tools == (tool,):
             return self
-        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, self.configuration("q", q))
+        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, q)
 
     @property
     def joint_names(self) -> tuple[str, ...]:

@@ -1,7 +1,8 @@
 """Checks of arguments that every public function shares: one clear error, before work starts."""
 
 import operator
-from collections.abc import Iterable, Sequence
+import os
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -20,6 +21,8 @@ LARGEST_SEED = 2**31 - 1
 #: Bounds on every number and every whole number, on entries of configurations [rad or m], beyond which an angle has lost its
 #: digits, and on positions [m].
 LARGEST, LARGEST_COUNT, LARGEST_ANGLE, FARTHEST = 1e12, 10**9, 1e6, 1e6
+#: Smallest number above zero that can be divided by without overflow.
+SMALLEST = 1e-100
 
 
 def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...], *, most: float = LARGEST) -> Array:
@@ -45,8 +48,9 @@ def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
     array = number_array(argument, value)
     if array.shape not in ((), (n,)):
         raise InvalidInputError(argument, value, f"one number or {n} of them, one per joint")
-    if not (array > 0).all():
-        raise InvalidInputError(argument, value, "numbers above zero (inf where there is no limit)")
+    if not (array >= SMALLEST).all():
+        tiny = f", at least {SMALLEST:g}" if (array > 0).all() else ""
+        raise InvalidInputError(argument, value, f"numbers above zero{tiny} (inf where there is no limit)")
     array = np.broadcast_to(array, (n,)).copy()
     array.flags.writeable = False
     return array
@@ -115,9 +119,18 @@ def path_of(argument: str, value: Any) -> Path:
     if not isinstance(value, str | Path):
         raise InvalidInputError(argument, value, "the path of a file or folder")
     try:
+        os.fsencode(value)
         return Path(value).expanduser()
-    except RuntimeError as error:  # ~ of an unknown user
+    except (RuntimeError, UnicodeEncodeError) as error:  # ~ of an unknown user, half of a character
         raise InvalidInputError(argument, str(value), f"a path ({error})") from error
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is such a folder; a path that the system refuses, such as one that is too long, is none."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
 
 
 def flag(argument: str, value: Any) -> bool:
@@ -128,10 +141,10 @@ def flag(argument: str, value: Any) -> bool:
 
 
 def text(argument: str, value: Any) -> str:
-    """`value`, checked to be a text that can be printed and encoded."""
-    if not isinstance(value, str) or not value.isprintable():
-        raise InvalidInputError(argument, value, "a text of printable characters")
-    return value
+    """`value`, checked to be a text."""
+    if not isinstance(value, str):
+        raise InvalidInputError(argument, value, "a text")
+    return str(value)
 
 
 def one_of(argument: str, value: Any, known: Iterable[str], *, empty: str = "none") -> str:
@@ -146,9 +159,18 @@ def one_of(argument: str, value: Any, known: Iterable[str], *, empty: str = "non
 
 def texts(argument: str, value: Any) -> tuple[str, ...]:
     """`value` as a tuple of texts; a single text is none."""
-    if isinstance(value, str | bytes) or not isinstance(value, Sequence | np.ndarray):
-        raise InvalidInputError(argument, value, "a list of names")
-    return tuple(text(f"{argument}[{k}]", each) for k, each in enumerate(value))
+    return tuple(text(f"{argument}[{k}]", each) for k, each in enumerate(entries(argument, value, "a list of names")))
+
+
+def entries(argument: str, value: Any, wanted: str) -> tuple[Any, ...]:
+    """The entries of a list, or of another value that can be iterated over; a text and a mapping are none."""
+    try:
+        if not isinstance(value, str | bytes | Mapping) and isinstance(value, Iterable):
+            return tuple(value)
+        reason = None
+    except Exception as error:  # the iterator of a foreign object can raise any exception
+        reason = error
+    raise InvalidInputError(argument, value, wanted) from reason
 
 
 def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
@@ -165,9 +187,7 @@ def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
 
 def existing_file(argument: str, path: str | Path) -> Path:
     """`path` as an existing file; the error for a missing one lists similar names in the same folder."""
-    if not isinstance(path, str | Path):
-        raise InvalidInputError(argument, path, "the path of a file")
-    path = Path(path).expanduser()
+    path = path_of(argument, path)
     try:
         if path.is_file():
             return path

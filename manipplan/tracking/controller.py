@@ -219,10 +219,10 @@ class Controller:
         `report` has the result of the step. Raises InvalidInputError only for arguments of a wrong shape or name.
         """
         try:
+            if target.shape != _POSE or target.dtype.char != "d" or not (type(q) is type(qd) is type(target) is np.ndarray):
+                raise TypeError
             self._q[:] = q  # memoryviews accept exactly n doubles
             self._qd[:] = qd
-            if target.shape != _POSE:
-                raise TypeError
             self._target[...] = target
             self._stiffness[0] = self.stiffness if stiffness is None else stiffness
             self._drive[0] = drive

@@ -103,7 +103,7 @@ def never(valid: Any) -> Iterator[Any]:
                 inner[0] = True
                 yield truth
     elif hasattr(valid, "__dict__") or hasattr(valid, "__slots__"):
-        yield from (type(valid), 3, "x" * 100_000, True)
+        yield from (type(valid), "\0", True)
 
 
 def has_nan(value: Any) -> bool:
@@ -203,13 +203,31 @@ def calls(folder: Path) -> dict[str, Call]:
     scene.to_yaml(folder / "scene.yaml")
     (folder / "poses.csv").write_text("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n1,0,0,1,0,0,0\n")
     (folder / "arm.urdf").write_text(_urdf())
-    np.savetxt(folder / "cloud.xyz", [[1, 2, 3], [4, 5, 6.0]])
+    np.save(folder / "cloud.npy", [[1, 2, 3], [4, 5, 6.0]])
     plan.report.to_json(folder / "report.json")
+    plan.save(folder / "saved")
+    mp.sequence(arm, q, [mp.MoveTo(goal)]).save(folder / "program")
+    motion.to_rosbag(folder / "recorded")
+    (folder / "world.scene").write_text("(noname)+\n* ball\n1\nsphere\n0.1\n1 0 0\n0 0 0 1\n0 0 0 0\n.\n")
+    (folder / "world.xml").write_text('<mujoco><worldbody><geom size=".1" pos="3 0 0"/></worldbody></mujoco>')
+    ur = ("shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint")
+    franka = tuple(f"panda_joint{k}" for k in range(1, 8))
+    usual = np.array([0.0, 0, 0, -1.5, 0, 1.5, 0])
+    of_ur, of_franka = (
+        mp.retime(
+            mp.JointPath.line(usual[: len(names)], usual[: len(names)] + 0.1),
+            mp.load_robot(robot),
+        )
+        for names, robot in ((ur, "ur5"), (franka, "panda"))
+    )
     solid = {"position": (0.0, 0.0, 0.0), "rotation": np.eye(3), "name": "a"}
+    baxter, up = mp.load_robot("baxter"), np.eye(4)
+    up[2, 3] = 0.02
+    hands = {tool: baxter.arm(tool).kinematics().pose(baxter.arm(tool).neutral) for tool in baxter.tools}
     C = Call
     ends = {"robot": arm, "start": q, "goal": goal, "scene": scene}
     found_calls = {
-        "Attach": C(mp.Attach, {"part": mp.Sphere(radius=0.1), "name": "ball", "tool": ""}),
+        "Attach": C(mp.Attach, {"part": mp.Sphere(radius=0.1), "name": "ball", "tool": ""}, free=("part",)),
         "Detach": C(mp.Detach, {"name": "part"}),
         "Wait": C(mp.Wait, {"seconds": 1.0}),
         "MoveTo": C(mp.MoveTo, {"goal": goal}, free=("goal",)),
@@ -236,7 +254,7 @@ def calls(folder: Path) -> dict[str, Call]:
         "Plane": C(mp.Plane, solid),
         "Mesh": C(mp.Mesh, {**solid, "file": str(mesh), "scale": 1.0, "up": "z", "fill": "hull"}),
         "PointCloud": C(mp.PointCloud, {**solid, "points": np.array([[1.0, 2.0, 3.0]]), "radius": 0.1, "spacing": 0.01}),
-        "PointCloud.from_file": C(mp.PointCloud.from_file, {"file": str(folder / "cloud.xyz"), "radius": 0.1, "spacing": 0.0}),
+        "PointCloud.from_file": C(mp.PointCloud.from_file, {"file": str(folder / "cloud.npy"), "radius": 0.1, "spacing": 0.0}),
         "PointCloud.from_depth": C(
             mp.PointCloud.from_depth,
             {"image": np.ones((2, 2)), "intrinsics": np.array([[1.0, 0, 1], [0, 1, 1], [0, 0, 1]]), "radius": 0.1},
@@ -309,7 +327,7 @@ def calls(folder: Path) -> dict[str, Call]:
         ),
         "JointPath.through": C(mp.JointPath.through, {"waypoints": np.array([q, goal])}),
         "Kinematics.batch_code": C(kinematics.batch_code, {"quantity": "pose"}),
-        "Kinematics.evaluator": C(kinematics.evaluator, {"quantity": "pose"}),
+        "Kinematics.evaluator": C(lambda quantity, evaluator=kinematics.evaluator: evaluator(quantity), {"quantity": "pose"}),
         **{
             f"Kinematics.{name}": C(getattr(kinematics, name), {"q": q})
             for name in ("gradient", "hessian", "jacobian", "manipulability", "mass_matrix", "pose")
@@ -329,7 +347,9 @@ def calls(folder: Path) -> dict[str, Call]:
         "PathShape": C(mp.PathShape, {"degree": 6, "basis": "bspline", "pieces": 8, "start_slope": q, "goal_slope": q}),
         "PathShape.ends": C(shape.ends, {"n": 3}),
         "Seeding": C(
-            mp.Seeding, {"planner": "auto", "seed": 0, "count": 1, "time_limit": 10.0, "shifts": "none", "initial": path}
+            mp.Seeding,
+            {"planner": "auto", "seed": 0, "count": 1, "time_limit": 10.0, "shifts": "none", "initial": path},
+            free=("initial",),
         ),
         "PoseGoal": C(
             mp.PoseGoal, {"pose": pose, "free_axis": (0.0, 0.0, 1.0), "tolerance": mp.Tolerance(position=0.1), "of": ""}
@@ -346,9 +366,9 @@ def calls(folder: Path) -> dict[str, Call]:
         ),
         "Report.from_json": C(mp.Report.from_json, {"file": str(folder / "report.json")}),
         "Report.to_json": C(plan.report.to_json, {"file": str(folder / "r.json")}),
-        "Plan.load": C(mp.Plan.load, {"file": str(folder)}),
+        "Plan.load": C(mp.Plan.load, {"file": str(folder / "saved")}),
         "Plan.save": C(plan.save, {"folder": str(folder / "plan")}, heavy=True),
-        "Program.load": C(mp.Program.load, {"folder": str(folder)}),
+        "Program.load": C(mp.Program.load, {"folder": str(folder / "program")}),
         "Robot.arm": C(arm.arm, {"tool": arm.tool, "q": q}),
         "Robot.at": C(arm.at, step),
         "Robot.attach": C(arm.attach, {"shape": mp.Sphere(radius=0.1), "name": "ball", "tool": arm.tool}),
@@ -359,7 +379,7 @@ def calls(folder: Path) -> dict[str, Call]:
             {
                 "file": str(folder / "arm.urdf"),
                 "tool": "c",
-                "joints": ("j", "k"),
+                "joints": ("j",),
                 "name": "arm",
                 "locked": {"k": 0.1},
                 "neutral": np.array([0.1]),
@@ -367,10 +387,10 @@ def calls(folder: Path) -> dict[str, Call]:
                 "packages": {},
                 "meshes": True,
                 "collision": "collision",
+                "arguments": {},
                 "velocity": 1.0,
                 "trust_file": False,
-            }
-            | {"joints": None},
+            },
         ),
         "Robot.joints_of": C(arm.joints_of, {"tool": arm.tool}),
         "Robot.kinematics": C(
@@ -392,10 +412,10 @@ def calls(folder: Path) -> dict[str, Call]:
             mp.Scene.from_entries, {"entries": [{"shape": "sphere", "radius": 1.0}], "folder": str(folder)}
         ),
         "Scene.from_yaml": C(mp.Scene.from_yaml, {"file": str(folder / "scene.yaml")}),
-        "Scene.from_moveit": C(mp.Scene.from_moveit, {"file": str(folder / "scene.yaml"), "packages": {}}),
-        "Scene.from_mjcf": C(mp.Scene.from_mjcf, {"file": str(folder / "scene.yaml")}),
+        "Scene.from_moveit": C(mp.Scene.from_moveit, {"file": str(folder / "world.scene"), "packages": {}}),
+        "Scene.from_mjcf": C(mp.Scene.from_mjcf, {"file": str(folder / "world.xml")}),
         "Scene.to_yaml": C(scene.to_yaml, {"file": str(folder / "s.yaml")}),
-        "Scene.without": C(scene.without, {"name": "ball"}),
+        "Scene.without": C(lambda name, without=scene.without: without(name), {"name": "ball"}),
         "Segment": C(
             mp.Segment,
             {
@@ -435,18 +455,42 @@ def calls(folder: Path) -> dict[str, Call]:
         "Trajectory.from_json": C(mp.Trajectory.from_json, {"file": str(folder / "m.json")}),
         "Trajectory.from_ros": C(mp.Trajectory.from_ros, {"file": str(folder / "m.yaml")}),
         "Trajectory.from_npz": C(mp.Trajectory.from_npz, {"file": str(folder / "m.npz")}),
-        "Trajectory.from_rosbag": C(mp.Trajectory.from_rosbag, {"file": str(folder), "topic": "/a", "joints": ["a"]}),
+        "Trajectory.from_rosbag": C(
+            mp.Trajectory.from_rosbag, {"file": str(folder / "recorded"), "topic": "/joint_states", "joints": ["joint1"]}
+        ),
         "Trajectory.in_order": C(motion.in_order, {"joint_names": arm.joint_names}),
         "Trajectory.slower": C(motion.slower, {"factor": 2.0}),
         **{
             f"Trajectory.{name}": C(getattr(motion, name), {"file": str(folder / "out")})
-            for name in ("to_csv", "to_json", "to_npz", "to_ros", "to_franka_csv")
+            for name in ("to_csv", "to_json", "to_npz", "to_ros")
         },
+        "Trajectory.to_franka_csv": C(of_franka.to_franka_csv, {"file": str(folder / "franka.csv")}),
         "Trajectory.to_rosbag": C(motion.to_rosbag, {"file": str(folder / "bag"), "storage": "mcap", "rate": 100.0}),
         "Trajectory.to_urscript": C(
-            motion.to_urscript, {"file": str(folder / "u"), "rate": 500, "name": "a", "lookahead_time": 0.1, "gain": 300.0}
+            of_ur.to_urscript, {"file": str(folder / "u"), "rate": 500, "name": "a", "lookahead_time": 0.1, "gain": 300.0}
         ),
-        "carry": C(mp.carry, {"robot": arm, "path": line, "grasps": {}, "scene": scene}),
+        "carry": C(
+            mp.carry,
+            {
+                "robot": baxter,
+                "path": mp.CartesianPath.line(hands["left_gripper"], up @ hands["left_gripper"]),
+                "grasps": {
+                    "left_gripper": np.eye(4),
+                    "right_gripper": np.linalg.inv(hands["left_gripper"]) @ hands["right_gripper"],
+                },
+                "scene": mp.Scene(),
+                "start": baxter.neutral,
+                "positions": 5,
+                "epsilon": 0.4,
+                "samples": 12,
+                "tolerance": mp.Tolerance(position=0.01),
+                "clearance": 0.0,
+                "torque": False,
+                "seed": 0,
+                "throw": False,
+            },
+            heavy=True,
+        ),
         "check": C(
             mp.check,
             {
@@ -530,7 +574,7 @@ def calls(folder: Path) -> dict[str, Call]:
         "jerk_use": C(mp.jerk_use, {"trajectory": motion, "limits": arm.limits}),
         "limit_use": C(mp.limit_use, {"trajectory": motion, "limits": arm.limits}),
         "torque_use": C(mp.torque_use, {"trajectory": motion, "model": arm.model, "effort": np.ones(3), "inside": 6}),
-        "load_robot": C(mp.load_robot, {"name": "no such arm"}),
+        "load_robot": C(mp.load_robot, {"name": "ur5"}),
         "optimize_path": C(
             mp.optimize_path,
             {
@@ -562,7 +606,7 @@ def calls(folder: Path) -> dict[str, Call]:
             mp.path_cost,
             {"path": path, "kinematics": kinematics, "power": 1.0, "floor": 0.0, "metric": (1.0, 1.0, 1.0), "panels": 10},
         ),
-        "pinocchio_casadi": C(mp.pinocchio_casadi, {"robot": arm, "source": "no"}),
+        "pinocchio_casadi": C(mp.pinocchio_casadi, {"robot": arm, "source": "bindings"}),
         "plan": C(
             mp.plan,
             {
@@ -577,7 +621,7 @@ def calls(folder: Path) -> dict[str, Call]:
             },
             heavy=True,
         ),
-        "plan_many": C(mp.plan_many, {"problems": [], "executor": 1}),
+        "plan_many": C(mp.plan_many, {"problems": [], "executor": 1}, free=("problems",)),
         "planar_arm": C(mp.planar_arm, {"lengths": (1.0, 1.0), "radius": 0.1}),
         "retime": C(
             mp.retime,
@@ -699,10 +743,18 @@ def calls(folder: Path) -> dict[str, Call]:
         ),
         "viz.animate": C(
             viz.animate,
-            {"plan": plan, "file": "no.such", "fps": 20.0, "speed": 1.0, "size": (9.6, 4.8), "dpi": 100.0, "colours": 96},
+            {
+                "plan": plan,
+                "file": str(folder / "film.gif"),
+                "fps": 2.0,
+                "speed": 1.0,
+                "size": (2.0, 1.0),
+                "dpi": 20.0,
+                "colours": 96,
+            },
             heavy=True,
         ),
-        "viz.plot_arm": C(viz.plot_arm, {"robot": arm, "path": path, "scene": scene, "places": 3}, heavy=True),
+        "viz.plot_planar_arm": C(viz.plot_planar_arm, {"robot": arm, "path": path, "scene": scene, "places": 3}, heavy=True),
         "viz.plot_joints": C(
             viz.plot_joints, {"trajectory": motion, "limits": arm.limits, "order": 1, "share": False}, heavy=True
         ),
