@@ -239,7 +239,9 @@ class Mesh(Obstacle):
             raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
         if self.file is None:
             argument = self._argument("triangles")
-            given_triangles = finite_array(argument, self.triangles if self.triangles is not None else (), (None, 3, 3))
+            given_triangles = finite_array(
+                argument, self.triangles if self.triangles is not None else (), (None, 3, 3), most=np.inf
+            )
             object.__setattr__(self, "triangles", given_triangles)
             object.__setattr__(self, "built", self._build(argument, given_triangles))
             return
@@ -293,7 +295,7 @@ class PointCloud(Obstacle):
             raise InvalidInputError(self._argument("points"), f"{given} of points and file", "one of them")
         if self.file is None:
             argument = self._argument("points")
-            points = finite_array(argument, self.points if self.points is not None else (), (None, 3))
+            points = finite_array(argument, self.points if self.points is not None else (), (None, 3), most=np.inf)
             object.__setattr__(self, "points", points)
         else:
             from manipplan.collision.formats.cloud_files import read_points

@@ -34,7 +34,7 @@ from manipplan.search.refine import Refinement
 from manipplan.support.checks import existing_file, is_folder, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
-from manipplan.support.json_data import from_json, json_ready, stored_array
+from manipplan.support.json_data import from_json, json_ready, read_json, stored_array
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -230,9 +230,9 @@ def _plan_file(file: str | Path) -> Path:
 def checked_json(path: Path, kind: str = FORMAT, number: int = VERSION) -> dict[str, Any]:
     """The data of a file, of a format and version and unchanged."""
     try:
-        data = json.loads(path.read_text())
-    except (ValueError, OSError, RecursionError) as error:
-        wanted = f"a complete result ({error}); it was truncated or is not a {path.name}: save the plan again"
+        data = read_json("file", path)
+    except FileFormatError as error:
+        wanted = f"a complete result ({error.allowed}); it was truncated or is not a {path.name}: save the plan again"
         raise FileFormatError("file", str(path), wanted) from error
     if not isinstance(data, dict) or data.get("format") != kind:
         raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {kind!r}")

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.paths.export import nanoseconds_of, ros_time
+from manipplan.paths.export import nanoseconds_of, ros_time, with_velocities
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array, number, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
@@ -175,12 +175,7 @@ def _commands(
 def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | None) -> Trajectory:
     """The trajectory; velocities that were not recorded come from the cubic spline through the positions."""
     try:
-        if qd is None:
-            still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=names)  # checks times and positions
-            from scipy.interpolate import CubicSpline
-
-            qd = CubicSpline(still.t, still.q)(still.t, 1)
-        return Trajectory(t=t, q=q, qd=qd, joint_names=names)
+        return with_velocities(t, q, qd, names)
     except InvalidInputError as error:
         raise FileFormatError("file", where, f"a recorded motion; {error}") from error
 

@@ -1,6 +1,6 @@
 """Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -234,20 +234,31 @@ class Trajectory(Pictured):
         return rosbag.from_rosbag(file, topic, joints=joints)
 
     @classmethod
-    def from_csv(cls, file: str | Path, *, joints: Sequence[str] | None = None) -> "Trajectory":
+    def from_csv(
+        cls,
+        file: str | Path,
+        *,
+        joints: Sequence[str] | None = None,
+        columns: Mapping[str, str] | None = None,
+        degrees: bool | Sequence[str] = False,
+    ) -> "Trajectory":
         """Read what `to_csv` wrote, or a recorded log. Columns are found by name, in any order; others are ignored.
 
         Args:
             file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
                 or none. Without velocities they come from the cubic spline through the positions.
-            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
-                `q_<joint>` columns, in their order.
+            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those
+                of `columns`, or all `q_<joint>` columns, in their order.
+            columns: the column of the file for each joint, and for "time", where it has another name:
+                ``{"time": "timestamp", "shoulder_pan_joint": "J1"}``.
+            degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
-        Raises FileFormatError, which names the column or the row that is wrong.
+        Raises FileFormatError, which names the column or the row that is wrong: one that has more or fewer cells than the
+        first, or a cell that is not a finite number.
         """
         from manipplan.paths import export
 
-        return export.from_csv(file, joints=joints)
+        return export.from_csv(file, joints=joints, columns=columns, degrees=degrees)
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Trajectory":
@@ -258,7 +269,7 @@ class Trajectory(Pictured):
 
     @classmethod
     def from_ros(cls, file: str | Path) -> "Trajectory":
-        """Read a JointTrajectory in YAML that has positions, velocities and times."""
+        """Read a JointTrajectory in YAML; velocities that it lacks come from the cubic spline through the positions."""
         from manipplan.paths import export
 
         return export.from_ros(file)

@@ -1,6 +1,5 @@
 """glTF files, text and binary, read by trimesh after a look at what they need."""
 
-import json
 import struct
 from pathlib import Path
 from typing import Any
@@ -10,6 +9,7 @@ import numpy as np
 from manipplan.robots.meshes.polygons import moved_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
+from manipplan.support.json_data import parsed
 
 #: Extensions that say nothing about the shape.
 HARMLESS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "EXT_lights")
@@ -65,7 +65,7 @@ def _document(data: bytes) -> Any:
             raise ValueError("it is cut off, or not version 2")
         data = data[20 : 20 + size]
     try:
-        return json.loads(data)
+        return parsed(data)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"its JSON cannot be read ({error})") from error
 
