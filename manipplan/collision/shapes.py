@@ -276,8 +276,8 @@ class PointCloud(Obstacle):
             √3 spacing, so that they cover all that was covered. 0 keeps all.
 
     Raises:
-        FileFormatError: the file is missing or broken.
-        InvalidInputError: an argument is invalid, there is no point, or one lies beyond 1e6 m.
+        FileFormatError: the file is missing or broken, or has more than 5,000,000 points.
+        InvalidInputError: an argument is invalid, there is no point, more than 500,000 are left, or one lies beyond 1e6 m.
     """
 
     points: ArrayLike | None = None
@@ -304,7 +304,7 @@ class PointCloud(Obstacle):
             object.__setattr__(self, "file", existing_file(argument, self.file))
             points = read_points(argument, Path(self.file))
         try:
-            kept = clouds.thinned(clouds.near_points(argument, points), self.spacing)
+            kept = clouds.thinned(argument, clouds.near_points(argument, points), self.spacing)
         except InvalidInputError as error:
             if self.file is None:
                 raise

@@ -23,7 +23,7 @@ VERSION = 1
 #: Maximum duration [s]: ROS counts seconds in 32 bits, and the first message of a bag is stamped 1 s.
 LONGEST = 2**31 - 2
 #: Maximum size of an unpacked NumPy archive [bytes].
-LARGEST = 2**30
+LARGEST = 2**27
 #: Keys of a JointTrajectory, and of its points.
 ROS_KEYS = ("header", "joint_names", "points")
 POINT_KEYS = ("positions", "velocities", "accelerations", "effort", "time_from_start")
