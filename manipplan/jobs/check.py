@@ -1,6 +1,6 @@
 """check: judges a trajectory, whoever made it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,15 +10,15 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.recordings.read import read_motion
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.measure import measure
 from manipplan.jobs.reports.report import Report
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.export import READERS, read_trajectory
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
@@ -54,6 +54,8 @@ def check(
     clearance: float = 0.0,
     objective: PathObjective = PathObjective(),
     torque: bool = False,
+    degrees: bool = False,
+    columns: Mapping[str, str] | None = None,
 ) -> Report:
     """Judge a trajectory, whoever made it: planned, retimed, edited, recorded, or made by other software.
 
@@ -83,6 +85,8 @@ def check(
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         objective: power, task, measure, metric and floor of the g and the manipulability that are reported.
         torque: check the joints' effort limits as well.
+        degrees: the angles of the motion are in degrees, and their velocities in degrees per second.
+        columns: of a CSV file, the column of each joint and of "time", as for `Trajectory.from_csv`.
 
     Returns:
         The Report. A motion that does not pass raises nothing: `passed` is False, and `faults` says what is wrong.
@@ -93,7 +97,7 @@ def check(
             positions more than a full turn outside the limits, or velocities that do not belong to the positions.
     """
     instance("robot", robot, Robot)
-    motion = _motion(robot, trajectory)
+    motion = _motion(robot, trajectory, degrees=degrees, columns=columns)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     first = None if start is None else robot.configuration("start", start)
     last = None if goal is None else robot.configuration("goal", goal)
@@ -105,7 +109,7 @@ def check(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
-    instance("torque", torque, bool)
+    flag("torque", torque)
     return measure(
         motion,
         scene.collision_model(robot),
@@ -154,16 +158,9 @@ def _parts(
     return tuple(path_parts)
 
 
-def _motion(robot: Robot, given: Trajectory | str | Path) -> Trajectory:
+def _motion(robot: Robot, given: Trajectory | str | Path, *, degrees: bool, columns: Mapping[str, str] | None) -> Trajectory:
     """The trajectory with its columns in the robot's order, in plausible units."""
-    motion = read_trajectory("trajectory", given) if isinstance(given, str | Path) else given
-    if not isinstance(motion, Trajectory):
-        raise InvalidInputError("trajectory", given, f"a Trajectory, or the path of a trajectory file ({', '.join(READERS)})")
-    for name in motion.joint_names:
-        if name in robot.locked:
-            wanted = f"the joints {', '.join(robot.joint_names)} alone; {name} is locked at {robot.locked[name]:g}"
-            raise InvalidInputError("trajectory.joint_names", name, wanted)
-    motion = motion.in_order(robot.joint_names)
+    motion = read_motion(robot, "trajectory", given, joints=None, degrees=degrees, columns=columns)
     _check_positions(robot, motion)
     _check_velocities(motion)
     return motion

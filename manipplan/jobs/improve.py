@@ -1,5 +1,6 @@
 """improve: a recorded motion without its noise and with higher manipulability, in the same time."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal, overload
@@ -16,7 +17,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, teller
@@ -37,6 +38,7 @@ def improve(
     objective: PathObjective = ...,
     clearance: float = ...,
     degrees: bool = ...,
+    columns: Mapping[str, str] | None = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -53,6 +55,7 @@ def improve(
     objective: PathObjective = ...,
     clearance: float = ...,
     degrees: bool = ...,
+    columns: Mapping[str, str] | None = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -70,6 +73,7 @@ def improve(
     objective: PathObjective = PathObjective(),
     clearance: float = 0.0,
     degrees: bool = False,
+    columns: Mapping[str, str] | None = None,
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
@@ -95,6 +99,7 @@ def improve(
         objective: the objective whose g is lowered; its measure is the manipulability.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         degrees: the angles of the recording are in degrees, and their velocities in degrees per second.
+        columns: of a CSV file, the column of each joint and of "time", as for `Trajectory.from_csv`.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -109,12 +114,12 @@ def improve(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("tolerance", tolerance, Tolerance)
     instance("objective", objective, PathObjective)
-    instance("degrees", degrees, bool)
+    flag("throw", throw)
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)
     tell = teller(progress)
-    motion = read_recording(robot, recorded, degrees=degrees)
+    motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
     tell(0.1, "smoothing the recording")
     parts = [part for part in (tolerance.position, tolerance.rotation) if part is not None]

@@ -24,7 +24,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -157,6 +157,8 @@ def plan(
         PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
+    flag("torque", torque)
+    flag("throw", throw)
     check_options(objective, shape, seeding)
     limit = seeding.time_limit
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))

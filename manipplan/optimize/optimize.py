@@ -20,7 +20,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import check_apart
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
@@ -134,6 +134,8 @@ def optimize_path(
         PlanningError: with `throw`: no collision-free path was found, or g is infinite without a floor.
     """
     instance("robot", robot, Robot)
+    flag("compare", compare)
+    flag("throw", throw)
     if scene is not None:
         instance("scene", scene, Scene)
     check_options(objective, shape, seeding)

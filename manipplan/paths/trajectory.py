@@ -1,14 +1,14 @@
 """Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.paths.joint import JointPath
-from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.paths.joint import MOST_ORDER, JointPath
+from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, texts, whole_number
 from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -39,7 +39,7 @@ class Trajectory(Pictured):
 
     def __post_init__(self) -> None:
         t = _finite_samples("t", self.t, (None,))
-        names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
+        names = distinct_names("joint_names", self.joint_names, (number_array("q", self.q).shape or (0,))[-1])
         if len(t) < 2 or t[0] != 0:
             raise InvalidInputError("t", t, "at least two times, increasing from 0")
         if (np.diff(t) <= 0).any():
@@ -73,7 +73,8 @@ class Trajectory(Pictured):
 
         Raises UnknownNameError for a joint of the motion that is not among them, and InvalidInputError where one is missing.
         """
-        if self.joint_names == tuple(joint_names):
+        joint_names = texts("joint_names", joint_names)
+        if self.joint_names == joint_names:
             return self
         for name in self.joint_names:
             if name not in joint_names:
@@ -102,7 +103,7 @@ class Trajectory(Pictured):
         t = number_array("t", t)
         if not ((t >= 0) & (t <= self.duration)).all():
             raise InvalidInputError("t", t, f"times from 0 to {self.duration:g} s")
-        order = whole_number("order", order, least=0)
+        order = whole_number("order", order, least=0, most=MOST_ORDER)
         segment = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.t) - 2)
         coefficients = self.segments()[1]
         for _ in range(order):
@@ -233,20 +234,31 @@ class Trajectory(Pictured):
         return rosbag.from_rosbag(file, topic, joints=joints)
 
     @classmethod
-    def from_csv(cls, file: str | Path, *, joints: Sequence[str] | None = None) -> "Trajectory":
+    def from_csv(
+        cls,
+        file: str | Path,
+        *,
+        joints: Sequence[str] | None = None,
+        columns: Mapping[str, str] | None = None,
+        degrees: bool | Sequence[str] = False,
+    ) -> "Trajectory":
         """Read what `to_csv` wrote, or a recorded log. Columns are found by name, in any order; others are ignored.
 
         Args:
             file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
                 or none. Without velocities they come from the cubic spline through the positions.
-            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
-                `q_<joint>` columns, in their order.
+            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those
+                of `columns`, or all `q_<joint>` columns, in their order.
+            columns: the column of the file for each joint, and for "time", where it has another name:
+                ``{"time": "timestamp", "shoulder_pan_joint": "J1"}``.
+            degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
-        Raises FileFormatError, which names the column or the row that is wrong.
+        Raises FileFormatError, which names the column or the row that is wrong: one that has more or fewer cells than the
+        first, or a cell that is not a finite number.
         """
         from manipplan.paths import export
 
-        return export.from_csv(file, joints=joints)
+        return export.from_csv(file, joints=joints, columns=columns, degrees=degrees)
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Trajectory":
@@ -257,7 +269,7 @@ class Trajectory(Pictured):
 
     @classmethod
     def from_ros(cls, file: str | Path) -> "Trajectory":
-        """Read a JointTrajectory in YAML that has positions, velocities and times."""
+        """Read a JointTrajectory in YAML; velocities that it lacks come from the cubic spline through the positions."""
         from manipplan.paths import export
 
         return export.from_ros(file)

@@ -21,9 +21,9 @@ from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
 from manipplan.robots.table import robot_table
-from manipplan.support.checks import Array, existing_file, instance, pose_matrix, whole_number
+from manipplan.support.checks import Array, existing_file, instance, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
@@ -139,8 +139,10 @@ class Robot(Pictured):
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes, collision=collision)
-        files = replace(places, arguments=arguments or {}, trust_file=trust_file)
+        places = UrdfFiles(
+            package_dirs=package_dirs, packages={} if packages is None else packages, meshes=meshes, collision=collision
+        )
+        files = replace(places, arguments={} if arguments is None else arguments, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
 
@@ -181,12 +183,15 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
+        if name is not None:
+            text("name", name)
         semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
+        locked = {} if locked is None else locked
         chain = [whole.names[i] for i in sorted({i for each in tools for i in supports(whole, each)})]
-        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
-        held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
+        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked)
+        held = parts.locked_values(whole, active, locked, semantic, read.mimics)
         model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
@@ -245,10 +250,10 @@ class Robot(Pictured):
 
         Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
         """
-        joints = self.joints_of(tool)
+        joints, q = self.joints_of(tool), None if q is None else self.configuration("q", q)
         if len(joints) == self.n and self.tools == (tool,):
             return self
-        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, self.configuration("q", q))
+        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, q)
 
     @property
     def joint_names(self) -> tuple[str, ...]:
@@ -409,7 +414,7 @@ class Robot(Pictured):
         """
         if not isinstance(shape, Solid) or isinstance(shape, type):
             raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")
-        name = name or shape.name or "part"
+        name = text("name", name) or shape.name or "part"
         attached.check_new_name(name, self.model, self.geometry, self.carried)
         frame = self.tool if tool is None else known_tool(self, "tool", tool)
         geometry, bodies = attached.with_part(self.model, self.geometry, frame, shape, name)
@@ -421,8 +426,7 @@ class Robot(Pictured):
 
         Raises UnknownNameError when it carries no such part; the nearest names are listed.
         """
-        if not isinstance(name, str) or name not in self.carried:
-            raise UnknownNameError("name", str(name), self.carried, empty="none: the robot carries nothing")
+        one_of("name", name, self.carried, empty="none: the robot carries nothing")
         geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 

@@ -10,7 +10,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import path_length, path_steps, steps_between, within
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import Array, flag, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
@@ -122,7 +122,7 @@ def refine(
     whole_number("resample", resample, least=0)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
-    instance("hold_start", hold_start, bool)
+    flag("hold_start", hold_start)
     refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start)
     return refiner.run(resample, teller(progress))
 

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import number, random_seed, whole_number
+from manipplan.support.checks import number, one_of, random_seed, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 
 #: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
 #: Python's lock while the search waits for that thread, and their runs are not repeatable.
@@ -57,13 +57,13 @@ class Seeding:
     initial: JointPath | Trajectory | str | Path | None = None
 
     def __post_init__(self) -> None:
-        if self.planner not in ("auto", *PLANNERS):
-            raise UnknownNameError("planner", str(self.planner), ("auto", *PLANNERS))
-        if self.shifts not in SHIFTS:
-            raise UnknownNameError("shifts", str(self.shifts), SHIFTS)
+        one_of("planner", self.planner, ("auto", *PLANNERS))
+        one_of("shifts", self.shifts, SHIFTS)
         object.__setattr__(self, "seed", random_seed("seed", self.seed))
         object.__setattr__(self, "count", whole_number("count", self.count, least=1, most=MOST_SEEDS))
         object.__setattr__(self, "time_limit", number("time_limit", self.time_limit, above=0.0))
+        if self.initial is not None and not isinstance(self.initial, JointPath | Trajectory | str | Path):
+            raise InvalidInputError("initial", self.initial, "a JointPath, a Trajectory, or the path of a trajectory file")
         if self.initial is not None and self.shifts != "none":
             raise InvalidInputError("shifts", self.shifts, "'none' together with an initial path")
         if self.initial is not None and self.count > 1:

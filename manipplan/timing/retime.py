@@ -13,7 +13,7 @@ from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import distinct_names, instance, number, whole_number
+from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
@@ -71,7 +71,7 @@ def retime(
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
-    torque_model = robot.model if instance("torque", torque, bool) else None
+    torque_model = robot.model if flag("torque", torque) else None
     grid = whole_number("grid", grid, least=50)
     names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))

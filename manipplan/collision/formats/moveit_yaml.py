@@ -169,7 +169,10 @@ def _file(where: str, resource: str, file: Path, packages: Packages) -> Path:
     package, _, rest = resource.removeprefix("package://").partition("/")
     if package not in packages:
         raise UnknownNameError("packages", package, packages, empty="none: give packages={name: folder}")
-    return existing_file(where, Path(packages[package]) / rest)
+    folder = Path(packages[package])
+    if not (folder / rest).resolve().is_relative_to(folder.resolve()):
+        raise InvalidInputError(f"{where}.resource", resource, "the name of a mesh that stays inside its package")
+    return existing_file(where, folder / rest)
 
 
 def _transform(entry: Any) -> tuple[str, tuple[str, pin.SE3]]:

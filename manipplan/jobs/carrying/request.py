@@ -21,7 +21,7 @@ from manipplan.robots.arms import known_tool, own_joints
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.positions import check_positions, choose_positions
 from manipplan.search.steps import check_epsilon
-from manipplan.support.checks import Array, instance, number, pose_matrix, random_seed
+from manipplan.support.checks import Array, flag, instance, number, pose_matrix, random_seed
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits
@@ -130,7 +130,7 @@ class Request:
             tolerance=tolerance,
             own_tolerance=own,
             clearance=clearance,
-            torque=instance("torque", torque, bool),
+            torque=flag("torque", torque),
             seed=random_seed("seed", seed),
         )
 

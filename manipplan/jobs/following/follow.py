@@ -30,7 +30,7 @@ from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.search.max_min import SearchResult
 from manipplan.search.steps import check_epsilon
-from manipplan.support.checks import Array, finite_array, instance, number, whole_number
+from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
@@ -186,7 +186,7 @@ def follow(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
-        instance(name, value, bool)
+        flag(name, value)
     if objective.task is None and has_few_joints(robot) and not robot.planar:
         wanted = f"one with a task of at most {robot.n} rows, as {robot.name} has {robot.n} joints: mp.PathObjective(task=...)"
         if robot.n >= 3:
@@ -301,7 +301,8 @@ def follow(
 def _retreat(value: float | ArrayLike) -> Array:
     """The way (3,) off the path in the tool frame [m]; raises InvalidInputError."""
     tool_z = np.array([0.0, 0.0, 1.0])
-    way = finite_array("retreat", value, (3,)) if np.ndim(value) else -number("retreat", value, least=0.0) * tool_z
+    along = isinstance(value, int | float | np.number)
+    way = -number("retreat", value, least=0.0) * tool_z if along else finite_array("retreat", value, (3,))
     if 0 < np.linalg.norm(way) < LEAST_RETREAT:
         raise InvalidInputError("retreat", value, f"0 for none, or at least {1e3 * LEAST_RETREAT:g} mm")
     return way

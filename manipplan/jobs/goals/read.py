@@ -186,6 +186,6 @@ def _has_shape(goal: Any) -> bool:
     """Whether the value is one array, not rows of different lengths."""
     try:
         np.shape(goal)
-    except ValueError:
+    except Exception:  # of a foreign object any exception
         return False
     return True

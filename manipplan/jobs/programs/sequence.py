@@ -23,7 +23,7 @@ from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
@@ -87,7 +87,7 @@ def sequence(
         raise InvalidInputError("seeding.initial", seeding.initial, "None: a program has several free motions")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     blend, clearance = number("blend", blend, least=0.0), number("clearance", clearance, least=0.0)
-    instance("torque", torque, bool)
+    flag("torque", torque)
     tell = teller(progress)
     check_timing_limits(robot.limits)
     q_start = scene.collision_model(robot).free_configuration("start", named_configuration("start", start, robot), clearance)

@@ -1,16 +1,17 @@
 """A recorded motion in the robot's joints and units; what cannot be one is named by its row, joint and value."""
 
-import csv
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.export import from_csv, read_trajectory
+from manipplan.paths.export import READERS, from_csv, read_trajectory
 from manipplan.paths.joint import JointPath
+from manipplan.paths.tables import Table
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance
+from manipplan.support.checks import Array, flag
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.retime import retime
 
@@ -24,25 +25,55 @@ SLOWER = 1.25
 STILL = 1e-6
 
 
-def read_recording(robot: Robot, recorded: Trajectory | JointPath | str | Path, *, degrees: bool) -> Trajectory:
+def read_motion(
+    robot: Robot,
+    argument: str,
+    given: Trajectory | str | Path,
+    *,
+    joints: Sequence[str] | None,
+    degrees: bool,
+    columns: Mapping[str, str] | None,
+) -> Trajectory:
+    """A motion, or the file of one, with its columns in the robot's order, in rad and m.
+
+    `joints`, `columns`: as for `Trajectory.from_csv`. With `degrees` the angles of all revolute joints are converted.
+    """
+    is_csv = isinstance(given, str | Path) and Path(given).suffix.lower() == ".csv"
+    if columns is not None and not is_csv:
+        raise InvalidInputError("columns", columns, "None but for a CSV file")
+    if isinstance(given, str | Path):
+        given = from_csv(given, joints=joints, columns=columns) if is_csv else read_trajectory(argument, given)
+    if not isinstance(given, Trajectory):
+        raise InvalidInputError(argument, given, f"a Trajectory, or the path of a trajectory file ({', '.join(READERS)})")
+    for name in given.joint_names:
+        if name in robot.locked:
+            wanted = f"the joints {', '.join(robot.joint_names)} alone; {name} is locked at {robot.locked[name]:g}"
+            raise InvalidInputError(f"{argument}.joint_names", name, wanted)
+    motion = given.in_order(robot.joint_names)
+    if flag("degrees", degrees):
+        scale = np.where([kind == "prismatic" for kind in robot.joint_types], 1.0, np.pi / 180)
+        motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
+    return motion
+
+
+def read_recording(
+    robot: Robot,
+    recorded: Trajectory | JointPath | str | Path,
+    *,
+    degrees: bool,
+    columns: Mapping[str, str] | None = None,
+) -> Trajectory:
     """The recorded motion, its columns in the robot's order; see `improve`."""
     file = Path(recorded) if isinstance(recorded, str | Path) else None
     if isinstance(recorded, JointPath):
-        if degrees:
+        if flag("degrees", degrees):
             raise InvalidInputError("degrees", degrees, "False with a JointPath, which is in radians")
         if recorded.n != robot.n:
             raise InvalidInputError(
                 "recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}"
             )
         recorded = retime(recorded, robot).slower(SLOWER)
-    elif file is not None and file.suffix.lower() == ".csv":
-        recorded = from_csv(file, joints=robot.joint_names)
-    elif file is not None:
-        recorded = read_trajectory("recorded", file)
-    motion = instance("recorded", recorded, Trajectory).in_order(robot.joint_names)
-    if degrees:
-        scale = np.where([kind == "prismatic" for kind in robot.joint_types], 1.0, np.pi / 180)
-        motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
+    motion = read_motion(robot, "recorded", recorded, joints=robot.joint_names, degrees=degrees, columns=columns)
     if robot.endless.any():
         q = motion.q.copy()
         q[:, robot.endless] = np.unwrap(q[:, robot.endless], axis=0)
@@ -63,10 +94,7 @@ class _Places:
         name = self.robot.joint_names[joint]
         if self.file is None or self.file.suffix.lower() != ".csv":
             return f"recorded.q[{row}, {joint}] ({name})"
-        with self.file.open(newline="", encoding="utf-8-sig") as stream:
-            reader = csv.reader(stream)
-            lines = [reader.line_num for cells in reader if cells]
-        return f"recorded: {self.file}, row {lines[row + 1]}, {name}"
+        return f"recorded: {self.file}, row {Table.read(self.file).rows[row][0]}, {name}"
 
     def value(self, q: float, joint: int) -> float:
         """A position in the unit of the recording."""

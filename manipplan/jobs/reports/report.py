@@ -17,7 +17,7 @@ from manipplan.support.checks import existing_file
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
-from manipplan.support.json_data import from_json, json_ready
+from manipplan.support.json_data import from_json, json_ready, read_json
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
 
@@ -182,8 +182,10 @@ class Report:
         """Read what `to_json` wrote, a PlanReport for that of a plan; raises FileFormatError for another file."""
         path = existing_file("file", file)
         try:
-            data = json.loads(path.read_text())
+            data = read_json("file", path)
             return from_json(data, PlanReport if "seed_g" in data else Report)
+        except FileFormatError:
+            raise
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from manipplan.robots.formats import xacro_files
 from manipplan.robots.formats.packages import PackageFolders
 from manipplan.robots.formats.xml_files import read_xml
-from manipplan.support.checks import instance
-from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.checks import flag, one_of
+from manipplan.support.errors import FileFormatError, InvalidInputError
 
 log = logging.getLogger("manipplan")
 
@@ -48,10 +48,9 @@ class UrdfFiles:
         for name, folder in self.packages.items():
             if not isinstance(folder, str | Path) or not Path(folder).expanduser().is_dir():
                 raise InvalidInputError(f"packages[{name!r}]", str(folder), "an existing folder")
-        instance("meshes", self.meshes, bool)
-        if self.collision not in BODIES:
-            raise UnknownNameError("collision", str(self.collision), BODIES)
-        instance("trust_file", self.trust_file, bool)
+        flag("meshes", self.meshes)
+        one_of("collision", self.collision, BODIES)
+        flag("trust_file", self.trust_file)
         if not isinstance(self.arguments, Mapping):
             raise InvalidInputError("arguments", self.arguments, "a mapping from names of xacro arguments to their values")
         texts = {str(name): _text(f"arguments[{name!r}]", value) for name, value in self.arguments.items()}

@@ -29,6 +29,9 @@ PASSED = (
     *("lod", "shadow_obj", "trace_obj"),
 )
 
+#: Maximum size of a file [bytes], and maximum number of triangles.
+LARGEST, MOST_TRIANGLES = 100_000_000, 1_000_000
+
 Faces = NDArray[np.int64]
 
 
@@ -53,6 +56,9 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
     if ending not in ENDINGS:
         raise FileFormatError(argument, str(file), f"a mesh in a file that ends with {', '.join(ENDINGS)}")
     try:
+        size = file.stat().st_size
+        if size > LARGEST:
+            raise ValueError(f"it has {size:,} bytes, of at most {LARGEST:,}")
         if ending == ".stl":
             mesh = MeshFile(triangles=_stl(file.read_bytes()))
         elif ending == ".obj":
@@ -76,8 +82,9 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
     except (ValueError, OSError, OverflowError, MemoryError) as error:
         reason = " ".join(str(error).split())[:160]
         raise FileFormatError(argument, str(file), f"a mesh in the format {ending[1:].upper()}; {reason}") from error
-    if not len(mesh.triangles):
-        raise FileFormatError(argument, str(file), "a mesh with at least one triangle")
+    if not 0 < len(mesh.triangles) <= MOST_TRIANGLES:
+        got = f"{file} with {len(mesh.triangles):,} triangles"
+        raise FileFormatError(argument, got, f"a mesh with at least one triangle, and at most {MOST_TRIANGLES:,}")
     return mesh
 
 

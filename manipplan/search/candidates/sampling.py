@@ -21,7 +21,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
-from manipplan.support.checks import Array, finite_array, instance, number
+from manipplan.support.checks import Array, finite_array, flag, instance, number
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
@@ -132,7 +132,7 @@ def sample_layers(
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
     for name, value in (("closed", closed), ("collisions", collisions)):
-        instance(name, value, bool)
+        flag(name, value)
     if closed and not path.closes:
         raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
     spec = SamplingSpec(
