@@ -22,8 +22,9 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finis
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
+from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
@@ -133,7 +134,8 @@ def plan(
 
     Args:
         robot: the arm.
-        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
+        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`. Outside a limit by at
+            most `robot.limit_tolerance`, it is taken to the limit, as the report says; so is a goal.
         goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
             tolerance; or, for a robot with several tools, a mapping from tools to these two, where the arm of a tool that is
             not named ends where it began; or a list of these, such as a set of grasps.
@@ -166,7 +168,12 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     targets, is_list = read_goals("goal", goal, robot)
-    q_start = named_configuration("start", start, robot)
+    given = named_configuration("start", start, robot)
+    q_start = robot.configuration("start", given)
+    if seeding.shifts != AS_GIVEN:
+        targets = tuple(replace(each, turns=True) for each in targets)
+    if seeding.shifts == NEAREST:
+        targets = tuple(each.nearest(robot, q_start) for each in targets)
     kept = ConstraintSet.of(robot, constraints)
     check_start(kept, q_start)
     check_timing_limits(robot.limits)
@@ -243,8 +250,20 @@ def plan(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
-    made = finish(draft, path, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
-    reached = targets[made.goal_index]
+    reached = targets[draft.goal_index]
+    made = finish(
+        draft,
+        path,
+        trajectory,
+        result,
+        model,
+        path.goal,
+        taken=(*taken_to_limits(robot, "start", given), *reached.taken),
+        clearance=clearance,
+        torque=torque,
+        jerk=True,
+        throw=throw,
+    )
     missed = reached.missed_by(robot, trajectory.q[-1])
     tools = with_goals(made.report.tools, robot, trajectory.q[-1], reached.tools)
     made = replace(made, report=replace(made.report, tools=tools))

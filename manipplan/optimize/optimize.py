@@ -153,7 +153,7 @@ def optimize_path(
         instance("executor", executor, Executor)
     tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
-    goals = [q_goal] if seeding.shifts == "none" else shifted_goals(robot, q_start, q_goal)
+    goals = shifted_goals(robot, q_start, q_goal, seeding.shifts)
     objective = objective.resolved(robot, compiled=compiled)
     deadline = Deadline.within(seeding.time_limit * seeding.count * len(goals))
     problem = PathProblem(

@@ -9,6 +9,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots import model_tree
+from manipplan.robots.configuration import LIMIT_TOLERANCE
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
@@ -194,7 +195,9 @@ def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) > 0).any():
+    if (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
+        neutral = np.clip(neutral, limits.lower, limits.upper)
+    else:
         raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
     neutral.flags.writeable = False
     return neutral

@@ -24,6 +24,7 @@ from manipplan.paths.cartesian import APART, CartesianPath
 from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
@@ -199,7 +200,7 @@ def follow(
     epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    q_start = None if start is None else named_configuration("start", start, robot)
+    given = None if start is None else named_configuration("start", start, robot)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
     interruptions = whole_number("interruptions", interruptions, least=0)
@@ -208,8 +209,11 @@ def follow(
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
     compile_ahead(*SOURCES)
-    if q_start is not None:
-        q_start = scene.collision_model(robot).free_configuration("start", q_start, clearance)
+    q_start = None
+    taken: tuple[TakenToLimit, ...] = ()
+    if given is not None:
+        q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
+        taken = taken_to_limits(robot, "start", given)
 
     def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> CourseFinder:
         layers = sample_layers(
@@ -290,6 +294,7 @@ def follow(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
     made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
+    made = replace(made, report=replace(made.report, taken_to_limits=taken))
     if made.status not in ALONG:
         return failed(made, throw, fault)
     if fault:

@@ -14,11 +14,12 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import NearestToGoal, nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
+from manipplan.jobs.goals.samples import Reaching, beyond_limits, reaching, refined
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.goals.tool_goals import reaching_tools
 from manipplan.paths.joint import SHORTEST
 from manipplan.robots.arms import has_few_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
