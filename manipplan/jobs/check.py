@@ -72,7 +72,8 @@ def check(
     Args:
         robot: the arm.
         trajectory: a Trajectory, or the file of one: .csv, .json, .yaml or .npz, as `Trajectory.to_csv` and the others write.
-            Its columns are matched with the robot's joints by their names.
+            Its columns are matched with the robot's joints by their names. Where a continuous joint jumps by full turns, faster
+            than five times its velocity limit, the positions without the jumps are judged.
         scene: obstacles; None: none. The arm is always checked against itself.
         start, goal: (n,) where the motion has to begin and end, to 1e-6 [rad or m], or the name of one of `robot.states`; None:
             anywhere. Outside a limit by at most `robot.limit_tolerance`, they are taken to it, as the report says. Of a goal,

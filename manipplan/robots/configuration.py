@@ -39,6 +39,13 @@ class TakenToLimit:
     limit: float
     unit: str
 
+    @classmethod
+    def of(cls, robot: "Robot", argument: str, joint: int, value: float) -> "TakenToLimit":
+        """That of a joint, given by its index."""
+        limit = float(np.clip(value, robot.limits.lower[joint], robot.limits.upper[joint]))
+        unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
+        return cls(argument=argument, joint=robot.joint_names[joint], value=value, limit=limit, unit=unit)
+
     @property
     def outside(self) -> float:
         """How far it was outside [rad or m]."""
@@ -57,16 +64,7 @@ def taken_to_limits(robot: "Robot", argument: str, q: Array, tolerance: float | 
     if not ((q >= limits.lower - tolerance) & (q <= limits.upper + tolerance)).all():
         return ()
     inside = np.clip(q, limits.lower, limits.upper)
-    return tuple(
-        TakenToLimit(
-            argument=argument,
-            joint=robot.joint_names[i],
-            value=float(q[i]),
-            limit=float(inside[i]),
-            unit="m" if robot.joint_types[i] == "prismatic" else "rad",
-        )
-        for i in np.flatnonzero(inside != q)
-    )
+    return tuple(TakenToLimit.of(robot, argument, i, float(q[i])) for i in np.flatnonzero(inside != q).tolist())
 
 
 def to_limits(robot: "Robot", argument: str, q: Array, tolerance: float | None = None) -> Array:
