@@ -12,8 +12,9 @@ from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.ends import check_start
+from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.candidates import find_candidates, measured
+from manipplan.jobs.goals.candidates import GoalCandidate, find_candidates, measured
 from manipplan.jobs.goals.choice import choose
 from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.goals.read import named_configuration, read_goals
@@ -22,6 +23,8 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finis
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, flag, instance, number
@@ -40,6 +43,8 @@ MORE_DEGREES, SPLINE_PIECES = 3, 8
 RESERVE, LEAST_RESERVE = 0.05, 0.05
 #: Shortest time for a path, where hardly any is left [s].
 SHORTEST_TIME = 1e-3
+#: Duration of a motion that stands still [s].
+STANDING = 1e-3
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
     *(
@@ -126,6 +131,8 @@ def plan(
     1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
     if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
 
+    Where the arm stands in a goal already, the motion stands still: Status.AT_GOAL.
+
     The call takes at most `Seeding.time_limit` for each first path, 10 s by default, but for what is built once per machine,
     robot or scene. The candidates share it. What was found by then is timed.
 
@@ -196,6 +203,10 @@ def plan(
         return found
 
     integral = objective.integral(robot)
+    there = next((k for k, each in enumerate(targets) if not each.missed_by(robot, q_start)), None)
+    if there is not None and not shape.has_slopes:
+        scene.collision_model(robot).free_configuration("start", q_start, number("clearance", clearance, least=0.0))
+        return _standing(replace(draft, goal_index=there), q_start, integral, clearance=clearance, torque=torque, throw=throw)
     if targets[0].q is not None and not is_list:
         candidates = measured(targets[0].q[None], [0], q_start, integral)
     else:
@@ -247,6 +258,49 @@ def plan(
         made = check_failed(made, throw, missed)
     tell(1.0, "done")
     return made
+
+
+def _standing(
+    draft: PartialPlan, q: Array, integral: PathIntegral, *, clearance: float, torque: bool, throw: bool
+) -> Plan | PartialPlan:
+    """The plan of an arm that stands in a goal already: a motion that stays at q (n,)."""
+    path = JointPath(breaks=np.array([0.0, 1.0]), control=np.array([[q, q]]))
+    least = float(integral.kinematics.manipulability(q))
+    result = PathResult(
+        path=path,
+        g=0.0,
+        length=0.0,
+        min_manipulability=least,
+        min_at=0.0,
+        power=integral.power,
+        task=integral.kinematics.task,
+        seed=path,
+        seed_cost=PathCost(g=0.0, length=0.0, min_manipulability=least, at=0.0),
+        history=(),
+        status=Status.AT_GOAL,
+        measure=integral.kinematics.measure,
+        metric=integral.metric,
+        floor=integral.floor,
+    )
+    stays = Trajectory(
+        t=np.array([0.0, STANDING]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=draft.robot.joint_names
+    )
+    chosen = GoalCandidate(
+        goal_index=draft.goal_index,
+        q=q,
+        manipulability=least,
+        bound=least,
+        straight_length=0.0,
+        straight_g=0.0,
+        straight_min_manipulability=least,
+        min_manipulability=least,
+        g=0.0,
+        chosen=True,
+        status="chosen: the arm stands there",
+    )
+    draft = replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
+    model = draft.scene.collision_model(draft.robot)
+    return finish(draft, path, stays, result, model, q, clearance=clearance, torque=torque, jerk=True, throw=throw)
 
 
 def _other_shapes(shape: PathShape) -> tuple[PathShape, ...]:
