@@ -51,7 +51,7 @@ class Ply:
 
 
 def read_ply(file: Path, *, rows: int, faces: int) -> Ply:
-    """The vertices and faces of a PLY file with at most `rows` of any element, and `faces`; raises ValueError with the fault."""
+    """The vertices and faces of a PLY file with at most `rows` of an element, and `faces`; raises ValueError with the fault."""
     data = file.read_bytes()
     head, mark, body = data.partition(b"end_header")
     if not mark:
