@@ -10,6 +10,8 @@ from manipplan.support.checks import Array
 
 #: Maximum number of corners that are tried in all searches for a next ear; a polygon that crosses itself may have none.
 MOST_SEARCHES = 20_000
+#: Maximum number of corners of a polygon: the time grows with its square.
+MOST_CORNERS = 10_000
 
 
 def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[Any]]) -> Array:
@@ -18,6 +20,8 @@ def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[A
     Polygons with fewer than three corners are lines or points and have no triangles.
     """
     sizes = np.array([len(each) for each in polygons], dtype=np.int64)
+    if sizes.max(initial=0) > MOST_CORNERS:
+        raise ValueError(f"a face with {sizes.max():,} corners, of at most {MOST_CORNERS:,}")
     found = []
     for size in np.unique(sizes[sizes >= 3]):
         corners = vertices[np.array([polygons[k] for k in np.flatnonzero(sizes == size).tolist()], dtype=np.int64)]
