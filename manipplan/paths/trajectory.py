@@ -87,7 +87,7 @@ class Trajectory(Pictured):
         return replace(self, q=self.q[:, column], qd=self.qd[:, column], joint_names=tuple(joint_names))
 
     def named(self, joint_names: Sequence[str] | None) -> "Trajectory":
-        """The same motion with other names of its joints, such as a controller's, in the order of its columns; None: its own."""
+        """The same motion with other names of its joints, such as those of a controller, in the order of its columns."""
         if joint_names is None:
             return self
         return replace(self, joint_names=distinct_names("joint_names", joint_names, self.n))

@@ -112,7 +112,7 @@ def _corners(document: dict[str, Any], primitive: Any) -> int:
     if positions.get("componentType") != FLOAT or positions.get("type") != "VEC3":
         raise ValueError(f"it has positions of the component type {positions.get('componentType')!r}: only floats are read")
     indices = _accessor(document, primitive["indices"]) if "indices" in primitive else positions
-    return max(positions["count"], indices["count"])
+    return max(int(positions["count"]), int(indices["count"]))
 
 
 def _accessor(document: dict[str, Any], index: Any) -> dict[str, Any]:
