@@ -35,6 +35,7 @@ from manipplan.support.checks import existing_file, is_folder, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready, read_json, stored_array
+from manipplan.support.saving import finish
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -48,11 +49,14 @@ FORMAT, VERSION = "manipplan-plan", 1
 NAME = "plan.json"
 
 
-def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -> None:
-    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read."""
+def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, home: Path | None = None) -> None:
+    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read.
+
+    `home` is the folder that the file will be in; None: the one that it is written to.
+    """
     import manipplan
 
-    folder = file.expanduser().resolve().parent
+    folder = (home if home is not None else file.parent).expanduser().resolve()
     data = {
         "format": FORMAT,
         "version": VERSION,
@@ -220,6 +224,7 @@ def _plan_file(file: str | Path) -> Path:
     """The plan's file, given by its own path or by its folder."""
     path = path_of("file", file)
     if is_folder(path):
+        finish(path)
         inside = path / NAME
         if not inside.is_file():
             raise FileFormatError("file", str(file), f"a folder written by Plan.save, with {NAME} in it")
