@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.model import CollisionModel, apart_text
+from manipplan.collision.model import CollisionModel
+from manipplan.collision.near_pairs import apart_text
 from manipplan.jobs.recordings.comparison import held
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
