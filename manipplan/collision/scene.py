@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.collision.shapes import OBSTACLES, Obstacle
+from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
 from manipplan.robots.formats.urdf_files import UrdfFiles
@@ -44,6 +44,7 @@ class Scene(Pictured):
     def __init__(self, obstacles: Sequence[Obstacle] = (), *, allowed: Iterable[Collection[str]] = ()) -> None:
         if not isinstance(obstacles, list | tuple):
             raise InvalidInputError("obstacles", obstacles, "a list of obstacles")
+        check_obstacles("obstacles", len(obstacles))
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
                 raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
@@ -159,6 +160,7 @@ class Scene(Pictured):
         """The scene of `entries`, each a mapping as in a YAML file; paths of files are relative to `folder`."""
         if isinstance(entries, str | bytes) or not isinstance(entries, Sequence):
             raise InvalidInputError("entries", entries, "a list of mappings, as in a YAML file")
+        check_obstacles("entries", len(entries))
         folder = path_of("folder", folder)
         return cls([_obstacle(f"obstacles[{i}]", entry, folder) for i, entry in enumerate(entries)], allowed=allowed)
 

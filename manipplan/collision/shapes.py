@@ -355,6 +355,18 @@ class PointCloud(Obstacle):
         return [Part(shape=self.built.tree(), radius=self.radius + np.sqrt(3.0) * self.spacing, closed=False)]
 
 
+#: Maximum number of obstacles of a scene.
+MOST_OBSTACLES = 10_000
+
+
+def check_obstacles(argument: str, count: int) -> None:
+    """Raise InvalidInputError for more obstacles than a scene may have, before they are made."""
+    if count > MOST_OBSTACLES:
+        raise InvalidInputError(
+            argument, f"{count:,} obstacles", f"at most {MOST_OBSTACLES:,}; a Mesh or a PointCloud holds many"
+        )
+
+
 OBSTACLES: dict[str, type[Obstacle]] = {
     kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh, PointCloud)
 }

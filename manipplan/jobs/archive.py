@@ -172,7 +172,7 @@ def _path_result(
         seed_cost=from_json(numbers["seed_cost"], PathCost),
         history=(),
         status=Status[numbers["status"]],
-        certificate=from_json(numbers["certificate"], Certificate),
+        certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
         first_paths=int(numbers.get("first_paths", 1)),  # older files have none
         missing=float(numbers.get("missing", "nan")),
     )

@@ -7,6 +7,7 @@ from typing import Literal, overload
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.recordings.blocked import blocked
 from manipplan.jobs.recordings.comparison import MotionFigures
 from manipplan.jobs.recordings.inside import Tube, best_motion
 from manipplan.jobs.recordings.read import noise_beyond_limits, read_recording
@@ -123,11 +124,15 @@ def improve(
     tell = teller(progress)
     motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     tell(0.1, "smoothing the recording")
     parts = [part for part in (tolerance.position, tolerance.rotation) if part is not None]
     curve = smooth(motion, robot.limits, ENOUGH * min(parts))
     for name, end in (("recorded start", curve.ends.start), ("recorded goal", curve.ends.goal)):
         model.free_configuration(name, end, clearance)
+    reason = blocked(model, motion, tolerance, integral.kinematics.task, clearance)
+    if reason:
+        return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: {reason}")
     tube = Tube(
         recorded=motion,
         figures=MotionFigures.of(motion, integral),
@@ -139,7 +144,6 @@ def improve(
     )
     tell(0.2, "raising the manipulability")
     found = best_motion(tube, curve)
-    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     if found is None:
         bodies, row = model.nearest_bodies(motion.q)
         return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")

@@ -356,6 +356,11 @@ class PathShape:
             )
             raise InvalidInputError("pieces", self.pieces, wanted)
 
+    @property
+    def has_slopes(self) -> bool:
+        """Whether a derivative at an end is given."""
+        return any(each is not None for each in (self.start_slope, self.goal_slope, self.start_bend, self.goal_bend))
+
     def functions(self) -> Basis:
         """The basis functions."""
         return named_basis(self.basis, self.degree, self.pieces)

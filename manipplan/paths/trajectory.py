@@ -86,6 +86,12 @@ class Trajectory(Pictured):
         column = [self.joint_names.index(name) for name in joint_names]
         return replace(self, q=self.q[:, column], qd=self.qd[:, column], joint_names=tuple(joint_names))
 
+    def named(self, joint_names: Sequence[str] | None) -> "Trajectory":
+        """The same motion with other names of its joints, such as those of a controller, in the order of its columns."""
+        if joint_names is None:
+            return self
+        return replace(self, joint_names=distinct_names("joint_names", joint_names, self.n))
+
     def segments(self) -> tuple[Array, Array]:
         """Widths (k - 1,) [s] and cubic coefficients (4, k - 1, n), lowest power first, in time from the segment's start."""
         h = np.diff(self.t)[:, None]
@@ -131,11 +137,14 @@ class Trajectory(Pictured):
         t: Array = np.round(self.t * factor, 9)
         return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
 
-    def to_csv(self, file: str | Path) -> None:
-        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`."""
+    def to_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
+        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`.
+
+        `joint_names`: the controller's names of the joints, as in `named`.
+        """
         from manipplan.paths import export
 
-        export.to_csv(self, file)
+        export.to_csv(self.named(joint_names), file)
 
     def to_json(self, file: str | Path) -> None:
         """Write the samples as JSON."""
@@ -143,11 +152,14 @@ class Trajectory(Pictured):
 
         export.to_json(self, file)
 
-    def to_ros(self, file: str | Path) -> None:
-        """Write a ROS trajectory_msgs/JointTrajectory in YAML."""
+    def to_ros(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
+        """Write a ROS trajectory_msgs/JointTrajectory in YAML.
+
+        `joint_names`: the controller's names of the joints, as in `named`.
+        """
         from manipplan.paths import export
 
-        export.to_ros(self, file)
+        export.to_ros(self.named(joint_names), file)
 
     def to_npz(self, file: str | Path) -> None:
         """Write the samples as a NumPy archive."""
@@ -163,6 +175,7 @@ class Trajectory(Pictured):
         name: str = "manipplan_motion",
         lookahead_time: float = 0.1,
         gain: float = 300.0,
+        joint_names: Sequence[str] | None = None,
     ) -> None:
         """Write a URScript program that follows the motion by one servoj for each cycle of the controller.
 
@@ -173,6 +186,7 @@ class Trajectory(Pictured):
             rate: 500 for e-Series, 125 for CB3 [Hz].
             name: of the function in the script.
             lookahead_time, gain: of servoj, 0.03 to 0.2 s and 100 to 2000.
+            joint_names: the controller's names of this motion's joints, as in `named`.
 
         The joints are found by their names, as in ur_description, in any order.
 
@@ -181,10 +195,12 @@ class Trajectory(Pictured):
         """
         from manipplan.paths.controllers import urscript
 
-        urscript.to_urscript(self, file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
+        urscript.to_urscript(self.named(joint_names), file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
 
-    def to_franka_csv(self, file: str | Path) -> None:
+    def to_franka_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
         """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
+
+        `joint_names`: the controller's names of this motion's joints, as in `named`.
 
         The joints are found by their names, in any order: panda_joint1 to 7 or fer_joint1 to 7 of a Panda, fr3_joint1 to 7 of a
         Franka Research 3, whose largest velocity falls to zero towards its position limits.
@@ -195,15 +211,18 @@ class Trajectory(Pictured):
         """
         from manipplan.paths.controllers import franka
 
-        franka.to_franka_csv(self, file)
+        franka.to_franka_csv(self.named(joint_names), file)
 
-    def to_rosbag(self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
+    def to_rosbag(
+        self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0, joint_names: Sequence[str] | None = None
+    ) -> None:
         """Write a ROS 2 bag for `ros2 bag play`, rviz and Foxglove: the motion as a JointTrajectory and as JointStates.
 
         Args:
             file: folder of the bag; it must not exist yet.
             storage: "mcap" or "sqlite3".
             rate: of the JointStates [Hz]; each sample gets one as well.
+            joint_names: the controller's names of this motion's joints, as in `named`.
 
         Raises:
             InvalidInputError: the folder exists or cannot be written, or another argument is not usable.
@@ -211,7 +230,7 @@ class Trajectory(Pictured):
         """
         from manipplan.paths import rosbag
 
-        rosbag.to_rosbag(self, file, storage=storage, rate=rate)
+        rosbag.to_rosbag(self.named(joint_names), file, storage=storage, rate=rate)
 
     @classmethod
     def from_rosbag(cls, file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> "Trajectory":

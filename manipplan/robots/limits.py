@@ -51,6 +51,13 @@ class JointLimits:
         """Number of joints."""
         return len(self.lower)
 
+    @property
+    def middle(self) -> Array:
+        """The middle of each joint's position limits (n,) [rad or m]; 0, or the nearer limit, where they are not finite."""
+        is_bounded = np.isfinite(self.lower) & np.isfinite(self.upper)
+        low, high = (np.where(is_bounded, each, 0.0) for each in (self.lower, self.upper))
+        return np.where(is_bounded, (low + high) / 2, np.clip(0.0, self.lower, self.upper))
+
     def with_changes(self, changes: Mapping[str, ArrayLike], *, source: str = "given") -> "JointLimits":
         """A copy with other limits, e.g. ``{"acceleration": 5.0}``; one number applies to all joints."""
         known = {f.name for f in fields(self)} - {"sources"}

@@ -19,7 +19,7 @@ from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
-from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
+from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
@@ -98,7 +98,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
-        locked: Mapping[str, float] | None = None,
+        locked: Mapping[str, float] | str | None = None,
         neutral: ArrayLike | None = None,
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
@@ -119,7 +119,8 @@ class Robot(Pictured):
                 them. A joint that mimics an active one moves with it, one that mimics a locked one is locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
-            locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
+            locked: values [rad or m] at which other joints are locked, or the name of a state of the SRDF that has them, such
+                as "open" of a gripper. Default: the SRDF's first posture, or 0 (or the
                 nearest limit). A value outside a joint's limits is accepted, with a warning in the log.
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
@@ -158,7 +159,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
-        locked: Mapping[str, float] | None = None,
+        locked: Mapping[str, float] | str | None = None,
         neutral: ArrayLike | None = None,
         **limits: ArrayLike,
     ) -> "Robot":
@@ -177,7 +178,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None,
         srdf: str | Path | None,
         name: str | None,
-        locked: Mapping[str, float] | None,
+        locked: Mapping[str, float] | str | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
         files: UrdfFiles | None = None,
@@ -191,8 +192,10 @@ class Robot(Pictured):
         semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
-        locked = {} if locked is None else locked
         chain = [whole.names[i] for i in sorted({i for each in tools for i in supports(whole, each)})]
+        if isinstance(locked, str):
+            locked = state_of_others(semantic, locked, chain)
+        locked = {} if locked is None else locked
         active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked)
         held = parts.locked_values(whole, active, locked, semantic, read.mimics)
         model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array, flag, instance, number, whole_number
@@ -105,7 +105,8 @@ def plot_manipulability(
     if flag("straight", straight):
         first = next(iter(curves.values()))
         colours["straight"] = style.STRAIGHT
-        curves["straight"] = JointPath.line(first.start, first.goal)
+        if first.length >= SHORTEST:  # unless the arm stands still
+            curves["straight"] = JointPath.line(first.start, first.goal)
     s = np.linspace(0.0, 1.0, POINTS)
     drawn: list[tuple[Array, Any]] = []
     ax = style.axes_for(ax)

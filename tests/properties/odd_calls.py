@@ -459,6 +459,7 @@ def calls(folder: Path) -> dict[str, Call]:
             mp.Trajectory.from_rosbag, {"file": str(folder / "recorded"), "topic": "/joint_states", "joints": ["joint1"]}
         ),
         "Trajectory.in_order": C(motion.in_order, {"joint_names": arm.joint_names}),
+        "Trajectory.named": C(motion.named, {"joint_names": motion.joint_names}),
         "Trajectory.slower": C(motion.slower, {"factor": 2.0}),
         **{
             f"Trajectory.{name}": C(getattr(motion, name), {"file": str(folder / "out")})

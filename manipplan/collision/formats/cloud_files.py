@@ -38,7 +38,7 @@ def read_points(argument: str, file: Path) -> Array:
         if file.stat().st_size > MOST_BYTES:
             raise ValueError(f"it has {file.stat().st_size:,} bytes, of at most {MOST_BYTES:,}")
         if ending == ".ply":
-            points = read_ply(file).vertices
+            points = read_ply(file, rows=MOST_POINTS, faces=MOST_POINTS).vertices
         elif ending == ".pcd":
             points = _pcd(file.read_bytes())
         else:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.robots.meshes.files import MOST_TRIANGLES
+from manipplan.robots.meshes.files import check_count
 from manipplan.robots.meshes.polygons import moved_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
@@ -99,8 +99,7 @@ def _announced(document: Any) -> int:
             count += mode in TRIANGLES
             if mode in TRIANGLES:
                 corners += _corners(document, primitive)
-    if corners > 3 * MOST_TRIANGLES:
-        raise ValueError(f"it has {corners:,} corners, of at most {3 * MOST_TRIANGLES:,}")
+    check_count(corners // 3)
     return count
 
 
@@ -113,7 +112,7 @@ def _corners(document: dict[str, Any], primitive: Any) -> int:
     if positions.get("componentType") != FLOAT or positions.get("type") != "VEC3":
         raise ValueError(f"it has positions of the component type {positions.get('componentType')!r}: only floats are read")
     indices = _accessor(document, primitive["indices"]) if "indices" in primitive else positions
-    return max(positions["count"], indices["count"])
+    return max(int(positions["count"]), int(indices["count"]))
 
 
 def _accessor(document: dict[str, Any], index: Any) -> dict[str, Any]:
