@@ -237,3 +237,10 @@ def test_limits_bound_the_short_way_and_all_turns_pass_their_checks():
     assert mp.plan(narrow, start, goal, seeding=mp.Seeding(shifts="nearest")).path.goal[5] == -3.0
     with pytest.raises(mp.InvalidInputError, match="'nearest' for the short way"):
         mp.sequence(UR5, start, [mp.MoveTo(goal)], seeding=mp.Seeding(shifts="within-limits"))
+
+
+def test_where_the_arm_stands_at_a_limit_is_the_goal_beyond_it():
+    start = np.array([3.0, 0.9, 0.5])
+    plan = mp.plan(ARM, start, start + [1e-7, 0.0, 0.0])
+    assert plan.status is mp.Status.AT_GOAL
+    assert [each.argument for each in plan.report.taken_to_limits] == ["goal"]
