@@ -24,6 +24,8 @@ from manipplan.timing.straight import straight_ends
 NEAR_STANDSTILL = 0.02
 #: Minimum number of grid points per polynomial piece, up to 4 `grid` in total; a single piece gets the whole grid.
 EACH = 40
+#: Maximum number of grid points.
+MOST_GRID = 100_000
 #: A grid is refined when discretisation makes the whole motion slower by more than this factor.
 CLOSE_TO_IDEAL = 1.02
 #: Smallest and largest accepted limits; realistic ones lie far inside [SI units].
@@ -73,7 +75,7 @@ def retime(
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
     torque_model = robot.model if flag("torque", torque) else None
-    grid = whole_number("grid", grid, least=50)
+    grid = whole_number("grid", grid, least=50, most=MOST_GRID)
     names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
     parts = check_segments(segments, limits)
