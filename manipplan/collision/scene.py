@@ -101,10 +101,10 @@ class Scene(Pictured):
         from manipplan.collision.formats.moveit_text import read_scene_text
         from manipplan.collision.formats.moveit_yaml import read_planning_scene
 
-        path = existing_file("file", file)
+        path, folders = existing_file("file", file), UrdfFiles(packages={} if packages is None else packages).packages
         allowed: list[list[str]] = []
         if path.suffix.lower() in (".yaml", ".yml"):
-            objects, allowed = read_planning_scene(path, UrdfFiles(packages={} if packages is None else packages).packages)
+            objects, allowed = read_planning_scene(path, folders)
         else:
             objects = read_scene_text(path)
         obstacles, parts = list[Obstacle](), dict[str, tuple[str, ...]]()

@@ -20,7 +20,7 @@ from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import Array, configurations, instance, one_of, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, configurations, instance, one_of, whole_number
 from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
@@ -299,7 +299,7 @@ def kinematics_of(
     chosen = measure_for(robot, task, measure_of(measure))
     if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
         raise InvalidInputError("compiled", compiled, "'auto', True or False")
-    threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
+    threads = all_cores() if threads is None else whole_number("threads", threads, least=1, most=MOST_THREADS)
     if not isinstance(backend, str):
         raise InvalidInputError("backend", backend, "the name of a backend")
     return _kinematics(robot, task, chosen, backend, compiled, threads)

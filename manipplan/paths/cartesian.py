@@ -21,6 +21,8 @@ APART = 1e-9
 RETURNS = 1e-9
 #: Distance in s within which two knots are one.
 SAME = 1e-12
+#: Maximum number of poses of a sample.
+MOST_SAMPLES = 1_000_000
 #: Columns of a CSV file of poses: position [m], then the quaternion.
 COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
@@ -40,7 +42,7 @@ class CartesianPath(ABC):
 
     def sample(self, n: int) -> Array:
         """Poses (n, 4, 4) at equally spaced s, including both ends; n >= 2."""
-        return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2)))
+        return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2, most=MOST_SAMPLES)))
 
     @property
     def length(self) -> float:

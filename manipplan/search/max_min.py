@@ -19,7 +19,7 @@ from manipplan.search.candidates.layers import Layers
 from manipplan.search.search import CandidatePath, Search
 from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
 from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest
-from manipplan.support.checks import Array, flag, instance, one_of, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, teller
@@ -220,7 +220,7 @@ def max_min_search(
         from manipplan.kinematics.batch import all_cores
 
         threads = all_cores()
-    whole_number("threads", threads, least=1)
+    whole_number("threads", threads, least=1, most=MOST_THREADS)
     results = _results(layers, steps, bool(strict), Prefer(prefer), explain, tell, threads if layers.count >= THREADED else 1)
     results = _raise_if_not_connected(results) if throw else results
     if anytime:

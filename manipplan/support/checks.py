@@ -21,6 +21,8 @@ LARGEST_SEED = 2**31 - 1
 #: Bounds on every number and every whole number, on entries of configurations [rad or m], beyond which an angle has lost its
 #: digits, and on positions [m].
 LARGEST, LARGEST_COUNT, LARGEST_ANGLE, FARTHEST = 1e12, 10**9, 1e6, 1e6
+#: Maximum number of threads.
+MOST_THREADS = 1024
 #: Smallest number above zero that can be divided by without overflow.
 SMALLEST = 1e-100
 

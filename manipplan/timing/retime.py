@@ -15,14 +15,17 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece
+from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece, straight_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
 from manipplan.timing.stops import STANDSTILL, MovingPath, stops
+from manipplan.timing.straight import straight_ends
 
 #: Where a grid is too coarse for a bend as sharp as a corner, a stop is tried where ‖q'‖ is below this share of its mean.
 NEAR_STANDSTILL = 0.02
 #: Minimum number of grid points per polynomial piece, up to 4 `grid` in total; a single piece gets the whole grid.
 EACH = 40
+#: Maximum number of grid points.
+MOST_GRID = 100_000
 #: A grid is refined when discretisation makes the whole motion slower by more than this factor.
 CLOSE_TO_IDEAL = 1.02
 #: Smallest and largest accepted limits; realistic ones lie far inside [SI units].
@@ -72,7 +75,7 @@ def retime(
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
     torque_model = robot.model if flag("torque", torque) else None
-    grid = whole_number("grid", grid, least=50)
+    grid = whole_number("grid", grid, least=50, most=MOST_GRID)
     names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
     parts = check_segments(segments, limits)
@@ -97,15 +100,21 @@ def retime(
 def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[Piece]:
     """The motions between all stops."""
     pieces = []
+    path = problem.course.path
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
         end = speeds[1] if k == len(at) - 2 else 0.0
+        first, last = np.searchsorted(path.breaks, (a, b))
+        if start == end == 0 and problem.is_plain(a, b) and path.breaks[first] == a and path.breaks[last] == b:
+            ends = straight_ends(path, int(first), int(last))
+            if ends is not None:
+                pieces.append(straight_piece(problem, a, b, ends))
+                continue
         share = max(20, int(np.ceil(grid * (b - a))))
         if problem.limits.has_jerk:
             pieces.append(smooth_piece(problem, a, b, share, start, end))
             continue
-        inside = int(np.count_nonzero((problem.course.path.breaks > a) & (problem.course.path.breaks < b)))
-        pieces.append(stepped_piece(problem, a, b, max(share, min(EACH * (1 + inside), 4 * grid)), start, end))
+        pieces.append(stepped_piece(problem, a, b, max(share, min(EACH * (last - first), 4 * grid)), start, end))
     return pieces
 
 

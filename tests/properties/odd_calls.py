@@ -58,7 +58,7 @@ def _contains_itself() -> list[Any]:
 
 def never(valid: Any) -> Iterator[Any]:
     """Values that are wrong wherever `valid` is right."""
-    yield from (Hostile(), [Hostile()], b"bytes", 1j, object(), np.array(["a"]), np.array([1 + 1j]), _contains_itself())
+    yield from (Hostile(), [Hostile()], b"bytes", 1j, object(), np.array([b"a"]), np.array([1 + 1j]), _contains_itself())
     yield from (
         np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0]),
         10**5000,
@@ -749,7 +749,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "file": str(folder / "film.gif"),
                 "fps": 2.0,
                 "speed": 1.0,
-                "size": (2.0, 1.0),
+                "size": (4.0, 3.0),
                 "dpi": 20.0,
                 "colours": 96,
             },

@@ -9,7 +9,7 @@ from pathlib import Path
 from manipplan.robots.formats import xacro_files
 from manipplan.robots.formats.packages import PackageFolders
 from manipplan.robots.formats.xml_files import read_xml
-from manipplan.support.checks import flag, one_of
+from manipplan.support.checks import flag, one_of, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
 log = logging.getLogger("manipplan")
@@ -43,6 +43,8 @@ class UrdfFiles:
     def __post_init__(self) -> None:
         if isinstance(self.package_dirs, str | Path) or not isinstance(self.package_dirs, Sequence):
             raise InvalidInputError("package_dirs", self.package_dirs, "a list of folders")
+        for k, folder in enumerate(self.package_dirs):
+            path_of(f"package_dirs[{k}]", folder)
         if not isinstance(self.packages, Mapping):
             raise InvalidInputError("packages", self.packages, "a mapping from names of packages to their folders")
         for name, folder in self.packages.items():
