@@ -111,6 +111,7 @@ def test_a_tolerance_of_zero_refuses_the_smallest_excess():
         strict.configuration("q", [np.nextafter(3.0, 4.0), 0.0, 0.0])
 
 
+@pytest.mark.slow
 def test_every_job_takes_start_and_goal_to_the_limit_and_says_so(caplog, tmp_path):
     off = 4e-5
     robot = ARM.with_limits(limit_tolerance=1e-4)
@@ -150,6 +151,7 @@ def test_every_job_takes_start_and_goal_to_the_limit_and_says_so(caplog, tmp_pat
         mp.sequence(ARM, MIDDLE, [mp.MoveTo(goal)])
 
 
+@pytest.mark.slow
 def test_follow_begins_at_the_limit():
     robot = ARM.with_limits(limit_tolerance=1e-3)
     kinematics = robot.kinematics()
@@ -162,6 +164,7 @@ def test_follow_begins_at_the_limit():
     assert plan.trajectory.q[0, 2] == 2.0
 
 
+@pytest.mark.slow
 def test_named_states_are_taken_to_the_limits(caplog):
     robot = mp.load_robot("panda")
     name = next(iter(robot.states))
@@ -172,6 +175,7 @@ def test_named_states_are_taken_to_the_limits(caplog):
     assert plan.trajectory.q[0, 3] == narrow.limits.upper[3]
 
 
+@pytest.mark.slow
 def test_a_saved_plan_keeps_the_tolerance(tmp_path):
     robot = UR5.with_limits(limit_tolerance=1e-3)
     goal = UR5.neutral.copy()
@@ -180,6 +184,7 @@ def test_a_saved_plan_keeps_the_tolerance(tmp_path):
     assert mp.Plan.load(tmp_path).robot.limit_tolerance == 1e-3
 
 
+@pytest.mark.slow
 def test_two_pi_and_one_microradian():
     q = UR5.neutral.copy()
     q[5] = TURN + 1e-6
@@ -192,6 +197,7 @@ def test_two_pi_and_one_microradian():
 # the short way
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(turns=st.lists(st.integers(-3, 3), min_size=3, max_size=3), by=st.floats(-3.0, 3.0).filter(lambda x: abs(x) > 0.05))
 def test_the_short_way_of_continuous_joints_is_the_same_for_every_turn(turns, by):
@@ -201,6 +207,7 @@ def test_the_short_way_of_continuous_joints_is_the_same_for_every_turn(turns, by
     np.testing.assert_allclose(short.goal, goal, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_short_way_across_pi():
     robot = mp.load_robot("kinova")
     start, goal = robot.neutral.copy(), robot.neutral.copy()
@@ -215,6 +222,7 @@ def test_the_short_way_across_pi():
     assert program.passed and np.ptp(program.trajectory.q[:, 0]) < 0.1
 
 
+@pytest.mark.slow
 def test_a_short_turn_neither_warns_nor_stops_early():
     robot = mp.load_robot("kinova")
     start, goal = robot.neutral.copy(), robot.neutral.copy()
@@ -227,6 +235,7 @@ def test_a_short_turn_neither_warns_nor_stops_early():
         assert plan.status is mp.Status.OPTIMAL and plan.path.length == pytest.approx(0.0832, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_limits_bound_the_short_way_and_all_turns_pass_their_checks():
     start = np.array([0.0, -1.2, 1.4, -1.7, -1.5, 3.0])
     goal = start + [0.3, 0, 0, 0, 0, -6.0]
@@ -244,3 +253,15 @@ def test_where_the_arm_stands_at_a_limit_is_the_goal_beyond_it():
     plan = mp.plan(ARM, start, start + [1e-7, 0.0, 0.0])
     assert plan.status is mp.Status.AT_GOAL
     assert [each.argument for each in plan.report.taken_to_limits] == ["goal"]
+
+
+@pytest.mark.slow
+@settings(max_examples=12, deadline=None)
+@given(size=st.floats(0.01, 1.0), seed=st.integers(0, 1000))
+def test_short_paths_reach_their_optimum(size, seed):
+    """A gradient per radian means little on a short path, so the descent goes on until the certificate accepts it."""
+    rng = np.random.default_rng(seed)
+    start = MIDDLE + rng.uniform(-0.3, 0.3, 3)
+    way = rng.normal(size=3)
+    path = mp.optimize_path(ARM, start, start + size * way / np.linalg.norm(way), mp.Scene())
+    assert path.status is mp.Status.OPTIMAL and path.certificate.projected_gradient <= 1e-3

@@ -49,6 +49,7 @@ def driven(motion, noise=0.0):
     return t, q + np.random.default_rng(seed).normal(0.0, noise, q.shape)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(motion=motions, noise=st.sampled_from([0.0, 1e-4, 5e-3]), kind=st.sampled_from(["true", "spline", "differences"]))
 def test_a_log_as_reported_is_the_log_as_driven(motion, noise, kind):
@@ -146,6 +147,7 @@ def test_a_first_path_as_reported_is_one_as_driven():
         assert path.length < 2.0
 
 
+@pytest.mark.slow
 def test_noise_beyond_a_limit_is_in_the_report():
     t, q = driven((1.0, 0.8, 8.0, 300, 0))
     robot = FREE.with_limits(lower=-3.0, upper=[1.795, 3.0, 3.0])

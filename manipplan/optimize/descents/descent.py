@@ -200,7 +200,7 @@ def descend(
     if not is_unchecked:
         curves = program.length.curves
         apart = float(np.linalg.norm(curves.goal - curves.start))
-        usual_steps, usual_tolerance = STEPS, max(FREE_TOLERANCE, TOLERANCE * min(1.0, apart) ** 2)
+        usual_steps, usual_tolerance = STEPS, TOLERANCE * min(1.0, apart) ** 2
     steps = usual_steps if steps is None else steps
     tolerance = usual_tolerance if tolerance is None else tolerance
     radius, penalty = first_radius, least_penalty
