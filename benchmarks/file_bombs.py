@@ -169,7 +169,8 @@ def collada(instances: int, depth: int) -> bytes:
     )
     mesh = (
         '<geometry id="g"><mesh><source id="s"><float_array id="f" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>'
-        '<accessor source="#f" count="3" stride="3"><param type="float"/><param type="float"/><param type="float"/></accessor>'
+        '<accessor source="#f" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>'
+        '<param name="Z" type="float"/></accessor>'
         '</technique_common></source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>'
         '<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry>'
     )
