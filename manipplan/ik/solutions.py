@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.support.checks import Array, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
@@ -69,7 +69,7 @@ class SolutionSet(Pictured):
 
     def for_pose(self, pose: int) -> Array:
         """The rows of q that reach the pose with this index, (k, n)."""
-        return np.asarray(self.q[self.pose_index == pose])
+        return np.asarray(self.q[self.pose_index == whole_number("pose", pose, least=0)])
 
     def __str__(self) -> str:
         return f"{len(self)} solutions ({self.method}, {self.complete.value})"
@@ -129,7 +129,7 @@ def inverse_kinematics(
     from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
 
-    instance("turns", turns, bool)
+    flag("turns", turns)
     poses = pose_stack("pose", pose)
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
@@ -255,7 +255,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)
-    if isinstance(matrix, np.ndarray) and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
+    if type(matrix) is np.ndarray and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
         stack = np.array(matrix, order="C")
         if are_poses(stack):
             return stack
@@ -269,7 +269,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
 def _is_matrix(value: Any) -> bool:
     try:
         return np.ndim(value) == 2
-    except ValueError:  # rows of different lengths
+    except Exception:  # rows of different lengths, or a foreign object: the check of one pose says so
         return False
 
 

@@ -24,9 +24,9 @@ from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, number_array, random_seed, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number_array, one_of, random_seed, whole_number
 from manipplan.support.deadline import NEVER, Deadline
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
@@ -107,8 +107,7 @@ class Solver:
         one_tool(instance("robot", robot, Robot), "inverse kinematics")
         usual = robot.default_task if robot.planar else Task.pose()
         task = instance("task", task if task is not None else usual, Task)
-        if not isinstance(method, str) or method not in METHODS:
-            raise UnknownNameError("method", str(method), METHODS)
+        one_of("method", method, METHODS)
         if task.relative_to is not None:
             raise InvalidInputError("task", task, "a task in the world: solutions are enumerated for poses there")
         free = FreeMotion.of(task, planar=robot.planar)

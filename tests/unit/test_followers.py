@@ -24,10 +24,10 @@ from manipplan.constraints.tool_frame import tool_frame
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.jobs.goals.reach import beyond_links
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.problem import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.arms import arm_of, tool_reach
+from manipplan.robots.configuration import nearest_turns
 from manipplan.timing.steady.corner import most_acceleration
 from manipplan.tracking.avoidance import avoidance_rows
 from manipplan.viz.motions import skeleton

@@ -86,7 +86,7 @@ class Arguments(dict[str, str]):
 def main(folder: str) -> None:
     """Expand the file of the request in `folder`; the answer is the URDF, or the error."""
     request = request_in(folder)
-    set_limits(memory=MEMORY, written=WRITTEN)
+    set_limits(memory=MEMORY, written=WRITTEN, processor=request["processor"])
     write_answer(folder, expanded(request))
 
 
