@@ -18,6 +18,7 @@ from manipplan.support.checks import (
     number,
     number_array,
     pose_matrix,
+    unit_quaternion,
     whole_number,
 )
 from manipplan.support.display import one_line
@@ -149,12 +150,11 @@ class CartesianPath(ABC):
                 values = np.array([float(cell) for cell in line.split(",")])
                 if values.shape != (len(COLUMNS),) or not np.isfinite(values).all():
                     raise ValueError(line)
+                w, x, y, z = unit_quaternion("quaternion", values[3:], "qw, qx, qy, qz")
+            except InvalidInputError as error:
+                raise FileFormatError("file", f"{path}, row {row}: {line}", error.allowed) from error
             except ValueError as error:
                 raise FileFormatError("file", f"{path}, row {row}: {line}", f"{len(COLUMNS)} finite numbers") from error
-            size = np.linalg.norm(values[3:])
-            if abs(size - 1) > 1e-3:
-                raise FileFormatError("file", f"{path}, row {row}: {line}", "a quaternion of length 1")
-            w, x, y, z = values[3:] / size
             poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
         return cls.through(poses)
 
