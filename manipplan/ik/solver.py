@@ -325,9 +325,17 @@ class Solver:
         if stopped.any():
             targets, at = self._targets(poses, owners[order], samples[order], source[stopped])
             residual[stopped] = self._residual(q[stopped], targets, at)
+        allowed = _allowed(poses)[owners[order][source]]
         source = order[source]
-        usual = np.lexsort((residual > REACHED, source))  # `distinct` takes the first of those that are one
+        usual = np.lexsort((residual > allowed, source))  # `distinct` takes the first of those that are one
+        usual = usual[self._counts(q, source, residual, allowed)[usual]]
         return replace(found, q=q[usual], source=source[usual], residual=residual[usual])
+
+    def _counts(self, q: Array, source: NDArray[np.int64], residual: Array, allowed: Array) -> NDArray[np.bool_]:
+        """Whether q (k, n) are solutions: they reach their pose, or nearly so at a limit, or where none of the sample does."""
+        good, limits = residual <= allowed, self.robot.limits
+        stopped = ((q == limits.lower) | (q == limits.upper)).any(axis=1)
+        return np.asarray(good | ((residual <= NEARLY) & (stopped | ~np.isin(source, source[good]))))
 
     def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
@@ -395,7 +403,7 @@ class Solver:
             left, q = self._residual(better, targets, rows[off]), q.copy()
             nearer = np.flatnonzero(off)[left < residual[off]]
             q[nearer], residual[nearer] = better[left < residual[off]], left[left < residual[off]]
-        good = residual <= np.maximum(allowed, NEARLY)
+        good = self._counts(q, source, residual, allowed)
         return Found(q=q[good], source=source[good], residual=residual[good])
 
     def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:
