@@ -88,8 +88,8 @@ def row(name: str, count: int, special: bool) -> list[str]:
             missing, more = missing + lost(before, after), more + lost(after, before)
             none += len(before) > 0 and len(after) == 0
             worst = max([worst, *(judge.distance(q, pose) for q in after)])
-        total = sum(map(len, exact))
-        lines.append(f"| {label} | {rounding} | {count:,} | {total:,} | {missing} | {more} | {none} | {worst:.2g} | {took:.1f} |")
+        cells = (label, rounding, f"{count:,}", f"{sum(map(len, exact)):,}", missing, more, none, f"{worst:.2g}", f"{took:.1f}")
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
     return lines
 
 
