@@ -21,7 +21,6 @@ from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -275,7 +274,7 @@ def follow(
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
-    still = all(each.course.path.length < SHORTEST for each in motion.parts)
+    still = all(each.course.path.length < SAME for each in motion.parts)
     if still and np.ptp(path.sample(PLACES), axis=0).max() > SAME:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
