@@ -72,6 +72,11 @@ class CartesianPath(ABC):
         """Parameters s (k,) of the poses through which the path was laid, with 0 and 1."""
         return np.array([0.0, 1.0])
 
+    @property
+    def given(self) -> Array | None:
+        """The poses (k, 4, 4) through which the path was laid, near whose polygon it stays; None where there are none."""
+        return None
+
     def part(self, begin: float, end: float) -> "CartesianPath":
         """The part from s = begin to s = end > begin. On a closed path the end may be beyond 1, at most one round farther."""
         begin = number("begin", begin, least=0.0, most=1.0)
@@ -223,6 +228,10 @@ class Spline(CartesianPath):
     @property
     def knots(self) -> Array:
         return self.s
+
+    @property
+    def given(self) -> Array:
+        return self.poses
 
     @cached_property
     def _curve(self) -> PoseCurve:

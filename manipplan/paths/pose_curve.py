@@ -17,10 +17,12 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array
 
 #: Largest slope of the curve across a piece of the polygon, as a share of its slope along it: as on a circle through poses
-#: every 22°. It is larger on the shorter of two pieces, which adds the less to the length, and smaller at turns beyond 90°.
+#: every 22°. It is larger on the shorter of two pieces, which adds less to the length, and smaller at turns beyond 90°.
 ACROSS = 0.19
 #: Largest velocity at a pose, as a multiple of that on either piece, and largest change of it over a piece.
 FASTEST, CHANGE = 1.1, 2.0
+#: How many times shorter a piece is whose direction does not count.
+MUCH_SHORTER = 40
 #: Largest factor by which a velocity is longer than the chord between the neighbours of a pose says.
 LONGER = 1.25
 #: What a ratio to zero counts as.
@@ -39,8 +41,6 @@ class PoseCurve:
 
     def __call__(self, s: Array) -> tuple[Array, Array]:
         """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
-        from scipy.spatial.transform import Rotation
-
         piece = np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.s) - 2)
         u = ((s - self.s[piece]) / (self.s[piece + 1] - self.s[piece]))[:, None]
         begins, ends = self.poses[piece], self.poses[piece + 1]
@@ -48,8 +48,7 @@ class PoseCurve:
         weights = np.concatenate([weights, np.stack([u**2 * (1 - u) ** 3 / 2, (1 - u) ** 2 * u**3 / 2], axis=1)], axis=1)
         moved, turned = ((weights * shifts[piece]).sum(axis=1) for shifts in self.shifts)
         positions = (1 - u) * begins[:, :3, 3] + u * ends[:, :3, 3] + moved
-        turn = Rotation.from_rotvec(u * self.turns[piece]) * Rotation.from_rotvec(turned)
-        return positions, begins[:, :3, :3] @ turn.as_matrix()
+        return positions, begins[:, :3, :3] @ rotations_of(u * self.turns[piece]) @ rotations_of(turned)
 
 
 def rotation_vectors(rotations: Array) -> Array:
@@ -57,6 +56,13 @@ def rotation_vectors(rotations: Array) -> Array:
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_matrix(rotations).as_rotvec())
+
+
+def rotations_of(vectors: Array) -> Array:
+    """Rotations (k, 3, 3) of rotation vectors (k, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_rotvec(vectors).as_matrix())
 
 
 def _shifts(widths: Array, chords: Array, *, turns: bool) -> Array:
@@ -103,12 +109,13 @@ def _limited(velocity: Array, chords: Array, speeds: Array) -> Array:
     factor, lengths = np.ones((len(velocity), 1)), _norms(chords)
     ahead = speeds * _ratio(1.0, _norms(speeds))
     half_turn = _norms(ahead[:-1] + ahead[1:]) / 2  # the cosine of half the angle by which the polygon turns
-    most_across = ACROSS * np.minimum(1.0, np.sqrt(2) * half_turn)
+    uneven = np.maximum(_ratio(lengths[:-1], lengths[1:]), _ratio(lengths[1:], lengths[:-1])) - 1
+    turning = np.minimum(1.0, np.sqrt(2) * half_turn + uneven / MUCH_SHORTER)
     for mine, other in ((slice(None, -1), slice(1, None)), (slice(1, None), slice(None, -1))):
-        speed, ratio = _norms(speeds[mine]), np.maximum(1.0, _ratio(lengths[other], lengths[mine]))
+        fastest, ratio = turning * _norms(speeds[mine]), np.maximum(1.0, _ratio(lengths[other], lengths[mine]))
         across = _norms(_across(velocity, speeds[mine]))
-        for value, most in ((_norms(velocity), FASTEST * speed), (across, most_across * speed * np.sqrt((1 + ratio) / 2))):
-            factor = np.minimum(factor, _ratio(most, value))
+        factor = np.minimum(factor, _ratio(FASTEST * fastest, _norms(velocity)))
+        factor = np.minimum(factor, _ratio(ACROSS * fastest * np.sqrt((1 + ratio) / 2), across))
     return factor
 
 
