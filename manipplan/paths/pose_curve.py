@@ -110,7 +110,7 @@ def _limited(velocity: Array, chords: Array, speeds: Array) -> Array:
     ahead = speeds * _ratio(1.0, _norms(speeds))
     half_turn = _norms(ahead[:-1] + ahead[1:]) / 2  # the cosine of half the angle by which the polygon turns
     uneven = np.maximum(_ratio(lengths[:-1], lengths[1:]), _ratio(lengths[1:], lengths[:-1])) - 1
-    turning = np.minimum(1.0, np.sqrt(2) * half_turn + uneven / MUCH_SHORTER)
+    turning = np.minimum(1.0, np.sqrt(2) * half_turn + (np.minimum(uneven, MUCH_SHORTER) / MUCH_SHORTER) ** 2)
     for mine, other in ((slice(None, -1), slice(1, None)), (slice(1, None), slice(None, -1))):
         fastest, ratio = turning * _norms(speeds[mine]), np.maximum(1.0, _ratio(lengths[other], lengths[mine]))
         across = _norms(_across(velocity, speeds[mine]))
@@ -125,12 +125,8 @@ def _accelerations(widths: Array, chords: Array, speeds: Array, velocity: Array)
     first, last = ends - 2 * velocity[:-1], 2 * velocity[1:] - ends
     made = np.concatenate([first[:1] / widths[:1], np.empty((len(chords) - 1, 3)), last[-1:] / widths[-1:]])
     made[1:-1] = (widths[:-1] * last[:-1] + widths[1:] * first[1:]) / (widths[:-1] ** 2 + widths[1:] ** 2)
-    most = np.full((len(made), 1), np.inf)
-    lengths = _norms(chords)
     bound = CHANGE * _norms(speeds) / widths
-    most[0], most[-1] = bound[0], bound[-1]
-    before, after = np.maximum(1.0, _ratio(lengths[1:], lengths[:-1])), np.maximum(1.0, _ratio(lengths[:-1], lengths[1:]))
-    most[1:-1] = np.minimum(bound[:-1] * before, bound[1:] * after)
+    most = np.minimum(np.concatenate([bound[:1], bound]), np.concatenate([bound, bound[-1:]]))
     return np.asarray(made * np.minimum(1.0, _ratio(most, _norms(made))))
 
 
