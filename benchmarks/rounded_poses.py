@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 from rich.progress import track
+from scipy.spatial import cKDTree
 
 import manipplan as mp
 
@@ -68,9 +69,9 @@ def configurations(robot: mp.Robot, count: int, special: bool) -> np.ndarray:
 
 def lost(found: np.ndarray, others: np.ndarray) -> int:
     """Number of the configurations (k, n) beside which there is none of the others (l, n)."""
-    if not len(others):
+    if not len(found) or not len(others):
         return len(found)
-    return sum(float(np.abs(others - q).max(axis=1).min()) > NEAR for q in found)
+    return int((cKDTree(others).query(found, p=np.inf)[0] > NEAR).sum())
 
 
 def row(name: str, count: int, special: bool) -> list[str]:

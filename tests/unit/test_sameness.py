@@ -1,5 +1,7 @@
 """Points that are one but for rounding make no corner, no stop and no bow."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -57,7 +59,7 @@ def test_pieces_that_stand_still_are_left_out(seed, gap, degree):
         points += [end, end + gap * rng.uniform(-0.5, 0.5, 2)]
     points = np.array(points)
     share = np.linspace(0, 1, degree + 1)[:, None]
-    control = np.array([a + share * (b - a) for a, b in zip(points[:-1], points[1:], strict=True)])
+    control = np.array([a + share * (b - a) for a, b in itertools.pairwise(points)])
     path = mp.JointPath(breaks=np.linspace(0, 1, len(points)), control=control)
     course = MovingPath(path)
     assert stops(course.path, 1e-6) == [0.0, 1.0]
