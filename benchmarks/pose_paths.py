@@ -22,6 +22,8 @@ import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "pose_paths.md"
 SEED, BOX, RADIAN = 45, 0.3, 0.1
+#: Distance up to which the cubic spline takes a pose for the one before.
+DOUBLE = 1e-9
 
 
 def poses_at_random(rng: np.random.Generator, smooth: bool) -> list[np.ndarray]:
@@ -86,7 +88,8 @@ def cubic_off(poses: list[np.ndarray], s: np.ndarray) -> float:
     """Largest distance from the polygon of a cubic spline of the positions, over the distances between the poses [m]."""
     given = np.array(poses)
     steps = np.linalg.norm(np.diff(given[:, :3, 3], axis=0), axis=1) + RADIAN * angles(given[:-1, :3, :3], given[1:, :3, :3])
-    at = np.concatenate([[0.0], np.cumsum(np.maximum(steps, 1e-9))])
+    given, steps = given[np.append(True, steps > DOUBLE)], steps[steps > DOUBLE]
+    at = np.concatenate([[0.0], np.cumsum(steps)])
     points, best = CubicSpline(at / at[-1], given[:, :3, 3])(s), np.full(len(s), np.inf)
     for a, b in itertools.pairwise(given[:, :3, 3]):
         share = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-300), 0, 1)[:, None]

@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
+from manipplan.jobs.goals.pose_goal import OneGoal, PoseGoal
 from manipplan.robots.arms import known_tool
 from manipplan.robots.attached import check_in_hand
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, configurations, pose_matrix
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.tolerances import SAME
 
 #: The forms of a goal, for messages.
 FORMS = (
@@ -70,7 +71,7 @@ class Target:
         off = q - self.q
         off = np.abs(np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
         joint = int(off.argmax())
-        return "" if off[joint] <= REACHED else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
+        return "" if off[joint] <= SAME else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 
 
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
