@@ -65,7 +65,7 @@ def test_pieces_that_stand_still_are_left_out(seed, gap, degree):
     assert stops(course.path, 1e-6) == [0.0, 1.0]
     np.testing.assert_array_equal([course.path.start, course.path.goal], [path.start, path.goal])
     motion = mp.retime(path, ARM)
-    assert motion.duration == pytest.approx(1.0, abs=1e-4)
+    assert motion.duration == pytest.approx(1.0, abs=1e-3)
     np.testing.assert_allclose(motion.q[[0, -1]], [path.start, path.goal], atol=1e-12)
 
 
