@@ -89,6 +89,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/six_joint_arms.py
 	$(BIN)/python benchmarks/own_configuration.py
 	$(BIN)/python benchmarks/slide_arms.py
+	$(BIN)/python benchmarks/rounded_poses.py
+	$(BIN)/python benchmarks/pose_paths.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --problems 50
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5 --problems 50
 	$(BIN)/python benchmarks/energy_solvers.py

@@ -79,9 +79,10 @@ def check(
             anywhere. Outside a limit by at most `robot.limit_tolerance`, they are taken to it, as the report says. Of a goal,
             full turns of joints without limits do not count.
         path: path of the tool. The tool must not leave it, has to come past each of its poses, begin at the first and end at
-            the last; the order in which it passes the others is not judged. With an objective whose task leaves a motion
-            of the tool free, such as Task.pointing(axis) or Task.position(), only the rest counts. None: the tool may move
-            anywhere.
+            the last; the order in which it passes the others is not judged. Of a path through given poses, these are judged
+            themselves: the tool has to come past each, and must not leave their polygon by more than an eighth of the piece or
+            of one beside it. With an objective whose task leaves a motion of the tool free, such as Task.pointing(axis) or
+            Task.position(), only the rest counts. None: the tool may move anywhere.
         path_begin: time from which the tool follows `path` [s], such as `path_begin` of a plan of `follow` with a lead-in.
         path_parts: the parts of the motion on which the tool follows `path`, where it leaves it between them: `report.along` of
             a plan of `follow` with interruptions. Together they have to cover the path; instead of `path_begin`.

@@ -11,14 +11,14 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
 from manipplan.paths.curves import Curve, bernstein
+from manipplan.paths.distinct import distinct
 from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.tolerances import SAME
 
 #: Breaks of two paths nearer than this are one.
 SAME_BREAK = 1e-12
-#: Paths shorter than this count as no motion [rad or m].
-SHORTEST = 1e-6
 #: Tolerance on the full turns between start and end of a closed path [rad or m].
 TURNED = 1e-9
 #: Bases available for the coefficients of a polynomial path.
@@ -62,11 +62,18 @@ class JointPath:
 
     @classmethod
     def through(cls, waypoints: ArrayLike) -> "JointPath":
-        """Straight pieces through waypoints (k, n), k >= 2, neighbours different; s is proportional to arc length."""
+        """Straight pieces through waypoints (k, n), k >= 2; s is proportional to arc length.
+
+        Of waypoints nearer than 1e-6 rad or m to the one before it takes one.
+        """
         points = finite_array("waypoints", waypoints, (None, None))
+        if len(points) < 2:
+            raise InvalidInputError("waypoints", points, "at least two points")
+        points = points[distinct(len(points), lambda i, j: np.linalg.norm(points[i] - points[j], axis=1))]
+        if len(points) < 2:
+            wanted = f"at least two points that differ: all are within {SAME:g} rad or m of the first one"
+            raise InvalidInputError("waypoints", np.asarray(waypoints), wanted)
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        if len(points) < 2 or not (steps > 0).all():
-            raise InvalidInputError("waypoints", points, "at least two points, neighbours different")
         breaks = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
         breaks[-1] = 1.0
         return cls(breaks=breaks, control=np.stack([points[:-1], points[1:]], axis=1))
@@ -75,7 +82,8 @@ class JointPath:
     def spline(cls, s: ArrayLike, q: ArrayLike, *, closed: bool = False) -> "JointPath":
         """The cubic spline through q (k, n) at increasing s (k,) from 0 to 1, twice continuously differentiable.
 
-        With `closed` also where the end joins the start; the last configuration must equal the first up to full turns.
+        Of rows nearer than 1e-6 to the one before it, in s and in q, it takes one. With `closed` it is smooth where the end
+        joins the start, too; the last configuration must equal the first up to full turns.
         """
         from scipy.interpolate import CubicSpline
 
@@ -83,6 +91,11 @@ class JointPath:
         places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
         if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
             raise InvalidInputError("s", places, "increasing numbers, one per row of q")
+        own = distinct(
+            len(places),
+            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(places[i] - places[j])),
+        )
+        places, points = places[own], points[own]
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
         if np.abs(drift - 2 * np.pi * np.round(drift / (2 * np.pi))).max(initial=0.0) > TURNED:
             raise InvalidInputError("q", points[-1].tolist(), "a last row equal to the first up to full turns")
@@ -102,8 +115,8 @@ class JointPath:
         """
         if not isinstance(parts, list | tuple) or not all(isinstance(part, JointPath) for part in parts):
             raise InvalidInputError("parts", parts, "a list of JointPath")
-        if not parts or any(part.length < SHORTEST for part in parts):
-            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SHORTEST:g}")
+        if not parts or any(part.length < SAME for part in parts):
+            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SAME:g}")
         ends = np.cumsum([0.0, *(part.length for part in parts)])
         ends /= ends[-1]
         degree = max(part.degree for part in parts)

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
+from manipplan.jobs.goals.pose_goal import OneGoal, PoseGoal
 from manipplan.robots.arms import known_tool
 from manipplan.robots.attached import check_in_hand
 from manipplan.robots.configuration import TakenToLimit, nearest_turns, taken_to_limits, to_limits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import ROTATION, Array, configurations
+from manipplan.support.checks import Array, configurations, pose_matrix
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.tolerances import SAME
 
 #: The forms of a goal, for messages.
 FORMS = (
@@ -87,7 +88,7 @@ class Target:
         off = q - self.q
         off = np.abs(np.where(robot.turns if self.turns else robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
         joint = int(off.argmax())
-        return "" if off[joint] <= REACHED else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
+        return "" if off[joint] <= SAME else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 
 
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
@@ -194,9 +195,11 @@ def _is_pose(goal: Sequence[Any], n: int) -> bool:
         return False
     if n != 4:
         return True
-    matrix = np.asarray(goal, dtype=float)
-    turned = np.abs(matrix[:3, :3].T @ matrix[:3, :3] - np.eye(3)).max() < ROTATION
-    return bool(turned and np.array_equal(matrix[3], [0.0, 0.0, 0.0, 1.0]))
+    try:
+        pose_matrix("goal", goal)
+    except InvalidInputError:
+        return False
+    return True
 
 
 def _has_shape(goal: Any) -> bool:

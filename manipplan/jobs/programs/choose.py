@@ -22,12 +22,13 @@ from manipplan.jobs.programs.nodes import Node
 from manipplan.jobs.programs.places import rounded
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.result import Plan
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress
+from manipplan.support.tolerances import SAME
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01
@@ -171,7 +172,7 @@ class ProgramSearch:
             if not self.nodes[k][node].is_given:
                 course = _turned(course, q, state)
             plan = None
-            if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
+            if leg.is_free and np.abs(course.entry - q).max() >= SAME:
                 made = self._motion(k, before, node, q, course.entry, state)
                 self._planned[k][before, node] = True
                 kept = -np.inf if isinstance(made, str) else made.report.min_manipulability

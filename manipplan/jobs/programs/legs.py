@@ -16,11 +16,9 @@ from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.tolerances import SAME
 from manipplan.timing.steady.corner import check_corners
 from manipplan.timing.steady.speed import check_tool_speed
-
-#: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
-STANDS = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -85,7 +83,7 @@ def read_steps(
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
                 _check_speed(k, step, robot, blend)
-            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
+            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > SAME:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
         elif isinstance(step, MoveAlong) and at is not None:

@@ -52,7 +52,8 @@ class Report:
         position_unit: "rad" or "m", of the joint that comes closest to a position limit.
         start_error, goal_error: largest distance of the first sample from the start, and of the last one from the goal [rad or
             m]; None where none was given.
-        deviation: largest distances of the tool from the workspace path, at shares of the duration; None without a path.
+        deviation: largest distances of the tool from the workspace path or, where they are larger, from the neighbourhood of
+            the polygon of the poses that it was laid through, at shares of the duration; None without a path.
         missed: largest distances of the poses of the workspace path from where the tool comes past, at s of the path. Its first
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
