@@ -46,7 +46,7 @@ import manipplan as mp
 def spent():
     both = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     seconds = sum(each.ru_utime + each.ru_stime for each in both)
-    own = [line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")]  # without the parent's, before exec
+    own = [line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")]  # without its parent
     return seconds, max(int(own[0]), both[1].ru_maxrss)
 
 warnings.simplefilter("ignore")
