@@ -34,7 +34,8 @@ READERS = {
     "mujoco scene": "mp.Scene.from_mjcf(file)",
     "mujoco arm": "mp.Robot.from_mjcf(file, tool='b')",
     "urdf": "mp.Robot.from_urdf(file)",
-    "motion": "mp.check(ARM, file)",
+    "motion": "dict(csv=mp.Trajectory.from_csv, json=mp.Trajectory.from_json, yaml=mp.Trajectory.from_ros, "
+    "npz=mp.Trajectory.from_npz)[file.rsplit('.')[-1]](file)",
     "poses": "mp.CartesianPath.from_csv(file)",
     "plan": "mp.Plan.load(file)",
     "report": "mp.Report.from_json(file)",
