@@ -34,7 +34,8 @@ READERS = {
     "mujoco scene": "mp.Scene.from_mjcf(file)",
     "mujoco arm": "mp.Robot.from_mjcf(file, tool='b')",
     "urdf": "mp.Robot.from_urdf(file)",
-    "motion": "mp.check(ARM, file)",
+    "motion": "dict(csv=mp.Trajectory.from_csv, json=mp.Trajectory.from_json, yaml=mp.Trajectory.from_ros, "
+    "npz=mp.Trajectory.from_npz)[file.rsplit('.')[-1]](file)",
     "poses": "mp.CartesianPath.from_csv(file)",
     "plan": "mp.Plan.load(file)",
     "report": "mp.Report.from_json(file)",
@@ -45,7 +46,9 @@ import manipplan as mp
 
 def spent():
     both = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(each.ru_utime + each.ru_stime for each in both), max(each.ru_maxrss for each in both)
+    seconds = sum(each.ru_utime + each.ru_stime for each in both)
+    own = [line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")]  # without its parent
+    return seconds, max(int(own[0]), both[1].ru_maxrss)
 
 warnings.simplefilter("ignore")
 ARM = mp.planar_arm([1.0, 1.0])

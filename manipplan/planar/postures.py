@@ -20,6 +20,8 @@ from manipplan.planar.zeros import torus_zeros
 from manipplan.support.checks import Array, configurations, instance, number
 from manipplan.support.errors import InvalidInputError
 
+#: Share of the arm's length below which a radius counts as 0.
+NO_RADIUS = 1e-12
 #: Maximum number of links for finding all stationary postures: each further link takes a hundred times as long.
 MOST_LINKS = 4
 #: Relative tolerance on μ within which a posture counts as best, too.
@@ -98,7 +100,8 @@ def stationary_postures(
         bent, held, complete, bound = _free(arm, limits)
     else:
         _check(arm, 3)
-        bent, held = _at_radius(arm, limits, number("radius", radius, least=0.0))
+        radius = number("radius", radius, least=0.0)
+        bent, held = _at_radius(arm, limits, radius if radius > NO_RADIUS * float(arm.lengths.sum()) else 0.0)
         complete, bound = True, 0.0
     first = float(np.clip(0.0, limits.lower[0], limits.upper[0]))
     q = np.column_stack([np.full(len(bent), first), bent])

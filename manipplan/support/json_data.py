@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Value = TypeVar("Value")
 #: Maximum size of a file [bytes].
-LARGEST = 256 * 2**20
+LARGEST = 64 * 2**20
 #: Numbers that are strings in JSON.
 NOT_FINITE = ("inf", "-inf", "nan")
 

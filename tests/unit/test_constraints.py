@@ -326,7 +326,7 @@ def test_bad_constraints(panda, level, name):
         (lambda: mp.TiltLimit((0, 0, 1), DOWN, 4.0), "angle: got 4.*below π"),
         (lambda: mp.TiltLimit((0, 0, 1), DOWN, np.nan), "angle"),
         (lambda: mp.PositionBox((0, 0, 0), (1, 0, 1)), "upper: got 'y from 0 to 0'"),
-        (lambda: mp.PositionBox((0, 0, np.nan), (1, 1, 1)), "upper: got 'z from nan"),
+        (lambda: mp.PositionBox((0, 0, np.nan), (1, 1, 1)), r"lower: got \(0, 0, nan\); allowed: three numbers"),
         (lambda: mp.PositionBox((-np.inf,) * 3, (np.inf,) * 3), "at least one wall"),
         (lambda: mp.PositionBox("abc", (1, 1, 1)), "lower"),
         (lambda: mp.PositionBox((0, 0, 0), (1, 1, 1), np.zeros((4, 4))), "pose"),

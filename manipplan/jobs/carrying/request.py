@@ -22,7 +22,7 @@ from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.positions import check_positions, choose_positions
 from manipplan.search.steps import check_epsilon
-from manipplan.support.checks import Array, flag, instance, number, pose_matrix, random_seed
+from manipplan.support.checks import Array, flag, instance, number, pose_matrix, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits
@@ -109,6 +109,8 @@ class Request:
         clearance = number("clearance", clearance, least=0.0)
         tolerance = with_defaults(None if tolerance is None else instance("tolerance", tolerance, Tolerance))
         own = tool_tolerance(tolerance, held)
+        for each in samples if isinstance(samples, list | tuple) else () if samples is None else (samples,):
+            whole_number("samples", each, least=1)
         check_timing_limits(robot.limits)
         still, begin = robot.neutral, None
         taken: tuple[TakenToLimit, ...] = ()
