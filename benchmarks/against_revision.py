@@ -240,7 +240,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Row]:
         *table(head, [[name, *cells(some)] for name, some in sets.items()]),
         "",
         *([f"Other statuses: {'; '.join(f'{count} {each}' for each, count in different.items())}.", ""] if different else []),
-        f"Processor time of whole calls of which the status is the same, the shortest of {given.repeats}; revision {given.old}; "
+        f"Processor time of whole calls whose status is the same, the shortest of {given.repeats}; revision {given.old}; "
         f"Python {platform.python_version()}, {platform.machine()}, one thread; command: `.venv/bin/python "
         f"benchmarks/against_revision.py --old {given.old} --problems {given.problems} --paths {given.paths} "
         f"--programs {given.programs} --repeats {given.repeats}`.",

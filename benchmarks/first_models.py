@@ -124,8 +124,8 @@ def table(found: Sequence[Times]) -> list[str]:
         *lines,
         "",
         f"The slowest first process is that of {slowest.name} with {slowest.first[1]:.2f} s of processor time; at most "
-        f"{FIRST:g} s is wanted, which {sum(each.first[1] <= FIRST for each in found)} of {len(found)} reach. The slowest later "
-        f"one is that of {last.name} with {last.usual[1]:.3f} s; at most {LATER:g} s is wanted, which "
+        f"{FIRST:g} s is wanted, which {sum(each.first[1] <= FIRST for each in found)} of {len(found)} reach. "
+        f"The slowest later one is that of {last.name} with {last.usual[1]:.3f} s; at most {LATER:g} s is wanted, which "
         f"{sum(each.usual[1] <= LATER for each in found)} reach.",
     ]
 

@@ -1,6 +1,6 @@
 """The bodies of a robot as finely as a pair needs them: meshes as convex pieces, or as the solids and surfaces they are."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import coal
 import numpy as np
@@ -31,20 +31,20 @@ class DescribedBodies:
     """
 
     def __init__(self, robot: Robot) -> None:
-        self._robot = robot
-        self._objects = list(robot.geometry.geometryObjects)
+        self.robot = robot
+        self.objects = list(robot.geometry.geometryObjects)
         self._parts: dict[tuple[int, int], list[tuple[coal.CollisionGeometry, bool, float]]] = {}
 
     def parts(self, origin: int, level: int) -> list[tuple[coal.CollisionGeometry, bool, float]]:
         """The shapes of an object; whether each is solid, and by how much it is known to stick out of the mesh [m]."""
         if (origin, level) not in self._parts:
-            item = self._objects[origin]
+            item = self.objects[origin]
             if not isinstance(item.geometry, coal.BVHModelBase):
                 found = [(item.geometry, True, 0.0)]
             elif level == MESH:
                 found = [(*part, 0.0) for part in mesh_parts(item.name, mesh_triangles(item.geometry))]
             else:
-                pieces = find_or_cut(mesh_triangles(item.geometry), level)
+                pieces = find_or_cut(item.geometry, f"{item.name}, body {origin + 1} of {len(self.objects)}", level)
                 found = [(piece.hull.shape(), True, piece.excess) for piece in pieces]
             self._parts[origin, level] = found
         return self._parts[origin, level]
@@ -57,40 +57,54 @@ class DescribedBodies:
     def finer(self, pair: tuple[int, int], many: int) -> Iterator[tuple[int, int]]:
         """Ways to take two objects by `many` pieces of one and few of the other, the fewest pairs first."""
         meshes = [k for k in (0, 1) if self.has_triangles(pair[k])]
-        if sum(self._objects[pair[k]].geometry.num_tris for k in meshes) <= FEW_TRIANGLES:
+        if sum(self.objects[pair[k]].geometry.num_tris for k in meshes) <= FEW_TRIANGLES:
             return
         meshes.sort(key=lambda k: -max(excess for _, _, excess in self.parts(pair[k], MOST_PIECES)))
         for few in (1, MOST_PIECES):
             for k in meshes:
                 yield (many, few) if k == 0 else (few, many)
 
-    def add_to(self, geometry: pin.GeometryModel, origin: int, level: int, excess: dict[str, float]) -> list[int]:
-        """Add the parts of an object to a geometry, and their `excess`; returns their numbers there."""
-        item, parts = self._objects[origin], self.parts(origin, level)
-        names = number_names(f"{item.name}.{'mesh' if level == MESH else f'of{level}'}", len(parts))
-        for name, (_, _, beyond) in zip(names, parts, strict=True):
-            excess[name] = beyond
-        return [
-            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape))
-            for name, (shape, _, _) in zip(names, parts, strict=True)
-        ]
-
-    def solids(self, added: Mapping[tuple[int, int], list[int]]) -> frozenset[int]:
-        """Of parts that were added, by object and level, the numbers of those that are surfaces and solid inside."""
-        return frozenset(
-            number
-            for of, numbers in added.items()
-            for number, (shape, closed, _) in zip(numbers, self.parts(*of), strict=True)
-            if closed and isinstance(shape, coal.BVHModelBase)
-        )
-
     def touching(self, pair: tuple[int, int], levels: tuple[int, int], samples: Array) -> NDArray[np.bool_]:
         """Whether two objects touch, taken so finely, at samples (m, n); (m,)."""
-        geometry = pin.GeometryModel()
-        ends = list(zip(pair, levels, strict=True))
-        added = {each: self.add_to(geometry, *each, {}) for each in ends}
-        for i in added[ends[0]]:
-            for j in added[ends[1]]:
-                geometry.addCollisionPair(pin.CollisionPair(i, j))
-        model = CollisionModel(self._robot, geometry, {}, solids=self.solids(added))
+        bodies = Bodies(self)
+        first, second = (bodies.numbers(*each) for each in zip(pair, levels, strict=True))
+        pairs = np.array([(i, j) for i in first for j in second], dtype=np.int64)
+        model = CollisionModel(self.robot, bodies.geometry, pairs, {}, solids=bodies.solids)
         return np.asarray((model.distance_rows(samples, beyond=TOUCHING) <= 0).any(axis=1))
+
+
+class Bodies:
+    """Objects of a robot's geometry, each added as finely as it is asked for, once.
+
+    Attributes:
+        geometry: the bodies, without pairs.
+        origins: the number of the object that each body represents.
+        excess: by how much each body is known to stick out of its object [m], by name.
+        solids: the numbers of the bodies that are surfaces and solid inside.
+    """
+
+    def __init__(self, described: DescribedBodies) -> None:
+        self._described = described
+        self._numbers: dict[tuple[int, int], list[int]] = {}
+        self.geometry = pin.GeometryModel()
+        self.origins: list[int] = []
+        self.excess: dict[str, float] = {}
+        self.solids: set[int] = set()
+
+    def numbers(self, origin: int, level: int) -> list[int]:
+        """The numbers of the bodies that an object is taken as; those that are not there yet are added."""
+        item = self._described.objects[origin]
+        if not isinstance(item.geometry, coal.BVHModelBase):
+            level = MOST_PIECES
+        if (origin, level) not in self._numbers:
+            parts = self._described.parts(origin, level)
+            kind = "" if level == MOST_PIECES else ".mesh" if level == MESH else f".of{level}"
+            added = self._numbers[origin, level] = []
+            for name, (shape, closed, beyond) in zip(number_names(f"{item.name}{kind}", len(parts)), parts, strict=True):
+                body = pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape)
+                added.append(self.geometry.addGeometryObject(body))
+                self.origins.append(origin)
+                self.excess[name] = beyond
+                if closed and isinstance(shape, coal.BVHModelBase):
+                    self.solids.add(added[-1])
+        return self._numbers[origin, level]

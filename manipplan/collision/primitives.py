@@ -1,5 +1,6 @@
 """Convex shapes as coal has them: a primitive with its pose, the points that span a shape, the triangles of a mesh."""
 
+import hashlib
 from dataclasses import dataclass
 
 import coal
@@ -8,6 +9,7 @@ import pinocchio as pin
 
 from manipplan.robots.hulls import box_corners
 from manipplan.support.checks import Array
+from manipplan.support.memo import once_per_owner
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,6 +53,14 @@ def core_of(shape: coal.CollisionGeometry) -> tuple[Array, float]:
 
 def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
     """Corners (t, 3, 3) of a mesh's triangles [m]."""
+    if "triangles" in vars(mesh):  # it was made by `triangle_tree`
+        return np.asarray(mesh.triangles)
     vertices = np.array(mesh.vertices())
     faces = np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))], dtype=int)
     return np.asarray(vertices[faces])
+
+
+@once_per_owner
+def mesh_key(mesh: coal.BVHModelBase) -> bytes:
+    """Digest of a mesh's triangles."""
+    return hashlib.sha256(np.ascontiguousarray(mesh_triangles(mesh)).data).digest()

@@ -63,10 +63,12 @@ class Hull:
 
     def shape(self) -> coal.Convex:
         """The body for coal; `fits_coal` has to be true."""
-        points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
-        points.extend(self.corners)
-        triangles.extend(coal.Triangle(*each) for each in self.faces.tolist())
-        return coal.Convex(points, triangles)
+        mesh = coal.BVHModelOBB()  # it takes arrays, coal.Convex lists of triangles
+        mesh.beginModel(len(self.faces), len(self.corners))
+        mesh.addVertices(np.ascontiguousarray(self.corners))
+        mesh.addTriangles(np.ascontiguousarray(self.faces))
+        mesh.buildConvexRepresentation(False)
+        return mesh.convex
 
 
 def convex_hull(points: Array) -> Hull:

@@ -3,7 +3,8 @@
 import hashlib
 import json
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,21 +14,33 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.covers import fitting, pieces
-from manipplan.collision.primitives import Primitive, mesh_triangles, outside
+from manipplan.collision.primitives import Primitive, mesh_key, mesh_triangles, outside
 from manipplan.collision.surfaces import shells
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
 
 log = logging.getLogger("manipplan")
 
-#: For two objects of a robot, by their numbers, how finely each is taken.
-Levels = dict[tuple[int, int], tuple[int, int]]
 #: Class of each stored shape, and its number of sizes.
 SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """How a robot's own pairs are checked, as it takes long to find out.
+
+    Attributes:
+        levels: for two objects of the robot, by their numbers, how finely each is taken.
+        touching: at how many of the configurations at which that was tried two links touch, where they do at any.
+    """
+
+    levels: Mapping[tuple[int, int], tuple[int, int]]
+    touching: Mapping[frozenset[str], int]
 
 
 def find_or_fit(triangles: Array) -> list[Primitive]:
@@ -37,7 +50,7 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     `fit_capsules` does.
     """
     try:
-        file = private_folder() / "capsules" / f"{_key(triangles)}.json"
+        file = private_folder() / "capsules" / f"{_key(np.ascontiguousarray(triangles).data)}.json"
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read(file)
     except OSError as error:
@@ -53,19 +66,22 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     return fitted
 
 
-def find_or_cut(triangles: Array, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
-    """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
+def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
+    """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them.
+
+    When it takes long, the log says that it is the mesh of `name`.
+    """
     try:
         own = "" if most == pieces.MOST_PIECES else f"_{most}"
-        file = private_folder() / "pieces" / f"{_key(triangles)}{own}"
+        file = private_folder() / "pieces" / f"{_key(mesh_key(mesh))}{own}"
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read_pieces(file)
     except OSError as error:
         log.info("convex pieces are not kept on disk: %s", error)
-        return pieces.convex_pieces(triangles, most)
+        return _cut(mesh, name, most)
     if stored is not None:
         return stored
-    found = pieces.convex_pieces(triangles, most)
+    found = _cut(mesh, name, most)
     plain = b"".join(
         np.array([len(each.hull.corners), len(each.hull.faces), each.excess]).tobytes()
         + each.hull.corners.tobytes()
@@ -79,8 +95,13 @@ def find_or_cut(triangles: Array, most: int = pieces.MOST_PIECES) -> list[pieces
     return found
 
 
-def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -> Levels:
-    """How finely pairs of a robot's objects are taken, from the cache folder if an earlier process has chosen them.
+def _cut(mesh: coal.BVHModelBase, name: str, most: int) -> list[pieces.Piece]:
+    with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
+        return pieces.convex_pieces(mesh_triangles(mesh), most)
+
+
+def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -> Choice:
+    """How a robot's own pairs are checked, from the cache folder if an earlier process has chosen it.
 
     Args:
         robot: the arm.
@@ -88,22 +109,27 @@ def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -
         choose: makes the choice.
     """
     bodies = [
-        (item.name, item.parentJoint, item.placement.homogeneous, _content(item.geometry))
+        (item.name, robot.link_of(item), item.parentJoint, item.placement.homogeneous, _content(item.geometry))
         for item in robot.geometry.geometryObjects
     ]
     parts = [_choice_sources(), robot.tree, samples, bodies, dict(robot.unchecked), robot.disabled_pairs]
     try:
-        file = private_folder() / "levels" / f"{content_key(parts)[:32]}.json"
+        file = private_folder() / "choices" / f"{content_key(parts)[:32]}.json"
         file.parent.mkdir(mode=0o700, exist_ok=True)
-        pairs = json.loads(file.read_text())
-        return {(int(i), int(j)): (int(a), int(b)) for i, j, a, b in pairs}
+        stored = json.loads(file.read_text())
+        return Choice(
+            levels={(int(i), int(j)): (int(a), int(b)) for i, j, a, b in stored["levels"]},
+            touching={frozenset((str(first), str(second))): int(count) for first, second, count in stored["touching"]},
+        )
     except FileNotFoundError:
         found = choose()
-    except (OSError, ValueError, TypeError) as error:
+    except (OSError, ValueError, TypeError, LookupError) as error:
         log.info("the choice of pieces is made again: %s", error)
         return choose()
+    levels = [[*pair, *levels] for pair, levels in found.levels.items()]
+    touching = [[*sorted(links), count] for links, count in found.touching.items()]
     try:
-        write_text(file, json.dumps([[*pair, *levels] for pair, levels in found.items()]))
+        write_text(file, json.dumps({"levels": levels, "touching": touching}))
     except InvalidInputError as error:
         log.info("the choice of pieces is not kept on disk: %s", error)
     return found
@@ -111,15 +137,15 @@ def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -
 
 def _content(shape: coal.CollisionGeometry) -> object:
     """What a shape is, for a key: the triangles of a mesh, since coal pickles far more of it."""
-    return mesh_triangles(shape) if isinstance(shape, coal.BVHModelBase) else shape
+    return mesh_key(shape) if isinstance(shape, coal.BVHModelBase) else shape
 
 
 @cache
 def _choice_sources() -> bytes:
-    """The sources that a choice depends on."""
+    """Digest of the sources that a choice depends on."""
     folder = Path(__file__).parents[1]
     files = (folder / "build.py", folder / "described.py", folder / "distances.c", folder / "surfaces" / "meshes.py")
-    return b"".join([_sources(), np.__version__.encode(), *(file.read_bytes() for file in files)])
+    return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 
 def _read_pieces(file: Path) -> list[pieces.Piece] | None:
@@ -143,15 +169,18 @@ def _read_pieces(file: Path) -> list[pieces.Piece] | None:
     return found
 
 
-def _key(triangles: Array) -> str:
-    """Hash of the triangles, of the sources of the fits and of the version of NumPy."""
-    parts = [_sources(), np.__version__.encode()]
-    return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
+def _key(content: bytes | memoryview) -> str:
+    """Hash of some content, of the sources of the fits and of the version of NumPy."""
+    digest = hashlib.sha256(_sources())
+    digest.update(content)
+    return digest.hexdigest()[:32]
 
 
 @cache
 def _sources() -> bytes:
-    return b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
+    """Digest of the sources of the fits and of the version of NumPy."""
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
+    return hashlib.sha256(np.__version__.encode() + sources).digest()
 
 
 def _read(file: Path) -> list[Primitive] | None:
