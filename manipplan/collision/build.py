@@ -279,12 +279,10 @@ def _levels(
         touching: (m, k) whether each pair of pieces touches there.
     """
     rows = np.flatnonzero(touching.any(axis=1))
-    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    touch = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    suspects = [pair for pair in touch if any(described.has_triangles(origin) for origin in pair)]
     chosen: dict[tuple[int, int], tuple[int, int]] = {}
-    for pair in suspects:
-        if not any(described.has_triangles(origin) for origin in pair):
-            continue
-        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
+    for pair, by_mesh in zip(suspects, described.touching(suspects, (MESH, MESH), samples[rows]), strict=True):
         by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
         if _is_coarse(by_pieces, by_mesh, rows):
             chosen[pair] = _fine_enough(described, pair, samples, by_mesh, rows)
@@ -299,7 +297,7 @@ def _fine_enough(
     for many in FINE:
         least = np.inf
         for levels in described.finer(pair, many):
-            by_pieces = described.touching(pair, levels, samples[rows])
+            [by_pieces] = described.touching([pair], levels, samples[rows])
             if not _is_coarse(by_pieces, by_mesh, rows):
                 return levels
             least = min(least, int((by_pieces & ~by_mesh).sum()))

@@ -1,6 +1,7 @@
 """The bodies of a robot as finely as a pair needs them: meshes as convex pieces, or as the solids and surfaces they are."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 import coal
 import numpy as np
@@ -64,13 +65,18 @@ class DescribedBodies:
             for k in meshes:
                 yield (many, few) if k == 0 else (few, many)
 
-    def touching(self, pair: tuple[int, int], levels: tuple[int, int], samples: Array) -> NDArray[np.bool_]:
-        """Whether two objects touch, taken so finely, at samples (m, n); (m,)."""
-        bodies = Bodies(self)
-        first, second = (bodies.numbers(*each) for each in zip(pair, levels, strict=True))
-        pairs = np.array([(i, j) for i in first for j in second], dtype=np.int64)
-        model = CollisionModel(self.robot, bodies.geometry, pairs, {}, solids=bodies.solids)
-        return np.asarray((model.distance_rows(samples, beyond=TOUCHING) <= 0).any(axis=1))
+    def touching(self, pairs: Sequence[tuple[int, int]], levels: tuple[int, int], samples: Array) -> list[NDArray[np.bool_]]:
+        """For each pair of objects, whether they touch, taken so finely, at samples (m, n); (m,)."""
+        bodies, places, first = Bodies(self), list[tuple[int, int]](), list[int]()
+        for pair in pairs:
+            one, other = (bodies.numbers(*each) for each in zip(pair, levels, strict=True))
+            first.append(len(places))
+            places += [(i, j) for i in one for j in other]
+        model = CollisionModel(
+            self.robot, bodies.geometry, np.array(places, dtype=np.int64).reshape(-1, 2), {}, solids=bodies.solids
+        )
+        near = model.distance_rows(samples, beyond=TOUCHING) <= 0
+        return [np.asarray(near[:, start:end].any(axis=1)) for start, end in pairwise([*first, len(places)])]
 
 
 class Bodies:

@@ -7,7 +7,7 @@ import coal
 import numpy as np
 
 from manipplan.collision.surfaces.shells import Shell, connected_parts, merged_corners, shells
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.hulls import FARTHEST, find_hull
 from manipplan.robots.meshes.files import read_mesh, triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -68,10 +68,10 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
     hulls: list[tuple[coal.CollisionGeometry, bool]] = []
     for part in parts:
         corners = np.unique(part.reshape(-1, 3), axis=0)
-        if not has_hull(corners):
+        hull = find_hull(corners)
+        if hull is None:
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
-        hull = convex_hull(corners)
         hulls.append((hull.shape() if hull.fits_coal else triangle_tree(hull.corners, hull.faces), True))
     if not hulls:
         raise InvalidInputError(
@@ -85,7 +85,8 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
     if not shell.closed:
         return None
     corners, _ = merged_corners(shell.triangles)
-    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners):
+    outer = None if _is_clearly_concave(shell.triangles, corners) else find_hull(corners)
+    if outer is None or not outer.fits_coal:
         return None
     from scipy.spatial import ConvexHull
 
@@ -102,8 +103,7 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
         heights = middles[at : at + step] @ hull.equations[:, :3].T + hull.equations[:, 3]
         if heights.max(axis=1).min() < -dent:
             return None
-    outer = convex_hull(corners)
-    return outer.shape() if outer.fits_coal else None
+    return outer.shape()
 
 
 def _is_clearly_concave(triangles: Array, corners: Array) -> bool:
