@@ -9,10 +9,8 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.pieces import MOST_PIECES
-from manipplan.collision.covers.stored_fits import find_or_cut
+from manipplan.collision.covers.stored_fits import find_or_cut, find_or_split
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.primitives import mesh_triangles
-from manipplan.collision.surfaces.meshes import mesh_parts
 from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -43,7 +41,7 @@ class DescribedBodies:
             if not isinstance(item.geometry, coal.BVHModelBase):
                 found = [(item.geometry, True, 0.0)]
             elif level == MESH:
-                found = [(*part, 0.0) for part in mesh_parts(item.name, mesh_triangles(item.geometry))]
+                found = [(part.shape(), part.closed, 0.0) for part in find_or_split(item.geometry, item.name)]
             else:
                 pieces = find_or_cut(item.geometry, f"{item.name}, body {origin + 1} of {len(self.objects)}", level)
                 found = [(piece.hull.shape(), True, piece.excess) for piece in pieces]

@@ -6,16 +6,18 @@ import logging
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import coal
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.collision.covers import fitting, pieces
 from manipplan.collision.primitives import Primitive, mesh_key, mesh_triangles, outside
-from manipplan.collision.surfaces import shells
+from manipplan.collision.surfaces import meshes, shells
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
@@ -28,6 +30,10 @@ log = logging.getLogger("manipplan")
 
 #: Class of each stored shape, and its number of sizes.
 SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
+
+
+#: Corners (v, 3) and faces (f, 3) of a body, and two numbers that say more.
+_Stored = tuple[Array, NDArray[np.int64], float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,33 +77,27 @@ def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIEC
 
     When it takes long, the log says that it is the mesh of `name`.
     """
-    try:
-        own = "" if most == pieces.MOST_PIECES else f"_{most}"
-        file = private_folder() / "pieces" / f"{_key(mesh_key(mesh))}{own}"
-        file.parent.mkdir(mode=0o700, exist_ok=True)
-        stored = _read_pieces(file)
-    except OSError as error:
-        log.info("convex pieces are not kept on disk: %s", error)
-        return _cut(mesh, name, most)
-    if stored is not None:
-        return stored
-    found = _cut(mesh, name, most)
-    plain = b"".join(
-        np.array([len(each.hull.corners), len(each.hull.faces), each.excess]).tobytes()
-        + each.hull.corners.tobytes()
-        + each.hull.faces.astype(float).tobytes()
-        for each in found
-    )
-    try:
-        write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
-    except InvalidInputError as error:
-        log.info("convex pieces are not kept on disk: %s", error)
-    return found
+
+    def cut() -> list[_Stored]:
+        with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
+            found = pieces.convex_pieces(mesh_triangles(mesh), most)
+        return [(piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found]
+
+    stored = _find_or_make("pieces", f"{_key(mesh_key(mesh))}{'' if most == pieces.MOST_PIECES else f'_{most}'}", cut)
+    return [pieces.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
 
 
-def _cut(mesh: coal.BVHModelBase, name: str, most: int) -> list[pieces.Piece]:
-    with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
-        return pieces.convex_pieces(mesh_triangles(mesh), most)
+def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
+    """The parts of the mesh of `name`, by `mesh_parts`, read from the cache folder if an earlier process stored them."""
+
+    def split() -> list[_Stored]:
+        found = meshes.mesh_parts(name, mesh_triangles(mesh))
+        return [(part.corners, part.faces, float(part.closed), float(part.convex)) for part in found]
+
+    return [
+        meshes.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
+        for corners, faces, closed, convex in _find_or_make("parts", _key(mesh_key(mesh)), split)
+    ]
 
 
 def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -> Choice:
@@ -144,27 +144,39 @@ def _content(shape: coal.CollisionGeometry) -> object:
 def _choice_sources() -> bytes:
     """Digest of the sources that a choice depends on."""
     folder = Path(__file__).parents[1]
-    files = (folder / "build.py", folder / "described.py", folder / "distances.c", folder / "surfaces" / "meshes.py")
+    files = (folder / "build.py", folder / "described.py", folder / "distances.c")
     return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 
-def _read_pieces(file: Path) -> list[pieces.Piece] | None:
-    """The pieces of a file; None if there is no file, or it is not as it was written."""
+def _find_or_make(folder: str, name: str, make: Callable[[], list[_Stored]]) -> list[_Stored]:
+    """What a file of the cache folder holds; where there is none, or it is not as it was written, it is made and stored."""
     try:
-        stored = file.read_bytes()
-    except FileNotFoundError:
-        return None
-    if hashlib.sha256(stored[32:]).digest() != stored[:32]:
-        log.debug("%s is made again", file)
-        return None
-    numbers, found = np.frombuffer(stored[32:]), []
+        file = private_folder() / folder / name
+        file.parent.mkdir(mode=0o700, exist_ok=True)
+        content = file.read_bytes() if file.exists() else b""
+    except OSError as error:
+        log.info("%s of meshes are not kept on disk: %s", folder, error)
+        return make()
+    if content and hashlib.sha256(content[32:]).digest() == content[:32]:
+        return _unpacked(np.frombuffer(content[32:]))
+    found = make()
+    plain = b"".join(
+        np.array([len(corners), len(faces), *values]).tobytes() + corners.tobytes() + faces.astype(float).tobytes()
+        for corners, faces, *values in found
+    )
+    try:
+        write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
+    except InvalidInputError as error:
+        log.info("%s of meshes are not kept on disk: %s", folder, error)
+    return found
+
+
+def _unpacked(numbers: Array) -> list[_Stored]:
+    found = []
     while len(numbers):
-        corners, faces, excess = int(numbers[0]), int(numbers[1]), float(numbers[2])
-        ends = np.cumsum([3, 3 * corners, 3 * faces])
-        hull = hulls.Hull(
-            corners=numbers[ends[0] : ends[1]].reshape(-1, 3), faces=numbers[ends[1] : ends[2]].reshape(-1, 3).astype(np.int64)
-        )
-        found.append(pieces.Piece(hull=hull, excess=excess))
+        ends = np.cumsum([4, 3 * int(numbers[0]), 3 * int(numbers[1])])
+        corners, faces = (numbers[start:end].reshape(-1, 3) for start, end in pairwise(ends))
+        found.append((corners, faces.astype(np.int64), float(numbers[2]), float(numbers[3])))
         numbers = numbers[ends[2] :]
     return found
 
@@ -179,7 +191,7 @@ def _key(content: bytes | memoryview) -> str:
 @cache
 def _sources() -> bytes:
     """Digest of the sources of the fits and of the version of NumPy."""
-    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, meshes, shells, hulls))
     return hashlib.sha256(np.__version__.encode() + sources).digest()
 
 
