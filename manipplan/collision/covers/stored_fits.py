@@ -3,7 +3,7 @@
 import hashlib
 import json
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
@@ -48,6 +48,20 @@ class Choice:
     levels: Mapping[tuple[int, int], tuple[int, int]]
     touching: Mapping[frozenset[str], int]
 
+    def plain(self) -> bytes:
+        """The content of a file."""
+        levels = [[*pair, *levels] for pair, levels in self.levels.items()]
+        return json.dumps([levels, [[*sorted(links), count] for links, count in self.touching.items()]]).encode()
+
+    @classmethod
+    def of(cls, plain: bytes) -> "Choice":
+        """What `plain` made a file of."""
+        levels, touching = json.loads(plain)
+        return cls(
+            levels={(i, j): (first, second) for i, j, first, second in levels},
+            touching={frozenset((first, second)): count for first, second, count in touching},
+        )
+
 
 def find_or_fit(triangles: Array) -> list[Primitive]:
     """The capsules of `fit_capsules`, read from the cache folder if an earlier process stored them.
@@ -78,25 +92,26 @@ def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIEC
     When it takes long, the log says that it is the mesh of `name`.
     """
 
-    def cut() -> list[_Stored]:
+    def cut() -> bytes:
         with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
             found = pieces.convex_pieces(mesh_triangles(mesh), most)
-        return [(piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found]
+        return _packed((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
 
-    stored = _find_or_make("pieces", f"{_key(mesh_key(mesh))}{'' if most == pieces.MOST_PIECES else f'_{most}'}", cut)
+    own = "" if most == pieces.MOST_PIECES else f"_{most}"
+    stored = _unpacked(_find_or_make("pieces", f"{_key(mesh_key(mesh))}{own}", cut))
     return [pieces.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
 
 
 def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
     """The parts of the mesh of `name`, by `mesh_parts`, read from the cache folder if an earlier process stored them."""
 
-    def split() -> list[_Stored]:
+    def split() -> bytes:
         found = meshes.mesh_parts(name, mesh_triangles(mesh))
-        return [(part.corners, part.faces, float(part.closed), float(part.convex)) for part in found]
+        return _packed((part.corners, part.faces, float(part.closed), float(part.convex)) for part in found)
 
     return [
         meshes.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
-        for corners, faces, closed, convex in _find_or_make("parts", _key(mesh_key(mesh)), split)
+        for corners, faces, closed, convex in _unpacked(_find_or_make("parts", _key(mesh_key(mesh)), split))
     ]
 
 
@@ -113,26 +128,8 @@ def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -
         for item in robot.geometry.geometryObjects
     ]
     parts = [_choice_sources(), robot.tree, samples, bodies, dict(robot.unchecked), robot.disabled_pairs]
-    try:
-        file = private_folder() / "choices" / f"{content_key(parts)[:32]}.json"
-        file.parent.mkdir(mode=0o700, exist_ok=True)
-        stored = json.loads(file.read_text())
-        return Choice(
-            levels={(int(i), int(j)): (int(a), int(b)) for i, j, a, b in stored["levels"]},
-            touching={frozenset((str(first), str(second))): int(count) for first, second, count in stored["touching"]},
-        )
-    except FileNotFoundError:
-        found = choose()
-    except (OSError, ValueError, TypeError, LookupError) as error:
-        log.info("the choice of pieces is made again: %s", error)
-        return choose()
-    levels = [[*pair, *levels] for pair, levels in found.levels.items()]
-    touching = [[*sorted(links), count] for links, count in found.touching.items()]
-    try:
-        write_text(file, json.dumps({"levels": levels, "touching": touching}))
-    except InvalidInputError as error:
-        log.info("the choice of pieces is not kept on disk: %s", error)
-    return found
+    plain = _find_or_make("choices", content_key(parts)[:32], lambda: choose().plain())
+    return Choice.of(plain)
 
 
 def _content(shape: coal.CollisionGeometry) -> object:
@@ -148,31 +145,36 @@ def _choice_sources() -> bytes:
     return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 
-def _find_or_make(folder: str, name: str, make: Callable[[], list[_Stored]]) -> list[_Stored]:
+def _find_or_make(folder: str, name: str, make: Callable[[], bytes]) -> bytes:
     """What a file of the cache folder holds; where there is none, or it is not as it was written, it is made and stored."""
     try:
         file = private_folder() / folder / name
         file.parent.mkdir(mode=0o700, exist_ok=True)
         content = file.read_bytes() if file.exists() else b""
     except OSError as error:
-        log.info("%s of meshes are not kept on disk: %s", folder, error)
+        log.info("%s are not kept on disk: %s", folder, error)
         return make()
-    if content and hashlib.sha256(content[32:]).digest() == content[:32]:
-        return _unpacked(np.frombuffer(content[32:]))
-    found = make()
-    plain = b"".join(
-        np.array([len(corners), len(faces), *values]).tobytes() + corners.tobytes() + faces.astype(float).tobytes()
-        for corners, faces, *values in found
-    )
+    if hashlib.sha256(content[32:]).digest() == content[:32]:
+        return content[32:]
+    plain = make()
     try:
         write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
     except InvalidInputError as error:
-        log.info("%s of meshes are not kept on disk: %s", folder, error)
-    return found
+        log.info("%s are not kept on disk: %s", folder, error)
+    return plain
 
 
-def _unpacked(numbers: Array) -> list[_Stored]:
-    found = []
+def _packed(bodies: Iterable[_Stored]) -> bytes:
+    """Bodies as the bytes of a file."""
+    return b"".join(
+        np.array([len(corners), len(faces), *values]).tobytes() + corners.tobytes() + faces.astype(float).tobytes()
+        for corners, faces, *values in bodies
+    )
+
+
+def _unpacked(content: bytes) -> list[_Stored]:
+    """The bodies of a file."""
+    found, numbers = [], np.frombuffer(content)
     while len(numbers):
         ends = np.cumsum([4, 3 * int(numbers[0]), 3 * int(numbers[1])])
         corners, faces = (numbers[start:end].reshape(-1, 3) for start, end in pairwise(ends))

@@ -109,8 +109,7 @@ def welded(triangles: Array) -> tuple[Array, Faces]:
 def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
     """A tree over triangles, each three indices of corners (v, 3) [m].
 
-    Its attribute `triangles` (t, 3, 3) has the corners of each, as coal gives them back only one by one. Copies that C++ makes
-    do not have it.
+    Its attribute `arrays` has both, as coal gives triangles back only one by one. Copies that C++ makes do not have it.
     """
     tree = coal.BVHModelOBBRSS()
     tree.beginModel(len(faces), len(corners))
@@ -118,8 +117,7 @@ def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
     tree.addTriangles(np.ascontiguousarray(faces))
     tree.endModel()
     tree.computeLocalAABB()
-    tree.triangles = corners[faces]
-    tree.triangles.flags.writeable = False
+    tree.arrays = corners, faces
     return tree
 
 
