@@ -24,12 +24,15 @@ import energy_programs
 import energy_solvers
 import first_models
 import first_paths
+import first_plans
+import killed_saves
 import mesh_pairs
 import motionbenchmaker
 import motions
 import plan_many
 import recorded_motions
 import six_joint_arms
+import threads
 import timed_motions
 import two_arms
 import version_01
@@ -395,3 +398,20 @@ def test_the_judge_of_two_arms_refuses_arms_that_touch_and_goals_that_are_missed
     assert not free.accepts(crossing, {})
     aside = mp.retime(mp.JointPath.line(robot.neutral, robot.neutral + 0.05), robot)
     assert free.accepts(aside, {})
+
+
+@pytest.mark.slow
+def test_killed_saves_leave_one_plan(tmp_path):
+    assert killed_saves.mixed_and_left(4, tmp_path) == (0, 0)
+
+
+@pytest.mark.slow
+def test_first_and_second_plan_end_alike():
+    (first, g, _), (second, again, _) = first_plans.measure("planar arm, a column", 20.0)
+    assert (first, g) == (second, again)
+    assert first == "OPTIMAL"
+
+
+@pytest.mark.slow
+def test_plans_in_threads_are_those_one_by_one():
+    assert threads.compare(4, 6) == (6, 6)

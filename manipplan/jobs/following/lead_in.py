@@ -1,6 +1,5 @@
 """The lead-in: the free motion from the start to the path, and the choice of the configuration in which the path begins."""
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -14,6 +13,7 @@ from manipplan.jobs.goals.candidates import APART, TIE, GoalCandidate, measured
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import steps_between
 from manipplan.support.checks import Array
+from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
 
 #: Maximum number of motions that are planned, and of first configurations to which a lead-in is tried or only a path is found.
@@ -84,9 +84,9 @@ def choose_entry(
         del waiting[k]
         left = 0.5 ** len(done)  # of the share of the work
         course = finder.along(found, part(tell, 1 - left, 1 - 0.7 * left))
-        began = time.monotonic()
+        began = work_time()
         lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
-        seconds -= time.monotonic() - began
+        seconds -= work_time() - began
         row = replace(row, q=course.path.start)
         if isinstance(lead_in, str):
             failure = failure or lead_in
