@@ -2,7 +2,7 @@
 
 What is timed begins with a loaded robot and ends with the first answer of a collision query, as at the beginning of `mp.plan`:
 the convex pieces of the meshes, the pairs that are checked, and the compiled kernel. Robots are named as `mp.load_robot` takes
-them. Those of MuJoCo Menagerie are added if the environment variable MUJOCO_MENAGERIE names a checkout. Run with
+them. Some of MuJoCo Menagerie are added if the environment variable MUJOCO_MENAGERIE names a checkout. Run with
 `make benchmark`. Writes docs/benchmarks/first_models.md.
 """
 
@@ -40,13 +40,13 @@ ROBOTS = (
     "centauro",
 )
 MENAGERIE = (
-    "menagerie:agilex_piper",
-    "menagerie:kuka_iiwa_14",
-    "menagerie:ufactory_xarm7",
-    "menagerie:flexiv_rizon4",
-    "menagerie:kinova_gen3",
-    "menagerie:rethink_robotics_sawyer",
-    "menagerie:ufactory_lite6",
+    "agilex_piper",
+    "flexiv_rizon4",
+    "kinova_gen3",
+    "kuka_iiwa_14",
+    "rethink_robotics_sawyer",
+    "ufactory_lite6",
+    "ufactory_xarm7",
 )
 #: Wanted: at most these times of the first and of later processes [s].
 FIRST, LATER = 10.0, 0.1
@@ -132,8 +132,9 @@ def table(found: Sequence[Times]) -> list[str]:
 
 def main(arguments: Sequence[str] | None = None) -> list[Times]:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    every = ROBOTS + (MENAGERIE if "MUJOCO_MENAGERIE" in os.environ else ())
-    parser.add_argument("--robots", nargs="+", default=every, help="names or files of robots")
+    checkout = os.environ.get("MUJOCO_MENAGERIE")
+    more = [f"menagerie:{each}" for each in MENAGERIE if checkout and (Path(checkout) / each).is_dir()]
+    parser.add_argument("--robots", nargs="+", default=[*ROBOTS, *more], help="names or files of robots")
     parser.add_argument("--runs", type=int, default=5, help="number of later processes for each robot")
     parser.add_argument("--out", type=Path, default=OUT, help="file of the table")
     given = parser.parse_args(arguments)
