@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from manipplan.robots.hulls import box_corners
 from manipplan.support.checks import Array
-from manipplan.support.memo import once_per_owner
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,7 +57,6 @@ def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
     return np.asarray(corners[faces])
 
 
-@once_per_owner
 def mesh_key(mesh: coal.BVHModelBase) -> bytes:
     """Digest of a mesh's corners and triangles."""
     corners, faces = _arrays(mesh)

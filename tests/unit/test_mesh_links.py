@@ -1,5 +1,7 @@
 """Links whose meshes decide: closed ones are solid, and pieces are refined only where that is not enough."""
 
+import pickle
+
 import coal
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from manipplan.collision.primitives import mesh_key, mesh_triangles
 from manipplan.collision.surfaces import meshes
 from manipplan.robots.hulls import convex_hull
 from manipplan.robots.meshes.files import triangle_tree
+from manipplan.support.content import content_key
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'
 
@@ -221,7 +224,9 @@ def test_a_mesh_and_its_copy_have_the_same_triangles_and_key():
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     tree = triangle_tree(corners, faces)
     copied, open_one = tree.clone(), triangle_tree(corners, faces[:3])
-    assert not vars(copied)
+    pickled = pickle.loads(pickle.dumps(tree))
+    assert not vars(copied) and not vars(pickled)
+    assert content_key(tree) == content_key(triangle_tree(corners, faces)) and mesh_key(tree) == mesh_key(pickled)
     np.testing.assert_array_equal(mesh_triangles(tree), mesh_triangles(copied))
     assert mesh_key(tree) == mesh_key(copied) != mesh_key(open_one)
 
