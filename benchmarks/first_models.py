@@ -143,7 +143,8 @@ def main(arguments: Sequence[str] | None = None) -> list[Times]:
         *table(found),
         "",
         f"One first process and {given.runs} later ones for each robot; Python {platform.python_version()}, "
-        f"{platform.machine()}, {os.cpu_count()} cores; command: `.venv/bin/python benchmarks/first_models.py`.",
+        f"{platform.machine()}, {os.cpu_count()} cores; command: `.venv/bin/python benchmarks/first_models.py "
+        f"--robots {' '.join(given.robots)} --runs {given.runs}`.",
     ]
     given.out.parent.mkdir(parents=True, exist_ok=True)
     given.out.write_text("\n".join(lines) + "\n")
