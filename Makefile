@@ -111,6 +111,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/many_pieces.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/collision_shapes.py
+	$(BIN)/python benchmarks/file_bombs.py
 	$(BIN)/python benchmarks/mesh_readers.py
 	$(BIN)/python benchmarks/fixed_bodies.py
 	$(BIN)/python benchmarks/mesh_pairs.py

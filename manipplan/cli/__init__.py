@@ -1,12 +1,13 @@
 """The command `manipplan`: the jobs from a shell.
 
-Exit codes: 0 done, 1 no result, or a trajectory that does not pass `check`, 2 invalid input, 3 a checked motion that does not
-meet the request (its status says why), 130 interrupted.
+Exit codes: 0 done, 1 no result, or a trajectory that does not pass `check`, 2 invalid input, such as a misspelt name, 3 a
+checked motion that does not meet the request (its status says why), 4 a pose out of reach, 130 interrupted.
 """
 
 import logging
 import sys
 from collections.abc import Callable, Sequence
+from importlib.metadata import version
 
 import tyro
 from rich.console import Console
@@ -21,7 +22,7 @@ from manipplan.cli.run import run as run_program
 from manipplan.cli.study import study
 from manipplan.cli.terminal import show_line
 from manipplan.cli.view import view
-from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, OutOfReachError
 from manipplan.support.untrusted import printable
 
 COMMANDS: dict[str, Callable[..., int | None]] = {
@@ -45,6 +46,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     logging.getLogger("toppra").setLevel(logging.ERROR)
     logging.getLogger("manipplan.support.compiling.patience").setLevel(logging.INFO)
     errors = Console(stderr=True)
+    given = sys.argv[1:] if arguments is None else list(arguments)
+    if given == ["--version"]:
+        show_line(Console(), f"manipplan {version('manipplan')}")
+        return 0
     try:
         code = tyro.extras.subcommand_cli_from_dict(
             COMMANDS,
@@ -54,6 +59,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
     except ManipplanError as error:
         show_line(errors, f"manipplan: {error}", style="red")
+        if isinstance(error, OutOfReachError):
+            return 4
         return 2 if isinstance(error, InvalidInputError | MissingExtraError) else 1
     except KeyboardInterrupt:
         errors.print("manipplan: interrupted; finished files are complete, and no partial file is left", style="red")

@@ -9,6 +9,7 @@ import numpy as np
 from tyro.conf import OmitArgPrefixes, arg
 
 from manipplan.collision.scene import Scene
+from manipplan.paths.tables import NUMBER
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -27,7 +28,7 @@ class RobotOptions:
     srdf: Path | None = None
     """Semantic description (SRDF), if the robot is a file."""
     locked: tuple[str, ...] = ()
-    """Joints that do not belong to the arm, such as those of a hand, at a value: name=value [rad or m]."""
+    """Joints that do not belong to the arm, such as those of a hand: name=value [rad or m], or the name of an SRDF state."""
     velocity: tuple[float, ...] = ()
     """Velocity limits [rad/s or m/s] instead of the robot's, one number or one per joint."""
     acceleration: tuple[float, ...] = ()
@@ -43,7 +44,14 @@ class RobotOptions:
         limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
         plain = {kind: value[0] if len(value) == 1 else value for kind, value in limits.items() if value}
         files = {key: value for key, value in (("tool", self.tool), ("srdf", self.srdf)) if value is not None}
-        held = {**(locked or {}), **dict(map(_value, self.locked))}
+        held: dict[str, float] | str = {**(locked or {}), **dict(_value(each) for each in self.locked if "=" in each)}
+        states = [each for each in self.locked if "=" not in each]
+        if states:
+            if held or len(states) > 1:
+                raise InvalidInputError(
+                    "locked", " ".join(self.locked), "values name=value, or the name of one state of the SRDF"
+                )
+            held = states[0]
         held_options = {"locked": held} if held else {}
         return load_robot(name, **files, **plain, **held_options), Scene.from_yaml(
             self.scene
@@ -56,16 +64,14 @@ WithRobotOptions: TypeAlias = OmitArgPrefixes[Annotated[RobotOptions, arg(name="
 
 def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array:
     """The configuration from words: one number per joint, or one named state of the robot."""
-    try:
+    if all(map(NUMBER.fullmatch, words)):
         numbers = np.array([float(word) for word in words])
-    except ValueError as error:
-        if len(words) != 1:
-            raise InvalidInputError(argument, " ".join(words), "one number per joint, or the name of one state") from error
-    else:
         if len(numbers) != robot.n:
             joints = ", ".join(robot.joint_names)
             raise InvalidInputError(argument, " ".join(words), f"{robot.n} numbers, one per joint ({joints}), not {len(words)}")
         return numbers
+    if len(words) != 1:
+        raise InvalidInputError(argument, " ".join(words), "one number per joint, or the name of one state")
     if not robot.states:
         raise InvalidInputError(
             argument, words[0], "one number per joint: the robot has no named states with a value for each joint"
@@ -78,10 +84,17 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
 def _value(text: str) -> tuple[str, float]:
     """Name and value of `name=value`."""
     name, _, value = text.partition("=")
-    try:
-        return name, float(value)
-    except ValueError as error:
-        raise InvalidInputError("locked", text, "name=value, such as panda_finger_joint1=0.04") from error
+    if not NUMBER.fullmatch(value):
+        raise InvalidInputError("locked", text, "name=value, such as panda_finger_joint1=0.04")
+    return name, float(value)
+
+
+def columns_of(given: Sequence[str]) -> dict[str, str] | None:
+    """The columns of a CSV file by joint, from words `joint=column`; None where there are none."""
+    pairs = [each.partition("=") for each in given]
+    if not all(name and mark and column for name, mark, column in pairs):
+        raise InvalidInputError("column", " ".join(given), "joint=column, such as shoulder_pan_joint=J1, or time=timestamp")
+    return {name: column for name, _, column in pairs} or None
 
 
 def task_of(pointing: tuple[float, float, float] | None, only: str | None) -> Task | None:

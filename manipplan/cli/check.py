@@ -8,7 +8,7 @@ from rich.console import Console
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of, task_of
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, columns_of, configuration_of, task_of
 from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.check import check as check_job
@@ -35,6 +35,8 @@ def check(
     torque: bool = False,
     power: float = 1.0,
     measure: str | None = None,
+    degrees: bool = False,
+    column: tuple[str, ...] = (),
     json: bool = False,
 ) -> int:
     """Judge a trajectory and print its report; the exit code is 0 if every check passed, and 1 if not.
@@ -56,6 +58,8 @@ def check(
         torque: Check the joints' effort limits as well.
         power: Exponent of the manipulability in g.
         measure: Name of the manipulability measure; default: Yoshikawa's.
+        degrees: The angles of the trajectory are in degrees.
+        column: Column of a CSV file for a joint, or for time, that has another name: joint=column, time=column.
         json: Print the report as JSON.
     """
     with terminal.progress() as tell:
@@ -75,6 +79,8 @@ def check(
             clearance=clearance,
             objective=PathObjective(task=task_of(pointing, only), measure=measure, power=power),
             torque=torque,
+            degrees=degrees,
+            columns=columns_of(column),
         )
         tell(1.0, "done")
     console = Console()

@@ -5,7 +5,7 @@ from pathlib import Path
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, WithRobotOptions
+from manipplan.cli.arm import RobotOptions, WithRobotOptions, columns_of
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.improve import improve as improve_job
 from manipplan.paths.tolerance import Tolerance
@@ -20,6 +20,7 @@ def improve(
     tolerance: tuple[float, float] = (0.02, 0.2),
     duration: float | None = None,
     degrees: bool = False,
+    column: tuple[str, ...] = (),
     clearance: float = 0.0,
     measure: str | None = None,
     out: Path = Path("improve"),
@@ -35,6 +36,7 @@ def improve(
         tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
         duration: Duration of the new motion [s]; default: that of the recording.
         degrees: The angles of the recording are in degrees.
+        column: Column of the CSV file for a joint, or for time, that has another name: joint=column, time=column.
         clearance: Distance to keep from obstacles and between the arm's own links [m].
         measure: Name of the manipulability measure; default: Yoshikawa's.
         out: Folder for the files that are written.
@@ -50,6 +52,7 @@ def improve(
             objective=PathObjective(measure=measure),
             duration=duration,
             degrees=degrees,
+            columns=columns_of(column),
             clearance=clearance,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]),
             progress=part(tell, 0.0, 0.95),

@@ -12,12 +12,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.collision.shapes import OBSTACLES, Obstacle
+from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, configurations, existing_file, instance, pose_matrix
+from manipplan.support.checks import Array, configurations, entries, existing_file, instance, one_of, path_of, pose_matrix
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes, write_text
@@ -44,6 +44,7 @@ class Scene(Pictured):
     def __init__(self, obstacles: Sequence[Obstacle] = (), *, allowed: Iterable[Collection[str]] = ()) -> None:
         if not isinstance(obstacles, list | tuple):
             raise InvalidInputError("obstacles", obstacles, "a list of obstacles")
+        check_obstacles("obstacles", len(obstacles))
         for obstacle in obstacles:
             if not isinstance(obstacle, Obstacle):
                 raise InvalidInputError("obstacles", obstacle, f"a list of {', '.join(k.__name__ for k in OBSTACLES.values())}")
@@ -100,10 +101,10 @@ class Scene(Pictured):
         from manipplan.collision.formats.moveit_text import read_scene_text
         from manipplan.collision.formats.moveit_yaml import read_planning_scene
 
-        path = existing_file("file", file)
+        path, folders = existing_file("file", file), UrdfFiles(packages={} if packages is None else packages).packages
         allowed: list[list[str]] = []
         if path.suffix.lower() in (".yaml", ".yml"):
-            objects, allowed = read_planning_scene(path, UrdfFiles(packages=packages or {}).packages)
+            objects, allowed = read_planning_scene(path, folders)
         else:
             objects = read_scene_text(path)
         obstacles, parts = list[Obstacle](), dict[str, tuple[str, ...]]()
@@ -139,7 +140,7 @@ class Scene(Pictured):
         """
         import yaml
 
-        path = Path(file).expanduser().resolve()
+        path = path_of("file", file).resolve()
         entries = self.entries()
         for k, entry in enumerate(entries):
             if len(entry.get("points", ())) > MOST_POINTS:
@@ -157,7 +158,11 @@ class Scene(Pictured):
         cls, entries: Sequence[Any], folder: str | Path = ".", *, allowed: Iterable[Collection[str]] = ()
     ) -> "Scene":
         """The scene of `entries`, each a mapping as in a YAML file; paths of files are relative to `folder`."""
-        return cls([_obstacle(f"obstacles[{i}]", entry, Path(folder)) for i, entry in enumerate(entries)], allowed=allowed)
+        if isinstance(entries, str | bytes) or not isinstance(entries, Sequence):
+            raise InvalidInputError("entries", entries, "a list of mappings, as in a YAML file")
+        check_obstacles("entries", len(entries))
+        folder = path_of("folder", folder)
+        return cls([_obstacle(f"obstacles[{i}]", entry, folder) for i, entry in enumerate(entries)], allowed=allowed)
 
     def entries(self) -> list[dict[str, Any]]:
         """Name, shape and numbers of every obstacle as plain values; a file as a Path.
@@ -204,8 +209,7 @@ class Scene(Pictured):
         Raises UnknownNameError for a name that no obstacle has; the nearest names are listed.
         """
         for name in names:
-            if name not in self.names:
-                raise UnknownNameError("names", str(name), self.names)
+            one_of("names", name, self.names)
         left = [obstacle for obstacle in self.named if obstacle.name not in names]
         return Scene(left, allowed=[pair for pair in self.allowed if not pair & set(names)])
 
@@ -276,11 +280,9 @@ class Scene(Pictured):
 
 
 def _pairs(allowed: Iterable[Collection[str]]) -> frozenset[frozenset[str]]:
-    if not isinstance(allowed, Iterable):
-        raise InvalidInputError("allowed", allowed, "pairs of two different names")
     pairs = set()
-    for pair in allowed:
-        names = list(pair) if isinstance(pair, Collection) and not isinstance(pair, str) else []
+    for pair in entries("allowed", allowed, "pairs of two different names"):
+        names = entries("allowed", pair, "pairs of two different names")
         if len(names) != 2 or not all(isinstance(name, str) and name for name in names) or names[0] == names[1]:
             raise InvalidInputError("allowed", pair, "pairs of two different names")
         pairs.add(frozenset(names))

@@ -15,7 +15,16 @@ from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
-from manipplan.support.checks import ROTATION, Array, existing_file, finite_array, number, number_array, pose_matrix
+from manipplan.support.checks import (
+    ROTATION,
+    Array,
+    existing_file,
+    finite_array,
+    number,
+    number_array,
+    pose_matrix,
+    text,
+)
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
 
@@ -93,7 +102,7 @@ class Obstacle(ABC):
 
     def called(self, name: str) -> Self:
         """A copy with another name."""
-        return self if name == self.name else self._changed(name=name)
+        return self if text("name", name) == self.name else self._changed(name=name)
 
     def _changed(self, **values: Any) -> Self:
         """A copy with other values, which are valid; the file of a mesh is not read again."""
@@ -222,14 +231,17 @@ class Mesh(Obstacle):
         super().__post_init__()
         object.__setattr__(self, "scale", number(self._argument("scale"), self.scale, above=0.0))
         for name, allowed in (("up", ("z", "y")), ("fill", (None, "hull"))):
-            if not any(getattr(self, name) is each or getattr(self, name) == each for each in allowed):
-                raise InvalidInputError(self._argument(name), getattr(self, name), " or ".join(map(repr, allowed)))
+            given = getattr(self, name)
+            if not (given is None or isinstance(given, str)) or given not in allowed:
+                raise InvalidInputError(self._argument(name), given, " or ".join(map(repr, allowed)))
         if (self.file is None) == (self.triangles is None):
             given = "neither" if self.file is None else "both"
             raise InvalidInputError(self._argument("file"), f"{given} of file and triangles", "one of them")
         if self.file is None:
             argument = self._argument("triangles")
-            given_triangles = finite_array(argument, self.triangles if self.triangles is not None else (), (None, 3, 3))
+            given_triangles = finite_array(
+                argument, self.triangles if self.triangles is not None else (), (None, 3, 3), most=np.inf
+            )
             object.__setattr__(self, "triangles", given_triangles)
             object.__setattr__(self, "built", self._build(argument, given_triangles))
             return
@@ -264,8 +276,8 @@ class PointCloud(Obstacle):
             √3 spacing, so that they cover all that was covered. 0 keeps all.
 
     Raises:
-        FileFormatError: the file is missing or broken.
-        InvalidInputError: an argument is invalid, there is no point, or one lies beyond 1e6 m.
+        FileFormatError: the file is missing or broken, or has more than 5,000,000 points.
+        InvalidInputError: an argument is invalid, there is no point, more than 500,000 are left, or one lies beyond 1e6 m.
     """
 
     points: ArrayLike | None = None
@@ -283,7 +295,7 @@ class PointCloud(Obstacle):
             raise InvalidInputError(self._argument("points"), f"{given} of points and file", "one of them")
         if self.file is None:
             argument = self._argument("points")
-            points = finite_array(argument, self.points if self.points is not None else (), (None, 3))
+            points = finite_array(argument, self.points if self.points is not None else (), (None, 3), most=np.inf)
             object.__setattr__(self, "points", points)
         else:
             from manipplan.collision.formats.cloud_files import read_points
@@ -292,7 +304,7 @@ class PointCloud(Obstacle):
             object.__setattr__(self, "file", existing_file(argument, self.file))
             points = read_points(argument, Path(self.file))
         try:
-            kept = clouds.thinned(clouds.near_points(argument, points), self.spacing)
+            kept = clouds.thinned(argument, clouds.near_points(argument, points), self.spacing)
         except InvalidInputError as error:
             if self.file is None:
                 raise
@@ -341,6 +353,18 @@ class PointCloud(Obstacle):
 
     def parts(self) -> list[Part]:
         return [Part(shape=self.built.tree(), radius=self.radius + np.sqrt(3.0) * self.spacing, closed=False)]
+
+
+#: Maximum number of obstacles of a scene.
+MOST_OBSTACLES = 10_000
+
+
+def check_obstacles(argument: str, count: int) -> None:
+    """Raise InvalidInputError for more obstacles than a scene may have, before they are made."""
+    if count > MOST_OBSTACLES:
+        raise InvalidInputError(
+            argument, f"{count:,} obstacles", f"at most {MOST_OBSTACLES:,}; a Mesh or a PointCloud holds many"
+        )
 
 
 OBSTACLES: dict[str, type[Obstacle]] = {

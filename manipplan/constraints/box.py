@@ -8,7 +8,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
-from manipplan.support.checks import Array, pose_matrix
+from manipplan.support.checks import Array, number_array, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -37,10 +37,10 @@ class PositionBox(Constraint):
     def __post_init__(self) -> None:
         for name in ("lower", "upper"):
             given = getattr(self, name)
-            array = np.asarray(given, dtype=object)
-            if array.shape != (3,) or not all(isinstance(each, int | float | np.number) for each in array):
+            array = number_array(name, given)
+            if array.shape != (3,) or np.isnan(array).any():
                 raise InvalidInputError(name, given, "three numbers [m]; -inf and inf leave a side open")
-            object.__setattr__(self, name, tuple(float(each) for each in array))
+            object.__setattr__(self, name, tuple(array.tolist()))
         lower, upper = np.array(self.lower), np.array(self.upper)
         for axis, low, high in zip("xyz", lower, upper, strict=True):
             if not high - low >= LEAST_WIDTH:

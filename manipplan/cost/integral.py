@@ -11,11 +11,14 @@ from numpy.typing import ArrayLike
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.panels import Panels
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import MOST_PANELS, JointPath
 from manipplan.paths.rounding import gauss_rule
-from manipplan.support.checks import Array, number
+from manipplan.support.checks import Array, instance, number, whole_number
 from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
 
+#: Maximum exponent of m.
+MOST_POWER = 100.0
 #: Manipulability below this share of the path's maximum counts as zero.
 SINGULAR = 1e-9
 #: A panel is halved while that changes its integral by more than this share of g.
@@ -180,8 +183,15 @@ def path_cost(
         panels: initial number of panels.
 
     Raises:
-        InvalidInputError: `metric` is not a metric, or `floor` is negative.
+        InvalidInputError: an argument is of another kind or out of its range, or `metric` is not a metric.
     """
+    n = instance("kinematics", kinematics, Kinematics).robot.n
+    if instance("path", path, JointPath).n != n:
+        raise InvalidInputError("path", f"a path of {path.n} joints", f"a path of the robot's {n} joints")
+    power, panels = (
+        number("power", power, above=0.0, most=MOST_POWER),
+        whole_number("panels", panels, least=1, most=MOST_PANELS),
+    )
     matrix = metric_matrix("metric", metric, path.n)
     integral = PathIntegral(kinematics=kinematics, power=power, floor=number("floor", floor, least=0.0), metric=matrix)
     least, at, largest = _minimum_manipulability(path, kinematics)

@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.cost.floor import floor_of, warn_of_floor
-from manipplan.cost.integral import PathIntegral
+from manipplan.cost.integral import MOST_POWER, PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.manipulability import Constant
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import instance, number, number_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.spanned import is_always_singular
@@ -22,8 +22,6 @@ from manipplan.symbolic.task import Task
 #: Number of random configurations in which joints that do not move the tool are looked for, and the largest entry of their
 #: columns of the Jacobian, as a share of the largest of all.
 POSTURES, IDLE = 50, 1e-9
-#: Maximum exponent of m.
-MOST_POWER = 100.0
 
 
 @one_line
@@ -55,6 +53,10 @@ class PathObjective:
         object.__setattr__(self, "power", number("power", self.power, above=0.0, most=MOST_POWER))
         if self.task is not None:
             instance("task", self.task, Task)
+        if self.measure is not None and not isinstance(self.measure, str | Measure):
+            raise InvalidInputError("measure", self.measure, "a Measure or the name of one")
+        if self.metric is not None and np.isnan(number_array("metric", self.metric)).any():
+            raise InvalidInputError("metric", self.metric, "numbers, no NaN")
 
     def kinematics(self, robot: Robot, *, compiled: bool | str = "auto") -> Kinematics:
         """The kinematics of a robot with this task and measure.
@@ -63,7 +65,7 @@ class PathObjective:
             InvalidInputError: the task has more rows than the arm has joints, or the measure can be negative or is better
                 when smaller.
         """
-        measure = self.measure
+        measure, robot = self.measure, instance("robot", robot, Robot)
         if self.task is None and measure is None and is_always_singular(robot, robot.default_task):
             measure = Constant()
         kinematics = robot.kinematics(self.task, measure=measure, compiled=compiled)
@@ -73,7 +75,7 @@ class PathObjective:
 
     def integral(self, robot: Robot, *, compiled: bool | str = "auto") -> PathIntegral:
         """g of a robot's paths; raises InvalidInputError where the objective does not fit the robot."""
-        metric = metric_matrix("metric", self.metric, robot.n)
+        metric = metric_matrix("metric", self.metric, instance("robot", robot, Robot).n)
         kinematics = self.kinematics(robot, compiled=compiled)
         return PathIntegral(kinematics=kinematics, power=self.power, floor=floor_of(kinematics, self.floor), metric=metric)
 

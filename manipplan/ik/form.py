@@ -9,8 +9,8 @@ import numpy as np
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.ik.native import SKEW, arrangement
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import Array, one_of, texts
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
 
@@ -93,11 +93,8 @@ def _simplest(screws: Screws, held: tuple[int, ...] | None) -> ClosedForm | None
 
 def held_indices(robot: Robot, held: Sequence[str], count: int) -> tuple[int, ...]:
     """The indices of `count` joints, ascending; raises UnknownNameError or InvalidInputError."""
-    if isinstance(held, str) or not isinstance(held, Sequence) or not all(isinstance(name, str) for name in held):
-        raise InvalidInputError("held", held, "a list of joint names")
-    for name in held:
-        if name not in robot.joint_names:
-            raise UnknownNameError("held", name, robot.joint_names)
+    for name in texts("held", held):
+        one_of("held", name, robot.joint_names)
     if len(set(held)) != count or len(held) != count:
         raise InvalidInputError("held", list(held), f"{count} different joints, the arm's degree of redundancy")
     return tuple(sorted(robot.joint_names.index(name) for name in held))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from manipplan.ik.descend import descend
 from manipplan.ik.onto_rows import errors_to
-from manipplan.ik.window import random_near
+from manipplan.ik.starts import random_near
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.deviation import distances_between
 from manipplan.robots.limits import JointLimits
@@ -23,6 +23,8 @@ STARTS, BEST = 384, 16
 AGAIN = 4
 #: Distance from a limit up to which a joint counts as being at it [rad or m].
 AT_LIMIT = 1e-6
+#: Distance from which on a pose is so far away that its unit is looked at [m].
+FAR = 1.0
 
 
 @one_line
@@ -48,6 +50,16 @@ class Nearest:
 
     def __str__(self) -> str:
         return self.away + (f", with {' and '.join(self.stopped)} at the limit" if self.stopped else "")
+
+
+def millimetres_hint(pose: Array, away: float, away_from: Callable[[Array], float]) -> str:
+    """What explains that a pose (4, 4) is out of reach by `away` [m], if it is within reach in millimetres; or ""."""
+    if away < FAR:
+        return ""
+    scaled = np.array(pose)
+    scaled[:3, 3] /= 1000
+    hint = "; its position is within reach if it is in millimetres: divide it by 1000"
+    return hint if away_from(scaled) < FAR / 1000 else ""
 
 
 def nearest_to(kinematics: Kinematics, free: FreeMotion, pose: Array) -> Nearest:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.support.checks import Array, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.symbolic.task import Task
@@ -69,7 +69,7 @@ class SolutionSet(Pictured):
 
     def for_pose(self, pose: int) -> Array:
         """The rows of q that reach the pose with this index, (k, n)."""
-        return np.asarray(self.q[self.pose_index == pose])
+        return np.asarray(self.q[self.pose_index == whole_number("pose", pose, least=0)])
 
     def __str__(self) -> str:
         return f"{len(self)} solutions ({self.method}, {self.complete.value})"
@@ -129,7 +129,7 @@ def inverse_kinematics(
     from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
 
-    instance("turns", turns, bool)
+    flag("turns", turns)
     poses = pose_stack("pose", pose)
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
@@ -142,9 +142,9 @@ def inverse_kinematics(
                 break
             found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
-            values = solver.random_parameters(poses[k])
-            if len(values) and not deadline.passed:
-                more = _solved(solver, poses[k : k + 1], values, None, deadline)
+            q = solver.random_solutions(poses[k])
+            if len(q) and not deadline.passed:
+                more = _with_these(solver, poses[k], q, deadline)
                 part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
                 found = found.with_more(part, np.array([k]))
     keep = distinct(found.q, found.source)
@@ -222,6 +222,21 @@ def _solved(
     )
 
 
+def _with_these(solver: "Solver", pose: Array, q: Array, deadline: Deadline) -> _Solved:
+    """All solutions of a pose (4, 4) with the parameters of known ones, q (k, n), and these themselves."""
+    values = solver.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+    found = _solved(solver, pose[None], values, None, deadline)
+    own = solver.judged(q, pose)
+    return replace(
+        found,
+        q=np.concatenate([found.q, own.q]),
+        owners=np.concatenate([found.owners, np.zeros(len(own.q), dtype=np.int64)]),
+        source=np.concatenate([found.source, own.source]),
+        parameters=np.concatenate([found.parameters, values[own.source]]),
+        residual=np.concatenate([found.residual, own.residual]),
+    )
+
+
 def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
     """Log how to get solutions faster where one pose took long [s]."""
     if seconds > SLOW and samples > 1:
@@ -240,7 +255,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)
-    if isinstance(matrix, np.ndarray) and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
+    if type(matrix) is np.ndarray and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
         stack = np.array(matrix, order="C")
         if are_poses(stack):
             return stack
@@ -254,7 +269,7 @@ def pose_stack(argument: str, pose: Any) -> Array:
 def _is_matrix(value: Any) -> bool:
     try:
         return np.ndim(value) == 2
-    except ValueError:  # rows of different lengths
+    except Exception:  # rows of different lengths, or a foreign object: the check of one pose says so
         return False
 
 

@@ -31,10 +31,10 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
-from manipplan.support.checks import existing_file
+from manipplan.support.checks import existing_file, is_folder, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
-from manipplan.support.json_data import from_json, json_ready, stored_array
+from manipplan.support.json_data import from_json, json_ready, read_json, stored_array
 from manipplan.support.saving import finish
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
@@ -172,7 +172,7 @@ def _path_result(
         seed_cost=from_json(numbers["seed_cost"], PathCost),
         history=(),
         status=Status[numbers["status"]],
-        certificate=from_json(numbers["certificate"], Certificate),
+        certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
         first_paths=int(numbers.get("first_paths", 1)),  # older files have none
         missing=float(numbers.get("missing", "nan")),
     )
@@ -222,9 +222,10 @@ def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:
 
 def _plan_file(file: str | Path) -> Path:
     """The plan's file, given by its own path or by its folder."""
-    if isinstance(file, str | Path) and Path(file).expanduser().is_dir():
-        finish(Path(file).expanduser())
-        inside = Path(file).expanduser() / NAME
+    path = path_of("file", file)
+    if is_folder(path):
+        finish(path)
+        inside = path / NAME
         if not inside.is_file():
             raise FileFormatError("file", str(file), f"a folder written by Plan.save, with {NAME} in it")
         return inside
@@ -234,9 +235,9 @@ def _plan_file(file: str | Path) -> Path:
 def checked_json(path: Path, kind: str = FORMAT, number: int = VERSION) -> dict[str, Any]:
     """The data of a file, of a format and version and unchanged."""
     try:
-        data = json.loads(path.read_text())
-    except (ValueError, OSError, RecursionError) as error:
-        wanted = f"a complete result ({error}); it was truncated or is not a {path.name}: save the plan again"
+        data = read_json("file", path)
+    except FileFormatError as error:
+        wanted = f"a complete result ({error.allowed}); it was truncated or is not a {path.name}: save the plan again"
         raise FileFormatError("file", str(path), wanted) from error
     if not isinstance(data, dict) or data.get("format") != kind:
         raise FileFormatError("file", str(path), f"a result written by Plan.save, an object with format {kind!r}")

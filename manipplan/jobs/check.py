@@ -1,6 +1,7 @@
 """check: judges a trajectory, whoever made it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,15 +11,17 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.read import named_configuration
+from manipplan.jobs.recordings.read import read_motion
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.measure import measure
 from manipplan.jobs.reports.report import Report
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.export import READERS, read_trajectory
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
@@ -44,8 +47,8 @@ def check(
     trajectory: Trajectory | str | Path,
     scene: Scene | None = None,
     *,
-    start: ArrayLike | None = None,
-    goal: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
     path: CartesianPath | None = None,
     path_begin: float = 0.0,
     path_parts: Sequence[PathPart] = (),
@@ -54,6 +57,8 @@ def check(
     clearance: float = 0.0,
     objective: PathObjective = PathObjective(),
     torque: bool = False,
+    degrees: bool = False,
+    columns: Mapping[str, str] | None = None,
 ) -> Report:
     """Judge a trajectory, whoever made it: planned, retimed, edited, recorded, or made by other software.
 
@@ -67,9 +72,12 @@ def check(
     Args:
         robot: the arm.
         trajectory: a Trajectory, or the file of one: .csv, .json, .yaml or .npz, as `Trajectory.to_csv` and the others write.
-            Its columns are matched with the robot's joints by their names.
+            Its columns are matched with the robot's joints by their names. Where a continuous joint jumps by full turns, faster
+            than five times its velocity limit, the positions without the jumps are judged.
         scene: obstacles; None: none. The arm is always checked against itself.
-        start, goal: (n,) where the motion has to begin and end, to 1e-6 [rad or m]; None: anywhere.
+        start, goal: (n,) where the motion has to begin and end, to 1e-6 [rad or m], or the name of one of `robot.states`; None:
+            anywhere. Outside a limit by at most `robot.limit_tolerance`, they are taken to it, as the report says. Of a goal,
+            full turns of joints without limits do not count.
         path: path of the tool. The tool must not leave it, has to come past each of its poses, begin at the first and end at
             the last; the order in which it passes the others is not judged. With an objective whose task leaves a motion
             of the tool free, such as Task.pointing(axis) or Task.position(), only the rest counts. None: the tool may move
@@ -83,6 +91,8 @@ def check(
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         objective: power, task, measure, metric and floor of the g and the manipulability that are reported.
         torque: check the joints' effort limits as well.
+        degrees: the angles of the motion are in degrees, and their velocities in degrees per second.
+        columns: of a CSV file, the column of each joint and of "time", as for `Trajectory.from_csv`.
 
     Returns:
         The Report. A motion that does not pass raises nothing: `passed` is False, and `faults` says what is wrong.
@@ -93,10 +103,10 @@ def check(
             positions more than a full turn outside the limits, or velocities that do not belong to the positions.
     """
     instance("robot", robot, Robot)
-    motion = _motion(robot, trajectory)
+    motion = _motion(robot, trajectory, degrees=degrees, columns=columns)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    first = None if start is None else robot.configuration("start", start)
-    last = None if goal is None else robot.configuration("goal", goal)
+    ends = {name: named_configuration(name, q, robot) for name, q in (("start", start), ("goal", goal)) if q is not None}
+    inside = {name: robot.configuration(name, q) for name, q in ends.items()}
     if path is not None and not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
     if path is None and tolerance is not None:
@@ -105,13 +115,13 @@ def check(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
-    instance("torque", torque, bool)
-    return measure(
+    flag("torque", torque)
+    report = measure(
         motion,
         scene.collision_model(robot),
         instance("objective", objective, PathObjective).integral(robot),
-        start=first,
-        goal=last,
+        start=inside.get("start"),
+        goal=inside.get("goal"),
         workspace_path=path,
         along=along,
         tolerance=(tolerance or BETWEEN) if path is not None else None,
@@ -119,6 +129,7 @@ def check(
         clearance=clearance,
         torque=torque,
     )
+    return replace(report, taken_to_limits=tuple(each for name, q in ends.items() for each in taken_to_limits(robot, name, q)))
 
 
 def _parts(
@@ -154,16 +165,9 @@ def _parts(
     return tuple(path_parts)
 
 
-def _motion(robot: Robot, given: Trajectory | str | Path) -> Trajectory:
+def _motion(robot: Robot, given: Trajectory | str | Path, *, degrees: bool, columns: Mapping[str, str] | None) -> Trajectory:
     """The trajectory with its columns in the robot's order, in plausible units."""
-    motion = read_trajectory("trajectory", given) if isinstance(given, str | Path) else given
-    if not isinstance(motion, Trajectory):
-        raise InvalidInputError("trajectory", given, f"a Trajectory, or the path of a trajectory file ({', '.join(READERS)})")
-    for name in motion.joint_names:
-        if name in robot.locked:
-            wanted = f"the joints {', '.join(robot.joint_names)} alone; {name} is locked at {robot.locked[name]:g}"
-            raise InvalidInputError("trajectory.joint_names", name, wanted)
-    motion = motion.in_order(robot.joint_names)
+    motion = read_motion(robot, "trajectory", given, joints=None, degrees=degrees, columns=columns)
     _check_positions(robot, motion)
     _check_velocities(motion)
     return motion

@@ -1,14 +1,16 @@
 """improve: a recorded motion without its noise and with higher manipulability, in the same time."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal, overload
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.recordings.blocked import blocked
 from manipplan.jobs.recordings.comparison import MotionFigures
 from manipplan.jobs.recordings.inside import Tube, best_motion
-from manipplan.jobs.recordings.read import read_recording
+from manipplan.jobs.recordings.read import noise_beyond_limits, read_recording
 from manipplan.jobs.recordings.smooth import smooth
 from manipplan.jobs.result import PartialPlan, Plan, failed, finish
 from manipplan.optimize.result import make_result
@@ -16,7 +18,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, teller
@@ -37,6 +39,7 @@ def improve(
     objective: PathObjective = ...,
     clearance: float = ...,
     degrees: bool = ...,
+    columns: Mapping[str, str] | None = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -53,6 +56,7 @@ def improve(
     objective: PathObjective = ...,
     clearance: float = ...,
     degrees: bool = ...,
+    columns: Mapping[str, str] | None = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -70,6 +74,7 @@ def improve(
     objective: PathObjective = PathObjective(),
     clearance: float = 0.0,
     degrees: bool = False,
+    columns: Mapping[str, str] | None = None,
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
@@ -88,13 +93,16 @@ def improve(
         robot: the arm.
         recorded: a Trajectory, the file of one, or a JointPath, which is timed by `retime` and a quarter slower. The columns of
             a CSV file are found by the names of the robot's joints, in any order; others are ignored (`Trajectory.from_csv`).
-            Positions up to 0.01 rad or m outside the limits count as noise.
+            Positions up to 0.01 rad or m, or `robot.limit_tolerance` if it is more, outside the limits count as noise, and the
+            report names them. Where a continuous joint jumps by full turns, as one that is reported in (-π, π] does, the
+            positions as driven count.
         scene: obstacles to avoid.
         duration: of the motion [s]; None: that of the recording.
         tolerance: largest distance of the tool from the recorded pose. What the objective's task leaves free does not count.
         objective: the objective whose g is lowered; its measure is the manipulability.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         degrees: the angles of the recording are in degrees, and their velocities in degrees per second.
+        columns: of a CSV file, the column of each joint and of "time", as for `Trajectory.from_csv`.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -109,18 +117,22 @@ def improve(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("tolerance", tolerance, Tolerance)
     instance("objective", objective, PathObjective)
-    instance("degrees", degrees, bool)
+    flag("throw", throw)
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)
     tell = teller(progress)
-    motion = read_recording(robot, recorded, degrees=degrees)
+    motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     tell(0.1, "smoothing the recording")
     parts = [part for part in (tolerance.position, tolerance.rotation) if part is not None]
     curve = smooth(motion, robot.limits, ENOUGH * min(parts))
     for name, end in (("recorded start", curve.ends.start), ("recorded goal", curve.ends.goal)):
         model.free_configuration(name, end, clearance)
+    reason = blocked(model, motion, tolerance, integral.kinematics.task, clearance)
+    if reason:
+        return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: {reason}")
     tube = Tube(
         recorded=motion,
         figures=MotionFigures.of(motion, integral),
@@ -132,7 +144,6 @@ def improve(
     )
     tell(0.2, "raising the manipulability")
     found = best_motion(tube, curve)
-    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
     if found is None:
         bodies, row = model.nearest_bodies(motion.q)
         return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")
@@ -152,7 +163,19 @@ def improve(
     )
     goal = curve.ends.goal
     draft = replace(draft, status=status)
-    made = finish(draft, path, trajectory, result, model, goal, clearance=clearance, torque=False, jerk=True, throw=False)
+    made = finish(
+        draft,
+        path,
+        trajectory,
+        result,
+        model,
+        goal,
+        taken=noise_beyond_limits(robot, motion),
+        clearance=clearance,
+        torque=False,
+        jerk=True,
+        throw=False,
+    )
     made = replace(made, report=replace(made.report, comparison=comparison))
     if not made.report.passed:
         return failed(made, throw, made.message)

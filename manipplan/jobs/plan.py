@@ -12,8 +12,9 @@ from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.ends import check_start
+from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.candidates import find_candidates, measured
+from manipplan.jobs.goals.candidates import GoalCandidate, find_candidates, measured
 from manipplan.jobs.goals.choice import choose
 from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.goals.read import named_configuration, read_goals
@@ -22,9 +23,12 @@ from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finis
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
+from manipplan.paths.joint import JointPath
+from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, instance, number
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
+from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -40,6 +44,8 @@ MORE_DEGREES, SPLINE_PIECES = 3, 8
 RESERVE, LEAST_RESERVE = 0.05, 0.05
 #: Shortest time for a path, where hardly any is left [s].
 SHORTEST_TIME = 1e-3
+#: Duration of a motion that stands still [s].
+STANDING = 1e-3
 #: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
 SOURCES = (
     *(
@@ -127,13 +133,16 @@ def plan(
     1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
     if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
 
+    Where the arm stands in a goal already, the motion stands still: Status.AT_GOAL.
+
     The call takes at most `Seeding.time_limit` for each first path, 10 s by default. What is built once per machine, process,
     robot or scene, such as code and collision models, does not count. The candidates share the time. What was found by then is
     timed.
 
     Args:
         robot: the arm.
-        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
+        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`. Outside a limit by at
+            most `robot.limit_tolerance`, it is taken to the limit, as the report says; so is a goal.
         goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
             tolerance; or, for a robot with several tools, a mapping from tools to these two, where the arm of a tool that is
             not named ends where it began; or a list of these, such as a set of grasps.
@@ -157,6 +166,8 @@ def plan(
         PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
+    flag("torque", torque)
+    flag("throw", throw)
     check_options(objective, shape, seeding)
     limit = seeding.time_limit
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
@@ -164,7 +175,12 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     targets, is_list = read_goals("goal", goal, robot)
-    q_start = named_configuration("start", start, robot)
+    given = named_configuration("start", start, robot)
+    q_start = robot.configuration("start", given)
+    if seeding.shifts != AS_GIVEN:
+        targets = tuple(replace(each, turns=True) for each in targets)
+    if seeding.shifts == NEAREST:
+        targets = tuple(each.nearest(robot, q_start) for each in targets)
     kept = ConstraintSet.of(robot, constraints)
     check_start(kept, q_start)
     check_timing_limits(robot.limits)
@@ -196,6 +212,13 @@ def plan(
         return found
 
     integral = objective.integral(robot)
+    start_taken = taken_to_limits(robot, "start", given)
+    there = next((k for k, each in enumerate(targets) if not each.missed_by(robot, q_start)), None)
+    if there is not None and not shape.has_slopes:
+        scene.collision_model(robot).free_configuration("start", q_start, number("clearance", clearance, least=0.0))
+        taken = (*start_taken, *targets[there].taken)
+        at_goal = replace(draft, goal_index=there)
+        return _standing(at_goal, q_start, integral, taken, clearance=clearance, torque=torque, throw=throw)
     if targets[0].q is not None and not is_list:
         candidates = measured(targets[0].q[None], [0], q_start, integral)
     else:
@@ -241,8 +264,20 @@ def plan(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
-    made = finish(draft, path, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
-    reached = targets[made.goal_index]
+    reached = targets[draft.goal_index]
+    made = finish(
+        draft,
+        path,
+        trajectory,
+        result,
+        model,
+        path.goal,
+        taken=(*start_taken, *reached.taken),
+        clearance=clearance,
+        torque=torque,
+        jerk=True,
+        throw=throw,
+    )
     missed = reached.missed_by(robot, trajectory.q[-1])
     tools = with_goals(made.report.tools, robot, trajectory.q[-1], reached.tools)
     made = replace(made, report=replace(made.report, tools=tools))
@@ -250,6 +285,56 @@ def plan(
         made = check_failed(made, throw, missed)
     tell(1.0, "done")
     return made
+
+
+def _standing(
+    draft: PartialPlan,
+    q: Array,
+    integral: PathIntegral,
+    taken: tuple[TakenToLimit, ...],
+    *,
+    clearance: float,
+    torque: bool,
+    throw: bool,
+) -> Plan | PartialPlan:
+    """The plan of an arm that stands in a goal already: a motion that stays at q (n,)."""
+    path = JointPath(breaks=np.array([0.0, 1.0]), control=np.array([[q, q]]))
+    least = float(integral.kinematics.manipulability(q))
+    result = PathResult(
+        path=path,
+        g=0.0,
+        length=0.0,
+        min_manipulability=least,
+        min_at=0.0,
+        power=integral.power,
+        task=integral.kinematics.task,
+        seed=path,
+        seed_cost=PathCost(g=0.0, length=0.0, min_manipulability=least, at=0.0),
+        history=(),
+        status=Status.AT_GOAL,
+        measure=integral.kinematics.measure,
+        metric=integral.metric,
+        floor=integral.floor,
+    )
+    stays = Trajectory(
+        t=np.array([0.0, STANDING]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=draft.robot.joint_names
+    )
+    chosen = GoalCandidate(
+        goal_index=draft.goal_index,
+        q=q,
+        manipulability=least,
+        bound=least,
+        straight_length=0.0,
+        straight_g=0.0,
+        straight_min_manipulability=least,
+        min_manipulability=least,
+        g=0.0,
+        chosen=True,
+        status="chosen: the arm stands there",
+    )
+    draft = replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
+    model = draft.scene.collision_model(draft.robot)
+    return finish(draft, path, stays, result, model, q, taken=taken, clearance=clearance, torque=torque, jerk=True, throw=throw)
 
 
 def _out_of_time(result: PathResult) -> PathResult:

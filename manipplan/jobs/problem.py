@@ -20,7 +20,7 @@ from manipplan.paths.basis import PathShape
 from manipplan.robots.reduced import uncoupled
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, instance, number
 from manipplan.support.content import content_key
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -65,7 +65,7 @@ def checked(argument: str, problem: Problem) -> Problem:
         if problem.scene is not None:
             instance("scene", problem.scene, Scene)
         instance("name", problem.name, str)
-        instance("torque", problem.torque, bool)
+        flag("torque", problem.torque)
         check_options(problem.objective, problem.shape, seeding)
         start = named_configuration("start", problem.start, robot)
         targets, is_list = read_goals("goal", problem.goal, robot)

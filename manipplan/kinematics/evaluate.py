@@ -33,7 +33,7 @@ class Evaluator:
     def __call__(self, q: ArrayLike) -> tuple[Array, ...]:
         """The quantities at q; raises InvalidInputError for another shape, NaN or inf."""
         try:
-            self._q[:] = q  # a memoryview accepts exactly n doubles
+            self._q[:] = None if isinstance(q, np.ma.MaskedArray) else q  # a memoryview accepts exactly n doubles
         except (TypeError, ValueError):
             q = configurations("q", q, self._n)
             if q.ndim != 1:

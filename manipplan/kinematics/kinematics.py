@@ -20,7 +20,7 @@ from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import Array, configurations, instance, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, configurations, instance, one_of, whole_number
 from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
@@ -208,8 +208,7 @@ class Kinematics:
         if not quantities:
             raise InvalidInputError("quantities", quantities, f"at least one of {', '.join(QUANTITIES)}")
         for quantity in quantities:
-            if quantity not in QUANTITIES:
-                raise UnknownNameError("quantities", str(quantity), QUANTITIES)
+            one_of("quantities", quantity, QUANTITIES)
         if len(set(quantities)) < len(quantities):
             raise InvalidInputError("quantities", quantities, "each quantity once")
         function = self.symbolic.function(*quantities, with_sum=True)
@@ -222,12 +221,12 @@ class Kinematics:
 
     def batch_code(self, quantity: str) -> int | None:
         """The address of a quantity's batch function, see `NativeKernel`, for other compiled code; None where there is none."""
-        kernel = self._kernel(quantity, 1)
+        kernel = self._kernel(one_of("quantity", quantity, QUANTITIES), 1)
         return kernel.address if isinstance(kernel, NativeKernel) else None
 
     def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
         n, shape = self.robot.n, self._shape(quantity)
-        if not (isinstance(q, np.ndarray) and q.dtype == np.float64 and q.ndim > 0 and q.shape[-1] == n):
+        if not (type(q) is np.ndarray and q.dtype == np.float64 and q.ndim > 0 and q.shape[-1] == n):
             q = configurations("q", q, n)
         if q.ndim == 1:
             evaluators = self._own.__dict__  # each thread has its own
@@ -300,7 +299,7 @@ def kinematics_of(
     chosen = measure_for(robot, task, measure_of(measure))
     if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
         raise InvalidInputError("compiled", compiled, "'auto', True or False")
-    threads = all_cores() if threads is None else whole_number("threads", threads, least=1)
+    threads = all_cores() if threads is None else whole_number("threads", threads, least=1, most=MOST_THREADS)
     if not isinstance(backend, str):
         raise InvalidInputError("backend", backend, "the name of a backend")
     return _kinematics(robot, task, chosen, backend, compiled, threads)

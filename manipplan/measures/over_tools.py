@@ -1,6 +1,6 @@
 """A measure of a robot with several tools: the minimum over its tools, or their weighted mean."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -8,7 +8,7 @@ import casadi as ca
 
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure, Posture, ToolPosture
-from manipplan.support.checks import number
+from manipplan.support.checks import entries, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.symbolic.task import Task
 
@@ -50,10 +50,11 @@ class OverTools(Measure):
         if self.weights is None:
             return
         given = self.weights.items() if isinstance(self.weights, Mapping) else self.weights
-        pairs = [tuple(each) for each in given if _is_pair(each)] if isinstance(given, Iterable) else []
+        wanted = "a mapping from names of tools to numbers above zero, such as {'left': 1.0, 'right': 2.0}"
+        listed = entries("weights", given if isinstance(given, Iterable) else None, wanted)
+        pairs = [tuple(each) for each in listed if _is_pair(each)]
         names = [name for name, _ in pairs]
-        if not pairs or not isinstance(given, Sized) or len(pairs) < len(given) or len(set(names)) < len(names):
-            wanted = "a mapping from names of tools to numbers above zero, such as {'left': 1.0, 'right': 2.0}"
+        if not pairs or len(pairs) < len(listed) or len(set(names)) < len(names):
             raise InvalidInputError("weights", self.weights, wanted)
         checked = tuple((name, number(f"weights[{name!r}]", weight, above=0.0)) for name, weight in sorted(pairs))
         object.__setattr__(self, "weights", checked)

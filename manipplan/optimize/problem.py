@@ -28,6 +28,7 @@ from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.paths.turns import unwrapped
 from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import CHECK_STEP, PROVABLE
 from manipplan.seeds.random_path import random_path
@@ -353,7 +354,9 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
         if motion.joint_names != robot.joint_names:
             wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
             raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
-        path = motion.path()
+        path = unwrapped(
+            robot, motion, lambda row, joint: (f"initial.q[{row}, {joint}]", motion.q[row, joint]), fastest=1
+        ).path()
     if path.n != robot.n:
         raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
     return path

@@ -18,9 +18,9 @@ from numpy.typing import ArrayLike
 from manipplan.paths.curves import bernstein
 from manipplan.paths.joint import JointPath, split
 from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
-from manipplan.support.checks import Array, finite_array, whole_number
+from manipplan.support.checks import Array, finite_array, one_of, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 
 Function = Legendre | Chebyshev | Polynomial
 #: Maximum degree: a higher one is slower and no better.
@@ -202,8 +202,7 @@ def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
         UnknownNameError: no such basis.
         InvalidInputError: the basis cannot have this number of `pieces`, or the degree is too low to join them.
     """
-    if name not in BASES:
-        raise UnknownNameError("basis", str(name), BASES)
+    one_of("basis", name, BASES)
     pieces = whole_number("pieces", pieces, least=1, most=MOST_PIECES)
     if pieces > 1 and name not in SPLINES:
         raise InvalidInputError("pieces", pieces, f"1 with basis {name!r}; {' and '.join(SPLINES)} can have more")
@@ -345,6 +344,9 @@ class PathShape:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "degree", whole_number("degree", self.degree, least=1, most=MOST_DEGREE))
+        for name in ("start_slope", "goal_slope", "start_bend", "goal_bend"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, finite_array(name, getattr(self, name), (None,)))
         size = self.functions().size
         object.__setattr__(self, "pieces", int(self.pieces))
         if size > MOST_COEFFICIENTS:
@@ -354,12 +356,18 @@ class PathShape:
             )
             raise InvalidInputError("pieces", self.pieces, wanted)
 
+    @property
+    def has_slopes(self) -> bool:
+        """Whether a derivative at an end is given."""
+        return any(each is not None for each in (self.start_slope, self.goal_slope, self.start_bend, self.goal_bend))
+
     def functions(self) -> Basis:
         """The basis functions."""
         return named_basis(self.basis, self.degree, self.pieces)
 
     def ends(self, n: int) -> EndConditions:
         """The fixed derivatives of n joints; raises InvalidInputError where the degree is too low for them."""
+        n = whole_number("n", n, least=1)
         given = {name: getattr(self, name) for name in ("start_slope", "goal_slope", "start_bend", "goal_bend")}
         ends = EndConditions(
             **{name: None if value is None else finite_array(name, value, (n,)) for name, value in given.items()}

@@ -10,16 +10,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import (
-    Array,
-    existing_file,
-    finite_array,
-    instance,
-    number,
-    number_array,
-    pose_matrix,
-    whole_number,
-)
+from manipplan.paths.tables import Table
+from manipplan.support.checks import Array, existing_file, finite_array, flag, number, number_array, pose_matrix, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -29,6 +21,8 @@ APART = 1e-9
 RETURNS = 1e-9
 #: Distance in s within which two knots are one.
 SAME = 1e-12
+#: Maximum number of poses of a sample.
+MOST_SAMPLES = 1_000_000
 #: Columns of a CSV file of poses: position [m], then the quaternion.
 COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
@@ -48,7 +42,7 @@ class CartesianPath(ABC):
 
     def sample(self, n: int) -> Array:
         """Poses (n, 4, 4) at equally spaced s, including both ends; n >= 2."""
-        return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2)))
+        return self(np.linspace(0.0, 1.0, whole_number("n", n, least=2, most=MOST_SAMPLES)))
 
     @property
     def length(self) -> float:
@@ -104,7 +98,7 @@ class CartesianPath(ABC):
             centre=finite_array("centre", centre, (3,)),
             axis=axis / length,
             angle=number("angle", angle),
-            turning=instance("turning", turning, bool),
+            turning=flag("turning", turning),
         )
 
     @classmethod
@@ -130,30 +124,18 @@ class CartesianPath(ABC):
     def from_csv(cls, file: str | Path) -> "CartesianPath":
         """The smooth path through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz.
 
-        Raises a FileFormatError that shows the faulty row.
+        Lines that begin with # are left out. Raises a FileFormatError that shows the faulty row.
         """
         path = existing_file("file", file)
-        try:
-            text = path.read_text(encoding="utf-8-sig")
-        except UnicodeDecodeError as error:
-            raise FileFormatError("file", str(path), "a text file (CSV)") from error
-        lines = [(row, line.strip()) for row, line in enumerate(text.splitlines(), start=1)]
-        lines = [(row, line) for row, line in lines if line and not line.startswith("#")]
-        head = tuple(name.strip() for name in lines[0][1].split(",")) if lines else ()
-        if head != COLUMNS:
-            found = f"{path} with the first line {lines[0][1]}" if lines else f"{path}, which is empty"
+        table = Table.read(path, comments=True)
+        if table.header != COLUMNS:
+            found = f"{path} with the first line {','.join(table.header)}"
             raise FileFormatError("file", found, f"a first line {','.join(COLUMNS)}")
         poses = []
-        for row, line in lines[1:]:
-            try:
-                values = np.array([float(cell) for cell in line.split(",")])
-                if values.shape != (len(COLUMNS),) or not np.isfinite(values).all():
-                    raise ValueError(line)
-            except ValueError as error:
-                raise FileFormatError("file", f"{path}, row {row}: {line}", f"{len(COLUMNS)} finite numbers") from error
+        for (row, cells), values in zip(table.rows, table.numbers(range(len(COLUMNS))), strict=True):
             size = np.linalg.norm(values[3:])
             if abs(size - 1) > 1e-3:
-                raise FileFormatError("file", f"{path}, row {row}: {line}", "a quaternion of length 1")
+                raise FileFormatError("file", f"{path}, row {row}: {','.join(cells)}", "a quaternion of length 1")
             w, x, y, z = values[3:] / size
             poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
         return cls.through(poses)

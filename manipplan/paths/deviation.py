@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 
@@ -34,6 +34,7 @@ class Deviation:
 
     def excess(self, tolerance: Tolerance, of: str) -> str:
         """Which part of a tolerance is exceeded, and after which share `of` what; "" if it is kept."""
+        instance("tolerance", tolerance, Tolerance)
         for name, value, limit, unit, at in (
             ("position", self.position, tolerance.position, "m", self.position_at),
             ("rotation", self.rotation, tolerance.rotation, "rad", self.rotation_at),

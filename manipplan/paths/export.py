@@ -11,17 +11,22 @@ from typing import Any
 
 import numpy as np
 
+from manipplan.paths.tables import Table
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import Array, existing_file, whole_number
+from manipplan.support.checks import Array, existing_file, one_of, text, texts, whole_number
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_bytes, write_text
+from manipplan.support.json_data import read_json
 
 FORMAT = "manipplan-trajectory"
 VERSION = 1
 #: Maximum duration [s]: ROS counts seconds in 32 bits, and the first message of a bag is stamped 1 s.
 LONGEST = 2**31 - 2
 #: Maximum size of an unpacked NumPy archive [bytes].
-LARGEST = 2**30
+LARGEST = 2**27
+#: Keys of a JointTrajectory, and of its points.
+ROS_KEYS = ("header", "joint_names", "points")
+POINT_KEYS = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 
 def to_csv(trajectory: Trajectory, file: str | Path) -> None:
@@ -35,84 +40,77 @@ def to_csv(trajectory: Trajectory, file: str | Path) -> None:
     write_text(file, out.getvalue())
 
 
-def from_csv(file: str | Path, *, joints: Sequence[str] | None = None) -> Trajectory:
+def from_csv(
+    file: str | Path,
+    *,
+    joints: Sequence[str] | None = None,
+    columns: Mapping[str, str] | None = None,
+    degrees: bool | Sequence[str] = False,
+) -> Trajectory:
     """Read `to_csv`'s file, or a recorded demonstration. Columns are found by name, in any order; others are ignored.
 
     Args:
         file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints or
             none. Without velocities they come from the cubic spline through the positions. Times count from that of the first
-            row.
-        joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
-            `q_<joint>` columns, in their order.
+            row. Every row has as many cells as the first.
+        joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those of
+            `columns`, or all `q_<joint>` columns, in their order.
+        columns: the column of the file for each joint, and for "time", where it has another name:
+            ``{"time": "timestamp", "shoulder_pan_joint": "J1"}``.
+        degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
-    Raises FileFormatError for a missing column, a short row, a cell that is not a finite number, or a time that is not after
-    the one before; the last three name the row.
+    Raises FileFormatError for a missing column, a row of another length, a cell that is not a finite number, or a time that is
+    not after the one before; the last three name the row.
     """
     path = existing_file("file", file)
     wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and others may follow, in any order)"
+    if columns is not None and not isinstance(columns, Mapping):
+        raise InvalidInputError("columns", columns, 'a mapping from names of joints, and "time", to columns of the file')
+    where = {text("columns", key): text(f"columns[{key!r}]", column) for key, column in (columns or {}).items()}
+    chosen = None if joints is None else texts("joints", joints)
+    table = Table.read(path)
+    names = chosen or tuple(name for name in where if name != "time") or _joints_of(table, wanted)
+    for name in where:
+        one_of("columns", name, ("time", *names))
+    scaled = names if degrees is True else () if degrees is False else texts("degrees", degrees)
+    for name in scaled:
+        one_of("degrees", name, names)
 
-    def read() -> Trajectory:
-        with path.open(newline="", encoding="utf-8-sig") as stream:
-            reader = csv.reader(stream)
-            (_, first), *rows = [(reader.line_num, row) for row in reader if row]
-        header = [cell.strip().removeprefix("#").strip() for cell in first]
-        names = _joints_of(path, header, wanted) if joints is None else list(joints)
-        positions = [_column(path, header, (f"q_{name}", name) if joints is not None else (f"q_{name}",)) for name in names]
-        speeds = [f"qd_{name}" for name in names if f"qd_{name}" in header]
-        velocities = [_column(path, header, (f"qd_{name}",)) for name in names] if speeds else []
-        columns = [_column(path, header, ("time", "t")), *positions, *velocities]
-        data = _numbers(path, header, columns, rows)
-        t, q = data[:, 0] - data[0, 0], data[:, 1 : 1 + len(names)]
-        if velocities:
-            return Trajectory(t=t, q=q, qd=data[:, 1 + len(names) :], joint_names=tuple(names))
-        from scipy.interpolate import CubicSpline
+    def named(name: str) -> tuple[str, ...]:
+        return (where[name],) if name in where else (f"q_{name}", name) if joints is not None else (f"q_{name}",)
 
-        still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=tuple(names))  # t and q are checked first
-        return replace(still, qd=CubicSpline(t, q)(t, 1))
-
-    return _reading(path, wanted, read)
-
-
-def _joints_of(path: Path, header: list[str], wanted: str) -> list[str]:
-    """The joints that have a column of positions."""
-    names = [column.removeprefix("q_") for column in header if column.startswith("q_")]
-    if not names or not all(names):
-        raise FileFormatError("file", f"{path} with the first line {','.join(header)}", wanted)
-    return names
-
-
-def _column(path: Path, header: list[str], names: tuple[str, ...]) -> int:
-    """Index of the only column with one of the names."""
-    found = [k for k, column in enumerate(header) if column in names]
-    if len(found) != 1:
-        many, each = len(found) or "no", " or ".join(names)
-        wanted = f"a CSV with columns time, q_<joint>...; it has {many} column {each}, its columns are {', '.join(header)}"
-        raise FileFormatError("file", str(path), wanted)
-    return found[0]
-
-
-def _numbers(path: Path, header: list[str], columns: list[int], rows: list[tuple[int, list[str]]]) -> Array:
-    """The cells of these columns of rows (line, cells) as finite numbers, with increasing times in the first column."""
-    if len(rows) < 2:
-        raise FileFormatError("file", f"{path} with {len(rows)} rows of numbers", "at least two")
-    data = np.empty((len(rows), len(columns)))
-    for k, (line, row) in enumerate(rows):
-        if len(row) <= max(columns):
-            wanted = f"at least {max(columns) + 1} cells, as in the first row"
-            raise FileFormatError("file", f"{path}, row {line}, with {len(row)} cells", wanted)
-        for j, column in enumerate(columns):
-            try:
-                data[k, j] = float(row[column])
-            except ValueError as error:
-                raise FileFormatError("file", f"{path}, row {line}, {header[column]}: {row[column]}", "a number") from error
-    for k, j in np.argwhere(~np.isfinite(data)).tolist():
-        got = f"{path}, row {rows[k][0]}, {header[columns[j]]}: {rows[k][1][columns[j]]}"
-        raise FileFormatError("file", got, "a finite number, no NaN or inf")
+    positions = [table.column(named(name), wanted) for name in names]
+    has_speeds = any(f"qd_{name}" in table.header for name in names)
+    velocities = [table.column((f"qd_{name}",), wanted) for name in names] if has_speeds else []
+    time = table.column((where["time"],) if "time" in where else ("time", "t"), wanted)
+    if len(table.rows) < 2:
+        raise FileFormatError("file", f"{path} with {len(table.rows)} rows of numbers", "at least two")
+    data = table.numbers([time, *positions, *velocities])
     for k in np.flatnonzero(np.diff(data[:, 0]) <= 0).tolist():
-        wanted = f"a time after that of row {rows[k][0]}, {float(data[k, 0])!r} s"
-        got = f"{path}, row {rows[k + 1][0]}, {header[columns[0]]}: {rows[k + 1][1][columns[0]]}"
-        raise FileFormatError("file", got, wanted)
-    return data
+        later = f"a time after that of row {table.rows[k][0]}, {float(data[k, 0])!r} s"
+        raise FileFormatError("file", f"{table.place(k + 1, time)}: {table.rows[k + 1][1][time]}", later)
+    scale = np.where(np.isin(names, scaled), np.pi / 180, 1.0)
+    q = data[:, 1 : 1 + len(names)] * scale
+    qd = data[:, 1 + len(names) :] * scale if velocities else None
+    return _reading(path, wanted, lambda: with_velocities(data[:, 0] - data[0, 0], q, qd, names))
+
+
+def with_velocities(t: Array, q: Any, qd: Any, joint_names: tuple[str, ...]) -> Trajectory:
+    """The trajectory of samples; velocities that are not given come from the cubic spline through the positions."""
+    if qd is not None:
+        return Trajectory(t=t, q=q, qd=qd, joint_names=joint_names)
+    from scipy.interpolate import CubicSpline
+
+    still = Trajectory(t=t, q=q, qd=np.zeros(np.shape(q)), joint_names=joint_names)  # checks times and positions
+    return replace(still, qd=CubicSpline(still.t, still.q)(still.t, 1))
+
+
+def _joints_of(table: Table, wanted: str) -> tuple[str, ...]:
+    """The joints that have a column of positions."""
+    names = tuple(column.removeprefix("q_") for column in table.header if column.startswith("q_"))
+    if not names or not all(names):
+        raise FileFormatError("file", f"{table.path} with the first line {','.join(table.header)}", wanted)
+    return names
 
 
 def to_json(trajectory: Trajectory, file: str | Path) -> None:
@@ -134,9 +132,11 @@ def from_json(file: str | Path) -> Trajectory:
     wanted = f"a JSON object with format {FORMAT!r} and version {VERSION}"
 
     def read() -> Trajectory:
-        data = json.loads(path.read_text())
+        data = read_json("file", path)
         if not isinstance(data, dict) or (data.get("format"), data.get("version")) != (FORMAT, VERSION):
             raise FileFormatError("file", str(path), wanted)
+        for key in data:
+            one_of("key", key, ("format", "version", "joint_names", "time", "position", "velocity"))
         return Trajectory(t=data["time"], q=data["position"], qd=data["velocity"], joint_names=data["joint_names"])
 
     return _reading(path, wanted, read)
@@ -187,22 +187,37 @@ def ros_time(nanoseconds: int) -> dict[str, int]:
 
 
 def from_ros(file: str | Path) -> Trajectory:
-    """Read a JointTrajectory in YAML. Raises FileFormatError when names, positions, velocities or times are missing."""
+    """Read a JointTrajectory in YAML.
+
+    Velocities that are not there come from the cubic spline through the positions. Raises FileFormatError when names, positions
+    or times are missing, or a key is none of the message's.
+    """
     from manipplan.support.yaml_files import read_yaml
 
     path = existing_file("file", file)
-    wanted = "a JointTrajectory in YAML: joint_names and points with positions, velocities and time_from_start"
+    wanted = "a JointTrajectory in YAML: joint_names and points with positions and time_from_start"
 
     def read() -> Trajectory:
         message = read_yaml("file", path)
-        if not isinstance(message, Mapping):
+        if not isinstance(message, Mapping) or not isinstance(message.get("points"), list):
             raise FileFormatError("file", str(path), wanted)
-        return Trajectory(
-            t=np.array([_seconds(point["time_from_start"]) for point in message["points"]]),
-            q=np.array([point["positions"] for point in message["points"]], dtype=float),
-            qd=np.array([point["velocities"] for point in message["points"]], dtype=float),
-            joint_names=message["joint_names"],
-        )
+        for key in message:
+            one_of("key", key, ROS_KEYS)
+        points, names = message["points"], texts("joint_names", message.get("joint_names"))
+        for k, point in enumerate(points):
+            if not isinstance(point, Mapping) or not {"positions", "time_from_start"} <= set(point):
+                raise InvalidInputError(f"points[{k}]", point, "a mapping with positions and time_from_start")
+            for key in point:
+                one_of(f"points[{k}]", key, POINT_KEYS)
+        timed = [bool(point.get("velocities")) for point in points]  # [] where there are none, as in ROS
+        if any(timed) and not all(timed):
+            k = timed.index(False)
+            raise InvalidInputError(
+                f"points[{k}].velocities", points[k].get("velocities"), "velocities in all points or in none"
+            )
+        t = np.array([_seconds(point["time_from_start"]) for point in points])
+        qd = [point["velocities"] for point in points] if any(timed) else None
+        return with_velocities(t, [point["positions"] for point in points], qd, names)
 
     return _reading(path, wanted, read)
 

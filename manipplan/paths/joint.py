@@ -11,9 +11,9 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
 from manipplan.paths.curves import Curve, bernstein
-from manipplan.support.checks import Array, finite_array, number_array, whole_number
+from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 
 #: Breaks of two paths nearer than this are one.
 SAME_BREAK = 1e-12
@@ -23,6 +23,8 @@ SHORTEST = 1e-6
 TURNED = 1e-9
 #: Bases available for the coefficients of a polynomial path.
 SERIES = ("monomial", "bernstein", "legendre", "chebyshev")
+#: Highest order of a derivative, and maximum numbers of panels, of Gauss points in each, and of samples.
+MOST_ORDER, MOST_PANELS, MOST_POINTS, MOST_SAMPLES = 100, 10**6, 100, 5 * 10**6
 
 
 @one_line
@@ -77,6 +79,7 @@ class JointPath:
         """
         from scipy.interpolate import CubicSpline
 
+        closed = flag("closed", closed)
         places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
         if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
             raise InvalidInputError("s", places, "increasing numbers, one per row of q")
@@ -97,6 +100,8 @@ class JointPath:
 
         Raises InvalidInputError for no path, a path without length, or one that begins elsewhere.
         """
+        if not isinstance(parts, list | tuple) or not all(isinstance(part, JointPath) for part in parts):
+            raise InvalidInputError("parts", parts, "a list of JointPath")
         if not parts or any(part.length < SHORTEST for part in parts):
             raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SHORTEST:g}")
         ends = np.cumsum([0.0, *(part.length for part in parts)])
@@ -132,12 +137,12 @@ class JointPath:
 
     def __call__(self, s: ArrayLike, order: int = 0) -> Array:
         """q(s), or its derivative of the given order with respect to s; s (...) in [0, 1] gives (..., n)."""
-        return self.curve(order)(s if isinstance(s, np.ndarray) and s.dtype == np.float64 else number_array("s", s))
+        return self.curve(order)(s if type(s) is np.ndarray and s.dtype == np.float64 else number_array("s", s))
 
     def curve(self, order: int = 0) -> Curve:
         """The curve q(s), or its derivative of the given order with respect to s, for repeated evaluation."""
         if type(order) is not int or order not in self._curves:
-            order = whole_number("order", order, least=0)
+            order = whole_number("order", order, least=0, most=MOST_ORDER)
         if order not in self._curves:
             self._curves[order] = self.curve(order - 1).derivative if order else Curve(self.breaks, self.control)
         return self._curves[order]
@@ -157,8 +162,7 @@ class JointPath:
             UnknownNameError: no such basis.
             InvalidInputError: the path has several pieces.
         """
-        if basis not in SERIES:
-            raise UnknownNameError("basis", str(basis), SERIES)
+        one_of("basis", basis, SERIES)
         if len(self.control) > 1:
             raise InvalidInputError("coefficients", f"a path of {len(self.control)} pieces", "a path of one piece")
         if basis == "bernstein":
@@ -177,14 +181,14 @@ class JointPath:
 
     def panel_edges(self, panels: int) -> Array:
         """Edges (k + 1,) of panels over [0, 1]: every piece is divided evenly, into about its share of `panels`."""
-        widths = np.diff(self.breaks)
+        panels, widths = whole_number("panels", panels, least=1, most=MOST_PANELS), np.diff(self.breaks)
         counts = np.maximum(1, np.ceil(panels * widths).astype(int))
         step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
         return np.append(np.repeat(self.breaks[:-1], counts) + step * np.repeat(widths / counts, counts), 1.0)
 
     def quadrature(self, *, panels: int = 40, points: int = 10) -> tuple[Array, Array]:
         """Gauss points and weights over [0, 1], (m,) each; every piece is divided into about its share of `panels`."""
-        nodes, weights = _gauss_points(points)
+        nodes, weights = _gauss_points(whole_number("points", points, least=1, most=MOST_POINTS))
         edges = self.panel_edges(panels)
         half = np.diff(edges)[:, None] / 2
         middle = (edges[:-1] + edges[1:])[:, None] / 2
@@ -206,11 +210,15 @@ class JointPath:
 
     def fine_samples(self, step: float = 1e-3) -> Array:
         """Parameters s (m,) from 0 to 1; between neighbours no joint moves by more than `step` [rad or m]."""
-        s = np.linspace(0.0, 1.0, 2001)
+        step, s = number("step", step, least=1e-9), np.linspace(0.0, 1.0, 2001)
         speed = np.abs(self(s, 1)).max(axis=1)
         gained = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(s))])
         gained += 1e-9 * gained[-1] * s  # strictly increasing even where the path stands still
         count = int(np.ceil(1.05 * gained[-1] / step)) + 2
+        if count > MOST_SAMPLES:
+            raise InvalidInputError(
+                "step", step, f"a step of which the path needs at most {MOST_SAMPLES:,}; it needs {count:,}"
+            )
         samples = np.interp(np.linspace(0.0, gained[-1], count), gained, s)
         while True:
             moved = np.abs(np.diff(self(samples), axis=0)).max(axis=1)

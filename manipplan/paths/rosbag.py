@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.paths.export import nanoseconds_of, ros_time
+from manipplan.paths.export import nanoseconds_of, ros_time, with_velocities
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import Array, number
+from manipplan.support.checks import Array, number, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 TRAJECTORY, STATE = "trajectory_msgs/msg/JointTrajectory", "sensor_msgs/msg/JointState"
@@ -23,8 +23,7 @@ BEGIN = 10**9
 def to_rosbag(trajectory: Trajectory, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
     """Write a ROS 2 bag with the motion as one JointTrajectory and as a stream of JointStates; see `Trajectory.to_rosbag`."""
     path = _new_folder(file)
-    if storage not in STORAGES:
-        raise UnknownNameError("storage", str(storage), STORAGES)
+    one_of("storage", storage, STORAGES)
     number("rate", rate, above=0.0, most=10_000.0)
     nanoseconds_of(trajectory)  # raises if ROS stamps cannot represent the sample times
     _rosbags()
@@ -176,12 +175,7 @@ def _commands(
 def _motion(where: str, names: tuple[str, ...], t: Array, q: Array, qd: Array | None) -> Trajectory:
     """The trajectory; velocities that were not recorded come from the cubic spline through the positions."""
     try:
-        if qd is None:
-            still = Trajectory(t=t, q=q, qd=np.zeros_like(q), joint_names=names)  # checks times and positions
-            from scipy.interpolate import CubicSpline
-
-            qd = CubicSpline(still.t, still.q)(still.t, 1)
-        return Trajectory(t=t, q=q, qd=qd, joint_names=names)
+        return with_velocities(t, q, qd, names)
     except InvalidInputError as error:
         raise FileFormatError("file", where, f"a recorded motion; {error}") from error
 

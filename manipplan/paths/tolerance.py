@@ -33,6 +33,7 @@ class StiffnessProfile:
 
     def __call__(self, u: float) -> float:
         """The stiffness at the fraction u of the time."""
+        u = number("u", u, least=0.0, most=1.0)
         return float(self.low + (self.high - self.low) * abs(1 - 2 * u) ** self.degree)
 
 
@@ -61,6 +62,7 @@ class Tolerance:
 
     def scaled(self, factor: float) -> "Tolerance":
         """A tolerance `factor` times as large."""
+        factor = number("factor", factor, above=0.0)
         position = None if self.position is None else factor * self.position
         return Tolerance(position=position, rotation=None if self.rotation is None else factor * self.rotation)
 

@@ -1,14 +1,14 @@
 """Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.paths.joint import JointPath
-from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, whole_number
+from manipplan.paths.joint import MOST_ORDER, JointPath
+from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, texts, whole_number
 from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -39,7 +39,7 @@ class Trajectory(Pictured):
 
     def __post_init__(self) -> None:
         t = _finite_samples("t", self.t, (None,))
-        names = distinct_names("joint_names", self.joint_names, np.shape(self.q)[-1] if np.ndim(self.q) else 0)
+        names = distinct_names("joint_names", self.joint_names, (number_array("q", self.q).shape or (0,))[-1])
         if len(t) < 2 or t[0] != 0:
             raise InvalidInputError("t", t, "at least two times, increasing from 0")
         if (np.diff(t) <= 0).any():
@@ -73,7 +73,8 @@ class Trajectory(Pictured):
 
         Raises UnknownNameError for a joint of the motion that is not among them, and InvalidInputError where one is missing.
         """
-        if self.joint_names == tuple(joint_names):
+        joint_names = texts("joint_names", joint_names)
+        if self.joint_names == joint_names:
             return self
         for name in self.joint_names:
             if name not in joint_names:
@@ -84,6 +85,12 @@ class Trajectory(Pictured):
             raise InvalidInputError("trajectory.joint_names", ", ".join(self.joint_names), wanted)
         column = [self.joint_names.index(name) for name in joint_names]
         return replace(self, q=self.q[:, column], qd=self.qd[:, column], joint_names=tuple(joint_names))
+
+    def named(self, joint_names: Sequence[str] | None) -> "Trajectory":
+        """The same motion with other names of its joints, such as those of a controller, in the order of its columns."""
+        if joint_names is None:
+            return self
+        return replace(self, joint_names=distinct_names("joint_names", joint_names, self.n))
 
     def segments(self) -> tuple[Array, Array]:
         """Widths (k - 1,) [s] and cubic coefficients (4, k - 1, n), lowest power first, in time from the segment's start."""
@@ -102,7 +109,7 @@ class Trajectory(Pictured):
         t = number_array("t", t)
         if not ((t >= 0) & (t <= self.duration)).all():
             raise InvalidInputError("t", t, f"times from 0 to {self.duration:g} s")
-        order = whole_number("order", order, least=0)
+        order = whole_number("order", order, least=0, most=MOST_ORDER)
         segment = np.clip(np.searchsorted(self.t, t, side="right") - 1, 0, len(self.t) - 2)
         coefficients = self.segments()[1]
         for _ in range(order):
@@ -130,11 +137,14 @@ class Trajectory(Pictured):
         t: Array = np.round(self.t * factor, 9)
         return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
 
-    def to_csv(self, file: str | Path) -> None:
-        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`."""
+    def to_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
+        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`.
+
+        `joint_names`: the controller's names of the joints, as in `named`.
+        """
         from manipplan.paths import export
 
-        export.to_csv(self, file)
+        export.to_csv(self.named(joint_names), file)
 
     def to_json(self, file: str | Path) -> None:
         """Write the samples as JSON."""
@@ -142,11 +152,14 @@ class Trajectory(Pictured):
 
         export.to_json(self, file)
 
-    def to_ros(self, file: str | Path) -> None:
-        """Write a ROS trajectory_msgs/JointTrajectory in YAML."""
+    def to_ros(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
+        """Write a ROS trajectory_msgs/JointTrajectory in YAML.
+
+        `joint_names`: the controller's names of the joints, as in `named`.
+        """
         from manipplan.paths import export
 
-        export.to_ros(self, file)
+        export.to_ros(self.named(joint_names), file)
 
     def to_npz(self, file: str | Path) -> None:
         """Write the samples as a NumPy archive."""
@@ -162,6 +175,7 @@ class Trajectory(Pictured):
         name: str = "manipplan_motion",
         lookahead_time: float = 0.1,
         gain: float = 300.0,
+        joint_names: Sequence[str] | None = None,
     ) -> None:
         """Write a URScript program that follows the motion by one servoj for each cycle of the controller.
 
@@ -172,6 +186,7 @@ class Trajectory(Pictured):
             rate: 500 for e-Series, 125 for CB3 [Hz].
             name: of the function in the script.
             lookahead_time, gain: of servoj, 0.03 to 0.2 s and 100 to 2000.
+            joint_names: the controller's names of this motion's joints, as in `named`.
 
         The joints are found by their names, as in ur_description, in any order.
 
@@ -180,10 +195,12 @@ class Trajectory(Pictured):
         """
         from manipplan.paths.controllers import urscript
 
-        urscript.to_urscript(self, file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
+        urscript.to_urscript(self.named(joint_names), file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
 
-    def to_franka_csv(self, file: str | Path) -> None:
+    def to_franka_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
         """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
+
+        `joint_names`: the controller's names of this motion's joints, as in `named`.
 
         The joints are found by their names, in any order: panda_joint1 to 7 or fer_joint1 to 7 of a Panda, fr3_joint1 to 7 of a
         Franka Research 3, whose largest velocity falls to zero towards its position limits.
@@ -194,15 +211,18 @@ class Trajectory(Pictured):
         """
         from manipplan.paths.controllers import franka
 
-        franka.to_franka_csv(self, file)
+        franka.to_franka_csv(self.named(joint_names), file)
 
-    def to_rosbag(self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0) -> None:
+    def to_rosbag(
+        self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0, joint_names: Sequence[str] | None = None
+    ) -> None:
         """Write a ROS 2 bag for `ros2 bag play`, rviz and Foxglove: the motion as a JointTrajectory and as JointStates.
 
         Args:
             file: folder of the bag; it must not exist yet.
             storage: "mcap" or "sqlite3".
             rate: of the JointStates [Hz]; each sample gets one as well.
+            joint_names: the controller's names of this motion's joints, as in `named`.
 
         Raises:
             InvalidInputError: the folder exists or cannot be written, or another argument is not usable.
@@ -210,7 +230,7 @@ class Trajectory(Pictured):
         """
         from manipplan.paths import rosbag
 
-        rosbag.to_rosbag(self, file, storage=storage, rate=rate)
+        rosbag.to_rosbag(self.named(joint_names), file, storage=storage, rate=rate)
 
     @classmethod
     def from_rosbag(cls, file: str | Path, topic: str | None = None, *, joints: Sequence[str] | None = None) -> "Trajectory":
@@ -233,20 +253,31 @@ class Trajectory(Pictured):
         return rosbag.from_rosbag(file, topic, joints=joints)
 
     @classmethod
-    def from_csv(cls, file: str | Path, *, joints: Sequence[str] | None = None) -> "Trajectory":
+    def from_csv(
+        cls,
+        file: str | Path,
+        *,
+        joints: Sequence[str] | None = None,
+        columns: Mapping[str, str] | None = None,
+        degrees: bool | Sequence[str] = False,
+    ) -> "Trajectory":
         """Read what `to_csv` wrote, or a recorded log. Columns are found by name, in any order; others are ignored.
 
         Args:
             file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
                 or none. Without velocities they come from the cubic spline through the positions.
-            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: all
-                `q_<joint>` columns, in their order.
+            joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those
+                of `columns`, or all `q_<joint>` columns, in their order.
+            columns: the column of the file for each joint, and for "time", where it has another name:
+                ``{"time": "timestamp", "shoulder_pan_joint": "J1"}``.
+            degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
-        Raises FileFormatError, which names the column or the row that is wrong.
+        Raises FileFormatError, which names the column or the row that is wrong: one that has more or fewer cells than the
+        first, or a cell that is not a finite number.
         """
         from manipplan.paths import export
 
-        return export.from_csv(file, joints=joints)
+        return export.from_csv(file, joints=joints, columns=columns, degrees=degrees)
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Trajectory":
@@ -257,7 +288,7 @@ class Trajectory(Pictured):
 
     @classmethod
     def from_ros(cls, file: str | Path) -> "Trajectory":
-        """Read a JointTrajectory in YAML that has positions, velocities and times."""
+        """Read a JointTrajectory in YAML; velocities that it lacks come from the cubic spline through the positions."""
         from manipplan.paths import export
 
         return export.from_ros(file)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, configurations, number_array
+from manipplan.support.checks import FARTHEST, Array, configurations, number_array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -30,8 +30,8 @@ class PlanarArm:
 
     def __init__(self, lengths: ArrayLike) -> None:
         array = number_array("lengths", lengths)
-        if array.ndim != 1 or len(array) < 2 or not (np.isfinite(array).all() and (array > 0).all()):
-            raise InvalidInputError("lengths", lengths, "at least two finite numbers above zero [m]")
+        if array.ndim != 1 or len(array) < 2 or not ((array > 0) & (array <= FARTHEST)).all():
+            raise InvalidInputError("lengths", lengths, f"at least two numbers above zero, up to {FARTHEST:g} [m]")
         array.flags.writeable = False
         object.__setattr__(self, "lengths", array)
 

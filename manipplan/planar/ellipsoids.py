@@ -5,12 +5,13 @@ from numpy.typing import ArrayLike
 
 from manipplan.measures.ellipsoid import Ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import Array, configurations, finite_array
+from manipplan.support.checks import Array, configurations, finite_array, instance
 from manipplan.support.errors import InvalidInputError
 
 
 def velocity_ellipse(arm: PlanarArm, q: ArrayLike) -> Ellipsoid:
     """Tool velocities for joint speeds of norm 1 at one posture q (n,); (2.22) in kth2012. Its area is π μ."""
+    instance("arm", arm, PlanarArm)
     return velocity_ellipsoid(arm.jacobian(_posture(arm, q)))
 
 
@@ -19,6 +20,7 @@ def force_ellipse(arm: PlanarArm, q: ArrayLike) -> Ellipsoid:
 
     It has the axes of the velocity ellipse and the inverse radii: fast directions are weak ones.
     """
+    instance("arm", arm, PlanarArm)
     return force_ellipsoid(arm.jacobian(_posture(arm, q)))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.checks import Array, finite_array, instance, number
 from manipplan.support.errors import InvalidInputError
 
 #: A position outside the workspace by less than this share of the arm's length counts as on its boundary.
@@ -19,6 +19,7 @@ def two_link_postures(arm: PlanarArm, position: ArrayLike) -> Array:
     θ_1 is in (-π, π]; θ_2 is in [0, π] in the first row and negated in the second. Where l_1 = l_2 and the position is the
     base, θ_1 is free and the only row has θ_1 = 0. Raises InvalidInputError for an arm that does not have two links.
     """
+    instance("arm", arm, PlanarArm)
     _links("arm", arm, 2)
     target = finite_array("position", position, (2,))
     return two_links(float(arm.lengths[0]), float(arm.lengths[1]), target)
@@ -31,6 +32,7 @@ def pose_postures(arm: PlanarArm, position: ArrayLike, orientation: float) -> Ar
     All angles are in (-π, π]. Where the third joint is at the base, θ_1 is free and the only row has θ_1 = 0. Raises
     InvalidInputError for an arm that does not have three links.
     """
+    instance("arm", arm, PlanarArm)
     _links("arm", arm, 3)
     target = finite_array("position", position, (2,))
     return _with_orientation(arm, target, number("orientation", orientation))
@@ -64,6 +66,7 @@ def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
 
     Raises InvalidInputError for an arm that does not have three links.
     """
+    instance("arm", arm, PlanarArm)
     _links("arm", arm, 3)
     target = finite_array("position", position, (2,))
     return PostureFamily(arm=arm, position=target, orientations=_orientations(arm, target))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import Array, configurations
+from manipplan.support.checks import Array, configurations, instance
 from manipplan.support.errors import InvalidInputError
 
 
@@ -18,6 +18,7 @@ def minors(arm: PlanarArm, q: ArrayLike) -> Array:
 
     In relative angles M_ij = Σ_(i<=p<j) Σ_(m>=j) l_p l_m sin(θ_(p+1) + ... + θ_m) for i < j: θ_1 does not appear.
     """
+    instance("arm", arm, PlanarArm)
     return _cross(arm.levers(q))
 
 
@@ -26,17 +27,20 @@ def squared_manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
 
     (5.2) in kth2012 is this for unit links, with two misprints: the constant must be 5/2 and the 2θ_3 term -cos 2θ_3.
     """
+    instance("arm", arm, PlanarArm)
     return np.asarray((minors(arm, q) ** 2).sum(axis=(-2, -1)) / 2)
 
 
 def squared_manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇μ² with respect to the angles, (..., n) [m⁴], at q (..., n); its first entry is zero."""
+    instance("arm", arm, PlanarArm)
     minor, first = _slopes(arm.levers(q))
     return np.asarray(np.einsum("...ij,...ijk->...k", minor, first))
 
 
 def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇²μ² with respect to the angles, (..., n, n) [m⁴], at q (..., n); its first row and column are zero."""
+    instance("arm", arm, PlanarArm)
     r = arm.levers(q)
     minor, first = _slopes(r)
     second = _bends(minor, arm.n)
@@ -46,6 +50,7 @@ def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
 
 def manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
     """The manipulability measure μ = sqrt(det(J Jᵀ)), (...,) [m²], at q (..., n); (2.19) in kth2012."""
+    instance("arm", arm, PlanarArm)
     return np.asarray(np.sqrt(squared_manipulability(arm, q)))
 
 
@@ -54,11 +59,13 @@ def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
 
     Raises InvalidInputError at a singular posture, where μ has a kink. `squared_manipulability_gradient` exists everywhere.
     """
+    instance("arm", arm, PlanarArm)
     return np.asarray(squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None]))
 
 
 def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises like `manipulability_gradient`."""
+    instance("arm", arm, PlanarArm)
     m = _regular(arm, q)
     slope = manipulability_gradient(arm, q)
     bend = squared_manipulability_hessian(arm, q) / 2 - slope[..., :, None] * slope[..., None, :]
@@ -71,6 +78,7 @@ def frobenius_norm(arm: PlanarArm, q: ArrayLike) -> Array:
     (4.2) in kth2012, whose innermost sum must start at m = p + 1, not at i + 1. The terms do not depend on i, so each
     appears p times: tr(J Jᵀ)/2 = Σ_p p l_p²/2 + Σ_(p<m) p l_p l_m cos(θ_(p+1) + ... + θ_m).
     """
+    instance("arm", arm, PlanarArm)
     return np.asarray(np.sqrt(np.maximum(_half_trace(arm, q), 0.0)))
 
 
@@ -80,6 +88,7 @@ def inverse_condition(arm: PlanarArm, q: ArrayLike) -> Array:
     kth2012 calls it the condition number (2.23). Computed from trace and determinant as in (4.38), but the smaller
     eigenvalue is det/λ_max, since the difference in (4.38) loses digits near a singularity.
     """
+    instance("arm", arm, PlanarArm)
     half = _half_trace(arm, q)
     square = squared_manipulability(arm, q)
     largest = half + np.sqrt(np.maximum(half**2 - square, 0.0))  # (4.38)
@@ -130,17 +139,20 @@ def singular_postures(arm: PlanarArm) -> Array:
     is the stretched arm, the boundary singularity of section 2.5 in kth2012; the others are internal singularities, where
     the tool is still at a boundary of its motion for a subset of the joints.
     """
+    instance("arm", arm, PlanarArm)
     rows = itertools.product((0.0, np.pi), repeat=arm.n - 1)
     return np.array([(0.0, *row) for row in rows])
 
 
 def singular_radii(arm: PlanarArm) -> Array:
     """Distances of the tool from the base at `singular_postures`, (2^(n-1),) [m]: abs(l_1 ± l_2 ± ... ± l_n)."""
+    instance("arm", arm, PlanarArm)
     signs = np.cumprod(np.cos(singular_postures(arm)), axis=-1)
     return np.abs(np.round(signs) @ arm.lengths)
 
 
 def singular_distance(arm: PlanarArm, q: ArrayLike) -> Array:
     """Euclidean distance in joint space from q (..., n) to the nearest singular posture, (...,) [rad]."""
+    instance("arm", arm, PlanarArm)
     bent = configurations("q", q, arm.n)[..., 1:]
     return np.asarray(np.linalg.norm(bent - np.pi * np.round(bent / np.pi), axis=-1))

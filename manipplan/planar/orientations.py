@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.inverse import GRAZE, position_family, two_link_postures, two_links, wrapped
 from manipplan.planar.limits import ON_LIMIT, AngleLimits
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
 
 Interval = tuple[float, float]
@@ -23,6 +23,7 @@ def reachable_orientations(
     each elbow the set of φ changes only where a joint reaches a limit or the elbow is straight; these φ have a closed form.
     Raises InvalidInputError for an arm that does not have three links, or limits of a wrong shape or order.
     """
+    instance("arm", arm, PlanarArm)
     limits = AngleLimits.of(lower, upper, arm.n)
     family = position_family(arm, position)
     marks = wrapped(np.array(_marks(arm, family.position, limits)))
@@ -43,6 +44,7 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
 
     Raises InvalidInputError for more links, or limits of a wrong shape or order.
     """
+    instance("arm", arm, PlanarArm)
     check_few_links(arm)
     if arm.n == 2:
         limits, rows = AngleLimits.of(lower, upper, 2), two_link_postures(arm, position)
@@ -54,6 +56,7 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
 
 def is_dexterous(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
     """Whether a three-link arm can reach every tool orientation at `position` (2,) [m] within joint limits."""
+    instance("arm", arm, PlanarArm)
     return any(end - begin >= 2 * np.pi for begin, end in reachable_orientations(arm, position, lower, upper))
 
 

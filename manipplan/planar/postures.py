@@ -17,7 +17,7 @@ from manipplan.planar.manipulability import inverse_condition, manipulability, s
 from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series
 from manipplan.planar.workspace import reachable_radii
 from manipplan.planar.zeros import torus_zeros
-from manipplan.support.checks import Array, configurations, number
+from manipplan.support.checks import Array, configurations, instance, number
 from manipplan.support.errors import InvalidInputError
 
 #: Maximum number of links for finding all stationary postures: each further link takes a hundred times as long.
@@ -91,6 +91,7 @@ def stationary_postures(
         InvalidInputError: too many links; a radius that is negative or cannot be reached within the limits; limits of a wrong
             shape or order.
     """
+    instance("arm", arm, PlanarArm)
     _check(arm, MOST_LINKS)
     limits = AngleLimits.of(lower, upper, arm.n)
     if radius is None:
@@ -122,11 +123,13 @@ def stationary_postures(
 
 def optimal_radius(arm: PlanarArm, *, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> float:
     """The distance from the base [m] at which μ is largest; section 5.3 in kth2012. Raises like `stationary_postures`."""
+    instance("arm", arm, PlanarArm)
     return float(stationary_postures(arm, lower=lower, upper=upper).best.radius[0])
 
 
 def stationary_kind(arm: PlanarArm, q: ArrayLike) -> str:
     """Kind of a stationary posture q (n,) without limits, by ∇²μ²: "maximum", "minimum", "saddle" or "degenerate"."""
+    instance("arm", arm, PlanarArm)
     _check(arm, None)
     posture = configurations("q", q, arm.n)
     if posture.ndim != 1:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import Array, configurations
+from manipplan.support.checks import LARGEST_ANGLE, Array, configurations, instance, number, whole_number
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -36,12 +36,13 @@ class TrigonometricPolynomial:
 
     def derivative(self, variable: int) -> "TrigonometricPolynomial":
         """∂f/∂x_variable."""
-        k = self.frequencies[:, variable]
+        k = self.frequencies[:, whole_number("variable", variable, least=0, most=self.dimension - 1)]
         return TrigonometricPolynomial(frequencies=self.frequencies, cosine=k * self.sine, sine=-k * self.cosine)
 
     def restricted(self, variable: int, value: float) -> "TrigonometricPolynomial":
         """f with x_variable held at `value` [rad], a polynomial in the others."""
-        phase = self.frequencies[:, variable] * value
+        variable = whole_number("variable", variable, least=0, most=self.dimension - 1)
+        phase = self.frequencies[:, variable] * number("value", value, least=-LARGEST_ANGLE, most=LARGEST_ANGLE)
         c, s = np.cos(phase), np.sin(phase)
         return TrigonometricPolynomial(
             frequencies=np.delete(self.frequencies, variable, axis=1),
@@ -57,6 +58,7 @@ def squared_manipulability_series(arm: PlanarArm) -> TrigonometricPolynomial:
     5/2 + cos θ_2 - cos 2θ_2/2 + cos θ_3 - cos 2θ_3 - cos(2θ_2 + 2θ_3) - cos(2θ_2 + θ_3) - cos(θ_2 + 2θ_3). The printed version
     has 3/2 and -cos 2θ_3/2.
     """
+    instance("arm", arm, PlanarArm)
     n, lengths = arm.n, arm.lengths
     terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
     for i in range(n):
@@ -71,6 +73,7 @@ def squared_manipulability_series(arm: PlanarArm) -> TrigonometricPolynomial:
 
 def squared_radius_series(arm: PlanarArm) -> TrigonometricPolynomial:
     """R² = Σ_i l_i² + 2 Σ_(p<m) l_p l_m cos(θ_(p+1) + ... + θ_m) as a cosine polynomial in (θ_2, ..., θ_n) [m²]."""
+    instance("arm", arm, PlanarArm)
     n, lengths = arm.n, arm.lengths
     terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
     terms[(0,) * (n - 1)] = float(lengths @ lengths)

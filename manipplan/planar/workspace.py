@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.limits import AngleLimits
 from manipplan.planar.orientations import Interval, check_few_links, is_reachable
-from manipplan.support.checks import Array, configurations
+from manipplan.support.checks import Array, configurations, instance
 from manipplan.support.errors import InvalidInputError
 
 #: Distance to each side of an arc at which reachability is tested, as a share of the arm's length.
@@ -43,6 +43,7 @@ class Annulus:
 
 def reachable_annulus(arm: PlanarArm) -> Annulus:
     """The reachable workspace W_R (2.5) in kth2012: from max(0, 2 max l - Σ l) to Σ l."""
+    instance("arm", arm, PlanarArm)
     total = math.fsum(arm.lengths)
     return Annulus(inner=max(0.0, math.fsum([2 * max(arm.lengths), *(-arm.lengths)])), outer=total)
 
@@ -54,6 +55,7 @@ def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
     in the ring [a, b] of the first n - 1 links. Hence R <= b - l_n together with R <= l_n - a or R >= l_n + a: an empty set,
     one ring, or a disc and a ring.
     """
+    instance("arm", arm, PlanarArm)
     last, *others = arm.lengths[::-1].tolist()
     total = math.fsum(others)
     inner = max(0.0, math.fsum([2 * max(others), *(-x for x in others)]))
@@ -92,6 +94,7 @@ def critical_arcs(arm: PlanarArm, lower: ArrayLike | None = None, upper: ArrayLi
     the tool traces an arc around it. The boundary of the workspace is part of these arcs. Raises InvalidInputError for
     limits of a wrong shape or order.
     """
+    instance("arm", arm, PlanarArm)
     limits = AngleLimits.of(lower, upper, arm.n)
     return tuple(arc for _, arc in _critical(arm, limits))
 
@@ -102,6 +105,7 @@ def reachable_radii(arm: PlanarArm, lower: ArrayLike | None = None, upper: Array
     The extremes lie on the critical arcs around the base. Raises InvalidInputError like `critical_arcs`, and for limits on
     joints 2 to n of an arm with more than three links.
     """
+    instance("arm", arm, PlanarArm)
     limits = AngleLimits.of(lower, upper, arm.n)
     free_base = AngleLimits(lower=np.r_[-np.inf, limits.lower[1:]], upper=np.r_[np.inf, limits.upper[1:]])
     radii = [arc.radius for first, arc in _critical(arm, free_base) if first == 0]
@@ -117,6 +121,7 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
     of it is unreachable. Pieces shorter than 4 `BESIDE` are dropped or joined to their neighbours. Raises InvalidInputError for
     more links, or limits of a wrong shape or order.
     """
+    instance("arm", arm, PlanarArm)
     check_few_links(arm)
     arcs = _different(critical_arcs(arm, lower, upper), float(arm.lengths.sum()))
     aside = BESIDE * float(arm.lengths.sum())

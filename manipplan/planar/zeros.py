@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.planar.trigonometric import TrigonometricPolynomial
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, entries
+from manipplan.support.errors import InvalidInputError
 
 #: Half width at which boxes are no longer split [rad].
 SMALLEST = 1e-8
@@ -50,6 +51,9 @@ class Zeros:
 
 def torus_zeros(system: Sequence[TrigonometricPolynomial]) -> Zeros:
     """All x on the torus with f_i(x) = 0 for the d polynomials f_i of d angles."""
+    system = entries("system", system, "a list of TrigonometricPolynomial")
+    if not system or not all(isinstance(f, TrigonometricPolynomial) and f.dimension == len(system) for f in system):
+        raise InvalidInputError("system", system, "as many TrigonometricPolynomial as each has angles")
     form = _System.of(system)
     d = form.dimension
     grid = (np.arange(8) + 0.5) / 8 * 2 * np.pi - np.pi

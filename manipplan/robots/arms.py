@@ -11,8 +11,8 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.reduced import reduce
 from manipplan.robots.srdf import NamedStates
-from manipplan.support.checks import Array
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import Array, one_of
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 
 if TYPE_CHECKING:
@@ -57,9 +57,7 @@ def own_joints(robot: "Robot", tool: str) -> list[int]:
 
 def known_tool(robot: "Robot", argument: str, tool: Any) -> str:
     """The name of one of the robot's tools; raises UnknownNameError, which names the argument and the nearest names."""
-    if not isinstance(tool, str) or tool not in robot.tools:
-        raise UnknownNameError(argument, str(tool), robot.tools)
-    return tool
+    return one_of(argument, tool, robot.tools)
 
 
 def led_by(robot: "Robot", tool: str) -> "Robot":

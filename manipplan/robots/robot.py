@@ -14,16 +14,16 @@ from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
 from manipplan.robots.attached import AddedFrame, Part, Solid
-from manipplan.robots.configuration import checked_configuration
+from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
-from manipplan.robots.srdf import NamedStates, read_srdf, write_srdf
+from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
-from manipplan.support.checks import Array, existing_file, instance, pose_matrix, whole_number
+from manipplan.support.checks import Array, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner, state_without_memo
 
 if TYPE_CHECKING:
@@ -55,6 +55,8 @@ class Robot(Pictured):
         tool: name of the tool frame; of several the first.
         other_tools: names of the further tool frames; `tools` has all.
         limits: JointLimits.
+        limit_tolerance: a start, goal or other configuration that is given outside a position limit by at most this is taken to
+            the limit, as reports and the log say [rad or m]; see `with_limits`.
         neutral: (n,) a posture inside the limits; see `from_urdf`.
         locked: the locked joints of the description, with their values [rad or m].
         disabled_pairs: pairs of links that need no self-collision check, from an SRDF, but for those of two arms with a tool
@@ -85,6 +87,7 @@ class Robot(Pictured):
     base: Array = field(default_factory=lambda: pose_matrix("base", np.eye(4)))
     added_frames: tuple[AddedFrame, ...] = ()
     carried: Mapping[str, Part] = field(default_factory=dict)
+    limit_tolerance: float = LIMIT_TOLERANCE
 
     @classmethod
     def from_urdf(
@@ -95,7 +98,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
-        locked: Mapping[str, float] | None = None,
+        locked: Mapping[str, float] | str | None = None,
         neutral: ArrayLike | None = None,
         package_dirs: Sequence[str | Path] = (),
         packages: Mapping[str, str | Path] | None = None,
@@ -116,7 +119,8 @@ class Robot(Pictured):
                 them. A joint that mimics an active one moves with it, one that mimics a locked one is locked.
             srdf: MoveIt's semantic description: pairs that are not checked, named postures.
             name: name of the arm. Default: the robot's name in the file.
-            locked: values [rad or m] at which other joints are locked. Default: the SRDF's first posture, or 0 (or the
+            locked: values [rad or m] at which other joints are locked, or the name of a state of the SRDF that has them, such
+                as "open" of a gripper. Default: the SRDF's first posture, or 0 (or the
                 nearest limit). A value outside a joint's limits is accepted, with a warning in the log.
             neutral: (n,) usual posture. Default: the SRDF's first posture, or the middle of the limits.
             package_dirs: where `package://` paths start; the folders above `file` are searched as well.
@@ -139,8 +143,10 @@ class Robot(Pictured):
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(package_dirs=package_dirs, packages=packages or {}, meshes=meshes, collision=collision)
-        files = replace(places, arguments=arguments or {}, trust_file=trust_file)
+        places = UrdfFiles(
+            package_dirs=package_dirs, packages={} if packages is None else packages, meshes=meshes, collision=collision
+        )
+        files = replace(places, arguments={} if arguments is None else arguments, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
 
@@ -153,7 +159,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None = None,
         srdf: str | Path | None = None,
         name: str | None = None,
-        locked: Mapping[str, float] | None = None,
+        locked: Mapping[str, float] | str | None = None,
         neutral: ArrayLike | None = None,
         **limits: ArrayLike,
     ) -> "Robot":
@@ -172,7 +178,7 @@ class Robot(Pictured):
         joints: Sequence[str] | None,
         srdf: str | Path | None,
         name: str | None,
-        locked: Mapping[str, float] | None,
+        locked: Mapping[str, float] | str | None,
         neutral: ArrayLike | None,
         limits: Mapping[str, ArrayLike],
         files: UrdfFiles | None = None,
@@ -181,12 +187,17 @@ class Robot(Pictured):
         given |= {"neutral": neutral, **limits}
         if files is not None:
             given |= vars(files)
+        if name is not None:
+            text("name", name)
         semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
         whole = read.model
         tools = parts.choose_tools(read, tool, semantic)
         chain = [whole.names[i] for i in sorted({i for each in tools for i in supports(whole, each)})]
-        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked or {})
-        held = parts.locked_values(whole, active, locked or {}, semantic, read.mimics)
+        if isinstance(locked, str):
+            locked = state_of_others(semantic, locked, chain)
+        locked = {} if locked is None else locked
+        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked)
+        held = parts.locked_values(whole, active, locked, semantic, read.mimics)
         model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
@@ -245,10 +256,10 @@ class Robot(Pictured):
 
         Raises UnknownNameError when the robot has no such tool, and InvalidInputError when q is not a configuration.
         """
-        joints = self.joints_of(tool)
+        joints, q = self.joints_of(tool), None if q is None else self.configuration("q", q)
         if len(joints) == self.n and self.tools == (tool,):
             return self
-        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, self.configuration("q", q))
+        return neutral_arm(self, tool) if q is None else arm_of(self, tool, joints, q)
 
     @property
     def joint_names(self) -> tuple[str, ...]:
@@ -332,10 +343,15 @@ class Robot(Pictured):
 
         return kinematics_of(self, task, measure, backend, compiled, threads)
 
-    def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:
-        """Check one configuration (n,): finite, right length, inside the position limits.
+    def configuration(self, argument: str, q: ArrayLike, *, tolerance: float | None = None) -> Array:
+        """One configuration (n,), inside the position limits: joints outside by at most the tolerance are taken to the limit.
 
-        Raises InvalidInputError that names `argument`, the joint, its value and its limits.
+        Args:
+            argument: what messages and the log call it.
+            q: (n,) [rad or m].
+            tolerance: [rad or m]; None: `limit_tolerance`.
+
+        Raises InvalidInputError that names `argument`, the joint, its value, its limits, and by how much it misses them.
         """
         return checked_configuration(self, argument, q, tolerance)
 
@@ -350,10 +366,22 @@ class Robot(Pictured):
         upper = np.where(np.isfinite(self.limits.upper), self.limits.upper, np.pi)
         return rng.uniform(lower, upper, (self.n,) if size is None else (size, self.n))
 
-    def with_limits(self, *, source: str = "given", **changes: ArrayLike) -> "Robot":
-        """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
-        limits = self.limits.with_changes(changes, source=source)
-        return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
+    def with_limits(self, *, source: str = "given", limit_tolerance: float | None = None, **changes: ArrayLike) -> "Robot":
+        """A copy with other limits.
+
+        Args:
+            source: where the numbers come from; `print(robot)` shows it.
+            limit_tolerance: how far configurations may be given outside the position limits, up to 0.1 [rad or m]: they are
+                taken to the limit. None: as before; 1e-6 for a robot that was read.
+            **changes: lower, upper, velocity, acceleration, jerk, effort; one number or (n,).
+
+        Raises InvalidInputError when a number is not usable as such a limit.
+        """
+        limits, tolerance = self.limits.with_changes(changes, source=source), self.limit_tolerance
+        if limit_tolerance is not None:
+            tolerance = number("limit_tolerance", limit_tolerance, least=0.0, most=LARGEST_TOLERANCE)
+        neutral = np.clip(self.neutral, limits.lower, limits.upper)
+        return replace(self, limits=limits, limit_tolerance=tolerance, neutral=neutral)
 
     def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp", tool: str | None = None) -> "Robot":
         """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the current tool frame.
@@ -409,7 +437,7 @@ class Robot(Pictured):
         """
         if not isinstance(shape, Solid) or isinstance(shape, type):
             raise InvalidInputError("shape", shape, "a shape with a pose, such as Box, Sphere or Mesh")
-        name = name or shape.name or "part"
+        name = text("name", name) or shape.name or "part"
         attached.check_new_name(name, self.model, self.geometry, self.carried)
         frame = self.tool if tool is None else known_tool(self, "tool", tool)
         geometry, bodies = attached.with_part(self.model, self.geometry, frame, shape, name)
@@ -421,8 +449,7 @@ class Robot(Pictured):
 
         Raises UnknownNameError when it carries no such part; the nearest names are listed.
         """
-        if not isinstance(name, str) or name not in self.carried:
-            raise UnknownNameError("name", str(name), self.carried, empty="none: the robot carries nothing")
+        one_of("name", name, self.carried, empty="none: the robot carries nothing")
         geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
         return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
 

@@ -13,7 +13,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots.formats.xml_files import numbers, read_xml
-from manipplan.support.checks import Array, distinct_names, finite_array
+from manipplan.support.checks import Array, distinct_names, finite_array, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes
 
@@ -58,6 +58,20 @@ class NamedStates(dict[str, Array]):
 
     def __missing__(self, name: str) -> Array:
         raise UnknownNameError("named state", str(name), self, empty="none: the robot was read without an SRDF that names any")
+
+
+def state_of_others(semantic: Semantics | None, name: str, carrying: Sequence[str]) -> dict[str, float]:
+    """The joint values of a named state without those of the joints that carry a tool: that of a gripper, or of another arm.
+
+    Raises UnknownNameError where no state of that name has any, with the names of those that do.
+    """
+    found: dict[str, dict[str, float]] = {}
+    for each, values in semantic.states if semantic is not None else ():
+        others = {joint: value for joint, value in values.items() if joint not in carrying}
+        if others:
+            found.setdefault(each, others)
+    none = "a mapping from names of joints to values: no SRDF was given that names a state of joints beside the arm's"
+    return found[one_of("locked", name, found, empty=none)]
 
 
 def read_srdf(file: Path, model: pin.Model) -> Semantics:

@@ -9,13 +9,14 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots import model_tree
+from manipplan.robots.configuration import LIMIT_TOLERANCE
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.mimics import WORLD, Mimic, follow, moves_with
 from manipplan.robots.srdf import Semantics
-from manipplan.support.checks import Array, configurations, number
-from manipplan.support.errors import InvalidInputError, UnknownNameError, UnsupportedJointError
+from manipplan.support.checks import Array, configurations, number, one_of, texts
+from manipplan.support.errors import InvalidInputError, UnsupportedJointError
 
 log = logging.getLogger("manipplan")
 
@@ -27,8 +28,7 @@ def choose_tools(read: Description, tool: str | Sequence[str] | None, semantic: 
         raise InvalidInputError("tool", tool, "at least one frame")
     frames = [str(frame.name) for frame in read.model.frames if frame.name != WORLD]
     for each in given:
-        if each not in frames:
-            raise UnknownNameError("tool", str(each), frames)
+        one_of("tool", each, frames)
     return tuple(map(str, given))
 
 
@@ -45,8 +45,7 @@ def choose_joints(
     A joint that mimics another moves a tool by its leader, which need not be in the `chain` of joints that carry one; such a
     leader is not chosen where it is `locked`. A leader has the place of its first follower if that comes before it.
     """
-    if isinstance(joints, str):
-        raise InvalidInputError("joints", joints, "a list of names")
+    chosen = None if joints is None else texts("joints", joints)
     tool = " or ".join(tools)
     known = list(model.names)[1:]
     leaders = {name: mimic.leader for name, mimic in mimics.items() if name in known and moves_with(mimic, known)}
@@ -54,10 +53,9 @@ def choose_joints(
     moving = {leaders.get(joint, joint) for joint in chain if joint not in fixed}
     order = list(dict.fromkeys(leaders.get(joint, joint) for joint in known))
     movers = [joint for joint in order if joint in moving]
-    active = list(joints) if joints is not None else [joint for joint in movers if joint in chain or joint not in locked]
+    active = list(chosen) if chosen is not None else [joint for joint in movers if joint in chain or joint not in locked]
     for joint in active:
-        if joint not in known:
-            raise UnknownNameError("joints", str(joint), known)
+        one_of("joints", joint, known)
         if joint in mimics:
             wanted = f"independent joints; {joint} mimics another, as {mimics[joint]}, and moves with it: name"
             raise UnsupportedJointError("joints", joint, f"{wanted} {mimics[joint].leader} instead")
@@ -103,10 +101,9 @@ def locked_values(
             wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name in active:
-            wanted = f"joints that are not active; {name} moves the tool, and joints= without it locks it"
+            wanted = f"joints that are not active; {name} is active, as it moves the tool: joints= without it locks it"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
-        if name not in others:
-            raise UnknownNameError("locked", str(name), others, empty="none: every joint of the robot is active")
+        one_of("locked", name, [*others, *active])
         number(f"locked[{name!r}]", value)
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
@@ -165,7 +162,7 @@ def limits_of_leaders(
 ) -> JointLimits:
     """The limits of the active joints, so narrow that their followers stay within those of the description.
 
-    Limits that are `given` remain.
+    Limits that are `given` remain. Those of effort are the leader's own, for the load of all that moves with it.
 
     Raises InvalidInputError when a follower leaves its leader no room, or has no velocity limit above zero.
     """
@@ -187,6 +184,10 @@ def limits_of_leaders(
         if not lower[k] < upper[k]:
             wanted = f"limits that leave its leader room: it moves as {mimic}; lower= and upper= set those of the leader"
             raise InvalidInputError(f"position limits of {name}", [float(low), float(high)], wanted)
+        strength = float(model.effortLimit[joint.idx_v])
+        if "effort" not in given and 0 < strength < np.inf:
+            why = f"as it moves as {mimic}, by the motor of its leader"
+            log.info("%s: its effort limit of %g is not taken, %s", name, strength, why)
         if changes:
             narrowed = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
             log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, narrowed)
@@ -198,7 +199,9 @@ def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) > 0).any():
+    if (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
+        neutral = np.clip(neutral, limits.lower, limits.upper)
+    else:
         raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
     neutral.flags.writeable = False
     return neutral

@@ -18,7 +18,7 @@ from manipplan.search.max_min import THREADED
 from manipplan.search.search import Search
 from manipplan.search.steps import check_epsilon, exclusive
 from manipplan.search.sweep import Part, ThreadPool
-from manipplan.support.checks import Array, instance
+from manipplan.support.checks import Array, flag, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, teller
@@ -111,7 +111,7 @@ def _search(layers: Layers, progress: Progress | None) -> Iterator[Search]:
 
 def _reach(layers: Layers, epsilon: ArrayLike, strict: bool) -> Array:
     instance("layers", layers, Layers)
-    return exclusive(check_epsilon(epsilon, layers.continuous), strict=instance("strict", strict, bool))
+    return exclusive(check_epsilon(epsilon, layers.continuous), strict=flag("strict", strict))
 
 
 def _edges(first: NDArray[np.int64], *, closed: bool) -> tuple[int, ...]:

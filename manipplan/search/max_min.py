@@ -19,9 +19,9 @@ from manipplan.search.candidates.layers import Layers
 from manipplan.search.search import CandidatePath, Search
 from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
 from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, PlanningError, UnknownNameError
+from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, teller
 from manipplan.support.status import Status
 
@@ -213,17 +213,14 @@ def max_min_search(
     instance("layers", layers, Layers)
     steps = check_epsilon(epsilon, layers.continuous)
     for name, value in {"strict": strict, "anytime": anytime, "explain": explain, "throw": throw}.items():
-        if not isinstance(value, bool | np.bool_):
-            raise InvalidInputError(name, value, "True or False")
-    names = [each.value for each in Prefer]
-    if prefer not in names:
-        raise UnknownNameError("prefer", str(prefer), names)
+        flag(name, value)
+    one_of("prefer", prefer, [each.value for each in Prefer])
     tell = teller(progress)
     if threads is None:
         from manipplan.kinematics.batch import all_cores
 
         threads = all_cores()
-    whole_number("threads", threads, least=1)
+    whole_number("threads", threads, least=1, most=MOST_THREADS)
     results = _results(layers, steps, bool(strict), Prefer(prefer), explain, tell, threads if layers.count >= THREADED else 1)
     results = _raise_if_not_connected(results) if throw else results
     if anytime:

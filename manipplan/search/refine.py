@@ -10,7 +10,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.steps import path_length, path_steps, steps_between, within
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import Array, flag, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.interrupts import interruptible
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 #: Number of values per parameter around the current path, for one, two, three and more parameters, and the factor on their
 #: spread from round to round.
 AROUND, CLOSER = (5, 5, 3), 0.4
+#: Maximum number of rounds of finer samples.
+MOST_RESAMPLED = 20
 #: Largest and smallest trust region of the program [rad or m], and the factors by which it changes.
 TRUST, LEAST_TRUST = 0.3, 1e-4
 SHRINK, GROW = 0.35, 2.0
@@ -119,10 +121,10 @@ def refine(
         same = index < len(q) and q.shape[1] == found.q.shape[1]
         if not same or np.abs(steps_between(q[index], found.q[k], layers.continuous)).max() > SAME:
             raise InvalidInputError("found", f"another candidate at position {k}", "the result of a search in these layers")
-    whole_number("resample", resample, least=0)
+    whole_number("resample", resample, least=0, most=MOST_RESAMPLED)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
-    instance("hold_start", hold_start, bool)
+    flag("hold_start", hold_start)
     refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start)
     return refiner.run(resample, teller(progress))
 

@@ -32,7 +32,7 @@ from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
 from manipplan.seeds.star import StarSearch, star_code
 from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
-from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 
@@ -102,6 +102,8 @@ def seed_path(
             proven, which takes less than a second, the message says why and names the bodies.
     """
     instance("robot", robot, Robot)
+    flag("same_aspect", same_aspect)
+    flag("fewest_crossings", fewest_crossings)
     _check_seeding(instance("seeding", seeding, Seeding))
     integral = instance("objective", objective if objective is not None else PathObjective(), PathObjective).integral(robot)
     lowers_g = objective is not None and seeding.planner in OPTIMISING

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import number, random_seed, whole_number
+from manipplan.support.checks import number, one_of, random_seed, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 
 #: Planners that stop at the first path. PRM and PRM* are excluded: they search in a thread of their own, which waits for
 #: Python's lock while the search waits for that thread, and their runs are not repeatable.
@@ -19,7 +19,8 @@ OPTIMISING = (STAR, "RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
 #: The planner of OMPL that "auto" takes where our own cannot be compiled.
 AUTO = "RRTConnect"
-SHIFTS = ("none", "within-limits")
+#: Full turns of a goal: as given, the nearest to the start, or all inside the limits.
+AS_GIVEN, NEAREST, WITHIN_LIMITS = SHIFTS = ("none", "nearest", "within-limits")
 #: Maximum number of first paths per goal.
 MOST_SEEDS = 10_000
 
@@ -42,8 +43,10 @@ class Seeding:
         time_limit: time limit per first path [s], for finding and optimising it; `plan` and `optimize_path` take at most this
             times the number of first paths, without the time for what is built once per machine, process, robot or scene.
             `plan` times what was found by then.
-        shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
-            returns the best path. Their pose is that of the goal. Not together with `initial`.
+        shifts: full turns of a goal that is a configuration, whose posture is the same. "none": as it is given. "nearest": the
+            short way, each revolute joint ends at the turn nearest to the start that its limits allow; of a joint without
+            limits any 2 π k counts. "within-limits": goals 2π away in each revolute joint are tried, too, at most 3 to the
+            power of n of them, and the best path is returned. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),
             such as a recorded motion. With a scene it must be collision-free. The descent starts from the fit to it, so
             optimising a result again returns it. None: the straight line, or with a scene a path of the planner.
@@ -57,13 +60,13 @@ class Seeding:
     initial: JointPath | Trajectory | str | Path | None = None
 
     def __post_init__(self) -> None:
-        if self.planner not in ("auto", *PLANNERS):
-            raise UnknownNameError("planner", str(self.planner), ("auto", *PLANNERS))
-        if self.shifts not in SHIFTS:
-            raise UnknownNameError("shifts", str(self.shifts), SHIFTS)
+        one_of("planner", self.planner, ("auto", *PLANNERS))
+        one_of("shifts", self.shifts, SHIFTS)
         object.__setattr__(self, "seed", random_seed("seed", self.seed))
         object.__setattr__(self, "count", whole_number("count", self.count, least=1, most=MOST_SEEDS))
         object.__setattr__(self, "time_limit", number("time_limit", self.time_limit, above=0.0))
+        if self.initial is not None and not isinstance(self.initial, JointPath | Trajectory | str | Path):
+            raise InvalidInputError("initial", self.initial, "a JointPath, a Trajectory, or the path of a trajectory file")
         if self.initial is not None and self.shifts != "none":
             raise InvalidInputError("shifts", self.shifts, "'none' together with an initial path")
         if self.initial is not None and self.count > 1:

@@ -1,12 +1,15 @@
 """Checks of arguments that every public function shares: one clear error, before work starts."""
 
+import operator
+import os
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 Array = NDArray[np.float64]
 T = TypeVar("T")
@@ -15,18 +18,23 @@ T = TypeVar("T")
 ROTATION = 1e-6
 #: Largest random seed; OMPL stores it in 32 bits.
 LARGEST_SEED = 2**31 - 1
+#: Bounds on every number and every whole number, on entries of configurations [rad or m], beyond which an angle has lost its
+#: digits, and on positions [m].
+LARGEST, LARGEST_COUNT, LARGEST_ANGLE, FARTHEST = 1e12, 10**9, 1e6, 1e6
+#: Maximum number of threads.
+MOST_THREADS = 1024
+#: Smallest number above zero that can be divided by without overflow.
+SMALLEST = 1e-100
 
 
-def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...], *, most: float = np.inf) -> Array:
+def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...], *, most: float = LARGEST) -> Array:
     """`value` as a read-only float array of `shape` (None: any length), every entry finite and within ±`most`."""
     array = number_array(argument, value)
     if array.ndim != len(shape) or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True)):
         wanted = "(" + ", ".join("any" if k is None else str(k) for k in shape) + ("," if len(shape) == 1 else "") + ")"
         raise InvalidInputError(argument, value, f"numbers of shape {wanted}, not {array.shape}")
     _all_finite(argument, value, array)
-    if most < np.inf and (np.abs(array) > most).any():
-        raise InvalidInputError(argument, value, f"numbers from {-most:g} to {most:g}")
-    return array
+    return _within(argument, value, array, most)
 
 
 def configurations(argument: str, value: ArrayLike, n: int) -> Array:
@@ -34,7 +42,7 @@ def configurations(argument: str, value: ArrayLike, n: int) -> Array:
     array = number_array(argument, value)
     if array.ndim == 0 or array.shape[-1] != n:
         raise InvalidInputError(argument, value, f"one value per joint, shape ({n},) or (..., {n}), not {array.shape}")
-    return _all_finite(argument, value, array)
+    return _within(argument, value, _all_finite(argument, value, array), LARGEST_ANGLE)
 
 
 def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
@@ -42,8 +50,9 @@ def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
     array = number_array(argument, value)
     if array.shape not in ((), (n,)):
         raise InvalidInputError(argument, value, f"one number or {n} of them, one per joint")
-    if not (array > 0).all():
-        raise InvalidInputError(argument, value, "numbers above zero (inf where there is no limit)")
+    if not (array >= SMALLEST).all():
+        tiny = f", at least {SMALLEST:g}" if (array > 0).all() else ""
+        raise InvalidInputError(argument, value, f"numbers above zero{tiny} (inf where there is no limit)")
     array = np.broadcast_to(array, (n,)).copy()
     array.flags.writeable = False
     return array
@@ -56,37 +65,43 @@ def pose_matrix(argument: str, value: Any) -> Array:
     turned = np.abs(rotation.T @ rotation - np.eye(3)).max() < ROTATION and np.linalg.det(rotation) > 0
     if not turned or np.abs(matrix[3] - [0.0, 0.0, 0.0, 1.0]).max() > ROTATION:
         raise InvalidInputError(argument, matrix.tolist(), "a rotation and a translation: a (4, 4) matrix, or a pin.SE3")
+    _within(argument, value, matrix[:3, 3], FARTHEST)
     return matrix
 
 
-def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = np.inf) -> float:
+def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = LARGEST) -> float:
     """`value` as one finite float, > above, >= least, <= most."""
     wanted = ["a finite number"]
     if np.isfinite(above):
         wanted.append(f"above {above:g}")
     if np.isfinite(least):
         wanted.append(f"at least {least:g}")
-    if np.isfinite(most):
+    result = _as_float(value)
+    if most != LARGEST or result > most:
         wanted.append(f"at most {most:g}")
-    if isinstance(value, bool) or not isinstance(value, int | float | np.floating | np.integer):
-        raise InvalidInputError(argument, value, ", ".join(wanted))
-    try:
-        result = float(value)
-    except OverflowError:
-        result = np.inf
     if not (np.isfinite(result) and result > above and least <= result <= most):
         raise InvalidInputError(argument, value, ", ".join(wanted))
     return result
 
 
-def whole_number(argument: str, value: Any, *, least: int, most: int | None = None) -> int:
+def _as_float(value: Any) -> float:
+    """`value` as a float: inf where it is too large, nan where it is no number."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.floating | np.integer):
+        return np.nan
+    try:
+        return float(value)
+    except OverflowError:
+        return np.inf
+
+
+def whole_number(argument: str, value: Any, *, least: int, most: int = LARGEST_COUNT) -> int:
     """`value` as an int >= least and <= most."""
-    wanted = f"a whole number, at least {least}" + (f", at most {most}" if most is not None else "")
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        raise InvalidInputError(argument, value, wanted)
-    if most is not None and value > most:
-        raise InvalidInputError(argument, value, wanted)
-    return int(value)
+    is_whole = not isinstance(value, bool) and isinstance(value, int | np.integer)
+    result = operator.index(value) if is_whole else least - 1
+    if not least <= result <= most:
+        upper = f", at most {most}" if most != LARGEST_COUNT or result > most else ""
+        raise InvalidInputError(argument, value, f"a whole number, at least {least}{upper}")
+    return result
 
 
 def random_seed(argument: str, value: Any) -> int:
@@ -99,6 +114,65 @@ def instance(argument: str, value: Any, kind: type[T]) -> T:
     if not isinstance(value, kind):
         raise InvalidInputError(argument, value, f"a {kind.__name__}")
     return value
+
+
+def path_of(argument: str, value: Any) -> Path:
+    """`value`, the path of a file or folder, with the user's home folder in place of `~`."""
+    if not isinstance(value, str | Path):
+        raise InvalidInputError(argument, value, "the path of a file or folder")
+    try:
+        os.fsencode(value)
+        return Path(value).expanduser()
+    except (RuntimeError, UnicodeEncodeError) as error:  # ~ of an unknown user, half of a character
+        raise InvalidInputError(argument, str(value), f"a path ({error})") from error
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is such a folder; a path that the system refuses, such as one that is too long, is none."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def flag(argument: str, value: Any) -> bool:
+    """`value` as a bool; numbers and texts are no flags."""
+    if not isinstance(value, bool | np.bool_):
+        raise InvalidInputError(argument, value, "True or False")
+    return bool(value)
+
+
+def text(argument: str, value: Any) -> str:
+    """`value`, checked to be a text."""
+    if not isinstance(value, str):
+        raise InvalidInputError(argument, value, "a text")
+    return str(value)
+
+
+def one_of(argument: str, value: Any, known: Iterable[str], *, empty: str = "none") -> str:
+    """`value`, checked to be one of the names that are `known`; `empty` is what is allowed where there are none."""
+    known = list(known)
+    if not isinstance(value, str):
+        raise InvalidInputError(argument, value, f"one of {', '.join(map(repr, known[:12]))}" if known else empty)
+    if value not in known:
+        raise UnknownNameError(argument, value, known, empty=empty)
+    return str(value)
+
+
+def texts(argument: str, value: Any) -> tuple[str, ...]:
+    """`value` as a tuple of texts; a single text is none."""
+    return tuple(text(f"{argument}[{k}]", each) for k, each in enumerate(entries(argument, value, "a list of names")))
+
+
+def entries(argument: str, value: Any, wanted: str) -> tuple[Any, ...]:
+    """The entries of a list, or of another value that can be iterated over; a text and a mapping are none."""
+    try:
+        if not isinstance(value, str | bytes | Mapping) and isinstance(value, Iterable):
+            return tuple(value)
+        reason = None
+    except Exception as error:  # the iterator of a foreign object can raise any exception
+        reason = error
+    raise InvalidInputError(argument, value, wanted) from reason
 
 
 def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
@@ -115,9 +189,7 @@ def distinct_names(argument: str, value: Any, n: int) -> tuple[str, ...]:
 
 def existing_file(argument: str, path: str | Path) -> Path:
     """`path` as an existing file; the error for a missing one lists similar names in the same folder."""
-    if not isinstance(path, str | Path):
-        raise InvalidInputError(argument, path, "the path of a file")
-    path = Path(path).expanduser()
+    path = path_of(argument, path)
     try:
         if path.is_file():
             return path
@@ -135,14 +207,28 @@ def existing_file(argument: str, path: str | Path) -> Path:
 
 
 def number_array(argument: str, value: ArrayLike) -> Array:
-    """`value` as a new float array; raises InvalidInputError for anything but real numbers."""
+    """`value` as a new float array; raises InvalidInputError for anything but real numbers, so also for masked arrays."""
     try:
         raw = np.asarray(value)
-        if raw.dtype.kind not in "iuf":
+        if raw.dtype.kind not in "iuf" or not _only_numbers(value):
             raise TypeError(raw.dtype)
         return np.array(raw, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInputError(argument, value, "real numbers") from error
+    except Exception as error:  # the __array__ of a foreign object can raise any exception
+        masked = "; no value may be masked" if isinstance(value, np.ma.MaskedArray) else ""
+        raise InvalidInputError(argument, value, f"real numbers{masked}") from error
+
+
+def _only_numbers(value: Any) -> bool:
+    """Whether there is no truth value and no masked array in it: NumPy makes numbers of both."""
+    if isinstance(value, list | tuple):
+        return all(map(_only_numbers, value))
+    return not isinstance(value, bool | np.bool_ | np.ma.MaskedArray)
+
+
+def _within(argument: str, value: ArrayLike, array: Array, most: float) -> Array:
+    if (np.abs(array) > most).any():
+        raise InvalidInputError(argument, value, f"numbers from {-most:g} to {most:g}")
+    return array
 
 
 def _all_finite(argument: str, value: ArrayLike, array: Array) -> Array:

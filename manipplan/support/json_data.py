@@ -3,22 +3,61 @@
 Infinite numbers and nan are strings, since JSON has none; an enum is its name, a dataclass the mapping of its fields.
 """
 
+import json
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_origin
 
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.errors import FileFormatError
 
 if TYPE_CHECKING:
     from cattrs import Converter
 
 Value = TypeVar("Value")
+#: Maximum size of a file [bytes].
+LARGEST = 256 * 2**20
 #: Numbers that are strings in JSON.
 NOT_FINITE = ("inf", "-inf", "nan")
+
+
+def read_json(argument: str, path: Path) -> Any:
+    """The value of a JSON file.
+
+    Raises FileFormatError for a file that is too large, is no JSON in UTF-8, repeats a key, or holds NaN or Infinity.
+    """
+    try:
+        size = path.stat().st_size
+        if size > LARGEST:
+            raise FileFormatError(argument, f"{path} of {size:,} bytes", f"at most {LARGEST:,} bytes of JSON")
+        return parsed(path.read_bytes())
+    except (ValueError, OSError, RecursionError) as error:
+        if isinstance(error, FileFormatError):
+            raise
+        reason = " ".join(str(error).split())[:200]
+        raise FileFormatError(argument, str(path), f"JSON ({reason})") from error
+
+
+def parsed(data: bytes | str) -> Any:
+    """The value of a text in JSON; raises ValueError for anything else, a repeated key, NaN and Infinity."""
+    return json.loads(data, object_pairs_hook=_distinct, parse_constant=_no_constant)
+
+
+def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        raise ValueError(f"the key {next(name for name in found if names.count(name) > 1)!r} is repeated")
+    return found
+
+
+def _no_constant(name: str) -> float:
+    raise ValueError(f"{name} is no number of JSON")
 
 
 def json_ready(value: Any) -> Any:

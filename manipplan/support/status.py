@@ -45,6 +45,7 @@ class Status(Enum):
         "inverse_kinematics. With as many joints as task rows every path between configurations at which det J has different "
         "signs crosses a singularity"
     )
+    AT_GOAL = "there already: the arm stands where the motion has to end, so the motion stands still, and every check passed"
     INTERRUPTED = "interrupted: the best checked path so far, optimised or the seed; run it again to get further"
     # recorded motions
     IMPROVED = (
@@ -112,6 +113,7 @@ class Status(Enum):
 MET = (
     Status.OPTIMAL,
     Status.SHORTEST,
+    Status.AT_GOAL,
     Status.STOPPED_EARLY,
     Status.OUT_OF_TIME,
     Status.IMPROVED,

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, ClassVar
 import casadi as ca
 
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import one_of
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.symbolic.pinocchio_casadi import bindings_installed, pinocchio_casadi
@@ -18,8 +19,7 @@ BACKENDS = ("auto", "chain", "bindings", "bridge")
 
 def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
     """The arm at symbolic q from one of `BACKENDS`, built once per robot."""
-    if backend not in BACKENDS:
-        raise UnknownNameError("backend", str(backend), BACKENDS)
+    one_of("backend", backend, BACKENDS)
     if backend == "bindings" and not bindings_installed():
         wanted = "'auto', 'chain' or 'bridge': this Pinocchio has no pinocchio.casadi (conda-forge builds have it)"
         raise InvalidInputError("backend", backend, wanted)

@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING
 import casadi as ca
 
 from manipplan.robots.model_tree import frame_index
+from manipplan.support.checks import one_of
 from manipplan.support.compiling.compiler import load_library
 from manipplan.support.display import one_line
-from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError, UnknownNameError
+from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError
 from manipplan.support.memo import once_per_owner
 
 if TYPE_CHECKING:
@@ -70,8 +71,7 @@ def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi
 
     if not isinstance(robot, Robot):
         raise InvalidInputError("robot", robot, "a Robot, such as mp.load_robot('panda')")
-    if source not in SOURCES:
-        raise UnknownNameError("source", str(source), SOURCES)
+    one_of("source", source, SOURCES)
     if robot.followers:
         wanted = f"a robot without joints that follow others, unlike {', '.join(robot.followers)}: backend='chain' has them"
         raise InvalidInputError("robot", robot.name, f"{wanted}; Pinocchio's mimic joints cannot be handed over")

@@ -6,9 +6,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.checks import Array, finite_array, number, number_array, one_of, text
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 
 Row = tuple[float, ...]
 
@@ -37,12 +37,18 @@ class Task:
     relative_to: str | None = None
 
     def __post_init__(self) -> None:
+        text("name", self.name)
         number("length", self.length, above=0.0)
         if self.relative_to is not None and (not isinstance(self.relative_to, str) or not self.relative_to):
             raise InvalidInputError("relative_to", self.relative_to, "the name of a frame of the robot, or None for the world")
-        rows = (*self.world_rows, *self.tool_rows)
-        if not rows or any(len(row) != 6 or not np.isfinite(row).all() for row in rows):
-            raise InvalidInputError("world_rows, tool_rows", rows, "at least one row, each of six finite numbers")
+        given = [
+            finite_array(name, rows, (None, 6)) if np.ndim(number_array(name, rows)) != 1 or len(rows) else np.empty((0, 6))
+            for name, rows in (("world_rows", self.world_rows), ("tool_rows", self.tool_rows))
+        ]
+        if not any(map(len, given)):
+            raise InvalidInputError("world_rows, tool_rows", (), "at least one row, each of six finite numbers")
+        for name, rows in zip(("world_rows", "tool_rows"), given, strict=True):
+            object.__setattr__(self, name, tuple(map(tuple, rows.tolist())))
 
     @classmethod
     def pose(cls, length: float = 0.5, *, relative_to: str | None = None) -> "Task":
@@ -114,8 +120,7 @@ class Task:
 
     @classmethod
     def _rows(cls, name: str, matrix: Array, frame: str, length: float, relative_to: str | None) -> "Task":
-        if frame not in ("world", "tool"):
-            raise UnknownNameError("frame", str(frame), ["world", "tool"])
+        one_of("frame", frame, ("world", "tool"))
         rows = tuple(tuple(float(x) for x in row) for row in matrix)
         return cls(
             name=name,

@@ -13,7 +13,7 @@ from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import distinct_names, instance, number, whole_number
+from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece, straight_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
@@ -24,6 +24,8 @@ from manipplan.timing.straight import straight_ends
 NEAR_STANDSTILL = 0.02
 #: Minimum number of grid points per polynomial piece, up to 4 `grid` in total; a single piece gets the whole grid.
 EACH = 40
+#: Maximum number of grid points.
+MOST_GRID = 100_000
 #: A grid is refined when discretisation makes the whole motion slower by more than this factor.
 CLOSE_TO_IDEAL = 1.02
 #: Smallest and largest accepted limits; realistic ones lie far inside [SI units].
@@ -72,8 +74,8 @@ def retime(
     if limits.n != path.n:
         raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the path's {path.n} joints")
     check_timing_limits(limits)
-    torque_model = robot.model if instance("torque", torque, bool) else None
-    grid = whole_number("grid", grid, least=50)
+    torque_model = robot.model if flag("torque", torque) else None
+    grid = whole_number("grid", grid, least=50, most=MOST_GRID)
     names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
     parts = check_segments(segments, limits)

@@ -8,7 +8,7 @@ import pinocchio as pin
 
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array, instance
+from manipplan.support.checks import Array, instance, positive_array, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.timing.segment import Bounds, ToolSpeed
@@ -16,6 +16,8 @@ from manipplan.timing.segment import Bounds, ToolSpeed
 #: A sudden change of acceleration counts as a jump above this share of its limit and above what the rounding of times to whole
 #: nanoseconds explains [s], but always above the larger share.
 JUMP, NANOSECOND, MOST_JUMP = 1e-5, 1e-9, 1e-2
+#: Maximum number of times inside each piece at which torques are computed.
+MOST_INSIDE = 1000
 
 
 @one_line
@@ -41,6 +43,7 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
     the vertex of the parabola. For jerk see `jerk_use`.
     """
+    _matching(trajectory, limits)
     at, velocity, acceleration = _extremes(*trajectory.segments())
     starts = trajectory.t[:-1, None]
     names = trajectory.joint_names
@@ -95,9 +98,7 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     limit, and above what times in whole nanoseconds explain: 6e-9 v (1 / h² + 1 / k²) at the speed v between pieces of the
     widths h and k, at most 1e-2 of the limit. Raises InvalidInputError for limits of a different number of joints.
     """
-    n = instance("trajectory", trajectory, Trajectory).n
-    if instance("limits", limits, JointLimits).n != n:
-        raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the trajectory's {n} joints")
+    _matching(trajectory, limits)
     widths, (_, _, second, third) = trajectory.segments()
     if np.isinf(limits.jerk).all():
         return LimitUse(ratio=0.0, joint="", time=0.0)
@@ -111,8 +112,21 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))
 
 
+def _matching(trajectory: Trajectory, limits: JointLimits) -> None:
+    n = instance("trajectory", trajectory, Trajectory).n
+    if instance("limits", limits, JointLimits).n != n:
+        raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of the trajectory's {n} joints")
+
+
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
-    """Largest use of effort limits, by Pinocchio's inverse dynamics at both ends of each piece and `inside` times between."""
+    """Largest use of effort limits, by Pinocchio's inverse dynamics at both ends of each piece and `inside` times between.
+
+    `effort` (n,), or one number, is above zero; inf where there is no limit. Raises InvalidInputError for other arguments.
+    """
+    n = instance("trajectory", trajectory, Trajectory).n
+    if instance("model", model, pin.Model).nv != n:
+        raise InvalidInputError("model", f"a model of {model.nv} joints", f"a model of the trajectory's {n} joints")
+    effort, inside = positive_array("effort", effort, n), whole_number("inside", inside, least=0, most=MOST_INSIDE)
     worst = LimitUse(ratio=0.0, joint="", time=0.0)
     for u, *state in _within(trajectory, inside):
         ratio = np.abs(_torques(model, *state)) / effort

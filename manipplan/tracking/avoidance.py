@@ -11,9 +11,9 @@ from manipplan.collision.build import check_names
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import Array, flag, instance, number, one_of, texts
 from manipplan.support.display import one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.tracking.bodies import Bodies, Body
 from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
@@ -54,15 +54,11 @@ class Avoidance:
         number("security", self.security, least=0.0)
         number("influence", self.influence, above=self.security)
         number("damping", self.damping, above=0.0)
-        for argument, names in (("moving", self.moving), ("links", self.links)):
-            if isinstance(names, str):
-                raise InvalidInputError(argument, names, "a list of names")
-        instance("itself", self.itself, bool)
+        flag("itself", self.itself)
+        object.__setattr__(self, "moving", texts("moving", self.moving))
+        object.__setattr__(self, "links", None if self.links is None else texts("links", self.links))
         for name in self.moving:
-            if name not in self.scene.names:
-                raise UnknownNameError("moving", str(name), self.scene.names)
-        object.__setattr__(self, "moving", tuple(self.moving))
-        object.__setattr__(self, "links", None if self.links is None else tuple(self.links))
+            one_of("moving", name, self.scene.names)
         for obstacle in self.scene.obstacles:
             _shape(obstacle, _constant(obstacle))
 
@@ -206,6 +202,5 @@ def _guarded(robot: Robot, bodies: Bodies, avoidance: Avoidance) -> list[Body]:
         return moving
     known = {body.link for body in moving}
     for link in avoidance.links:
-        if link not in known:
-            raise UnknownNameError("links", str(link), known)
+        one_of("links", link, known)
     return [body for body in moving if body.link in avoidance.links]

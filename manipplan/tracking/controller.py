@@ -14,9 +14,9 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, number, number_array, positive_array
+from manipplan.support.checks import Array, finite_array, instance, number, number_array, one_of, positive_array
 from manipplan.support.display import one_line
-from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
@@ -65,9 +65,7 @@ class Rollout:
 
     def __getitem__(self, figure: str) -> Array:
         """One figure of the reports (N,), by its name in StepReport."""
-        if figure not in REPORT:
-            raise UnknownNameError("figure", str(figure), REPORT)
-        return np.asarray(self.reports[:, REPORT.index(figure)])
+        return np.asarray(self.reports[:, REPORT.index(one_of("figure", figure, REPORT))])
 
 
 class Controller:
@@ -221,10 +219,10 @@ class Controller:
         `report` has the result of the step. Raises InvalidInputError only for arguments of a wrong shape or name.
         """
         try:
+            if target.shape != _POSE or target.dtype.char != "d" or not (type(q) is type(qd) is type(target) is np.ndarray):
+                raise TypeError
             self._q[:] = q  # memoryviews accept exactly n doubles
             self._qd[:] = qd
-            if target.shape != _POSE:
-                raise TypeError
             self._target[...] = target
             self._stiffness[0] = self.stiffness if stiffness is None else stiffness
             self._drive[0] = drive
@@ -358,8 +356,7 @@ class Controller:
     def _set_obstacles(self, obstacles: Mapping[str, tuple[Any, ArrayLike]]) -> None:
         moving = self._avoidance.moving if self._avoidance is not None else ()
         for name, (pose, velocity) in obstacles.items():
-            if name not in moving:
-                raise UnknownNameError("obstacles", str(name), moving)
+            one_of("obstacles", name, moving)
             at = slice(OBSTACLE_SIZE * moving.index(name), OBSTACLE_SIZE * (moving.index(name) + 1))
             try:
                 matrix, speed = _numbers(name, getattr(pose, "homogeneous", pose), _POSE), _numbers(name, velocity, (6,))

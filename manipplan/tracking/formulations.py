@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from manipplan.support.checks import number
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.checks import flag, number, one_of
 from manipplan.symbolic.derivatives import Factor
 from manipplan.tracking.convex import gram
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure
@@ -134,10 +133,8 @@ class Objective(Formulation):
 
     def __post_init__(self) -> None:
         _check_alpha(self.alpha, self.sample_time, self.gradient)
-        if self.hessian not in CURVATURES:
-            raise UnknownNameError("hessian", str(self.hessian), CURVATURES)
-        if not isinstance(self.convexify, bool):
-            raise InvalidInputError("convexify", self.convexify, "True or False")
+        one_of("hessian", self.hessian, CURVATURES)
+        flag("convexify", self.convexify)
 
     @property
     def curvature(self) -> str:
@@ -206,5 +203,4 @@ def _check_alpha(alpha: float, sample_time: float | None, gradient: str) -> None
     number("alpha", alpha, least=0.0)
     if sample_time is not None:
         number("sample_time", sample_time, above=0.0)
-    if gradient not in GRADIENTS:
-        raise UnknownNameError("gradient", str(gradient), GRADIENTS)
+    one_of("gradient", gradient, GRADIENTS)

@@ -48,7 +48,7 @@ def plot_arm(
     Returns the axes.
     """
     curve, other, world = check_motions(robot, path, scene, seed)
-    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
+    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2, most=style.MOST_PLACES))
     ways = {name: tool_ways(robot, each) for name, each in zip(names, (curve, other), strict=True) if each is not None}
     first, last = (joined(arm_surfaces(robot, q)) for q in (curve.start, curve.goal))
     ax = style.axes_for(ax, solid=True, size=(7.0, 6.0))

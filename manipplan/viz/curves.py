@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
@@ -49,7 +49,7 @@ def plot_joints(
             raise InvalidInputError("limits", f"limits of {limits.n} joints", f"limits of {trajectory.n} joints")
         high = (limits.upper, limits.velocity, limits.acceleration, limits.jerk)[order]
         low = -high if order else limits.lower
-    if share and not np.isfinite([low, high]).all():
+    if flag("share", share) and not np.isfinite([low, high]).all():
         raise InvalidInputError("share", share, "False where a joint has no finite limit, or no limits are given")
     t = np.linspace(0.0, trajectory.duration, POINTS)
     values = trajectory(t, order)
@@ -101,10 +101,12 @@ def plot_manipulability(
         raise InvalidInputError("paths", paths, "a mapping of names to paths, at least one")
     curves = {name: joint_path(f"paths[{name!r}]", motion, kinematics.robot) for name, motion in paths.items()}
     colours = dict(zip(curves, (style.OPTIMUM, style.SEED, *style.JOINTS[2:]), strict=False))
-    if straight:
+    bound = None if bound is None else number("bound", bound)
+    if flag("straight", straight):
         first = next(iter(curves.values()))
         colours["straight"] = style.STRAIGHT
-        curves["straight"] = JointPath.line(first.start, first.goal)
+        if first.length >= SHORTEST:  # unless the arm stands still
+            curves["straight"] = JointPath.line(first.start, first.goal)
     s = np.linspace(0.0, 1.0, POINTS)
     drawn: list[tuple[Array, Any]] = []
     ax = style.axes_for(ax)

@@ -98,8 +98,10 @@ def plot_ellipsoids(
     else:
         tools = drawn_tools(robot, task if is_drawn else None)
     m = tools[0].kinematics.task.rows
-    q, fine = (curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2), WAY))
-    scale = default_scale(robot, tools, q) if scale is None else scale
+    q, fine = (
+        curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2, most=style.MOST_PLACES), WAY)
+    )
+    scale = default_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
     ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
     with style.shared():
         for tool in tools:

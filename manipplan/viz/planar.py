@@ -39,7 +39,7 @@ def plot_planar_arm(
     curve, other, world = check_motions(robot, path, scene, seed)
     if not robot.planar:
         raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
-    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2))
+    shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2, most=style.MOST_PLACES))
     motions = {name: each for name, each in zip(names, (curve, other), strict=True) if each is not None}
     ways = {name: [way[:, :2] for way in tool_ways(robot, each)] for name, each in motions.items()}
     ax = style.axes_for(ax, size=(6.0, 6.0))

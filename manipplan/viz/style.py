@@ -7,6 +7,9 @@ from typing import Any
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.support.errors import InvalidInputError
 
+#: Maximum number of places along a motion at which something is drawn.
+MOST_PLACES = 1000
+
 OPTIMUM = "#0072B2"
 SEED = "#E69F00"
 STRAIGHT = "#999999"

@@ -288,7 +288,7 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
     [
         ({"basis": "bsplines"}, "basis: got 'bsplines'; allowed: did you mean bspline"),
         ({"basis": "fourier"}, "basis: got 'fourier'; allowed: one of bernstein, bspline"),
-        ({"basis": None}, "basis: got 'None'"),
+        ({"basis": None}, "basis: got None"),
         ({"pieces": 3}, "pieces: got 3; allowed: 1 with basis 'legendre'; bspline and composite"),
         ({"basis": "bspline", "pieces": 0}, "pieces: got 0.*at least 1"),
         ({"basis": "bspline", "pieces": 2.5}, "pieces"),

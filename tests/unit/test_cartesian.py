@@ -178,14 +178,14 @@ def test_spaces_around_the_columns_do_not_matter(tmp_path):
 @pytest.mark.parametrize(
     ("lines", "message"),
     [
-        ([], "a first line x,y,z,qw,qx,qy,qz"),
+        ([], "which is empty"),
         (["x,y,z"], "a first line x,y,z,qw,qx,qy,qz"),
-        ([HEAD, row(START), "1,2,3"], "row 3: 1,2,3.*7 finite numbers"),
-        ([HEAD, row(START), row(END).replace("0.4", "left")], "row 3: left.*7 finite numbers"),
-        ([HEAD, "nan" + row(START)[3:], row(END)], "row 2: nan.*7 finite numbers"),
+        ([HEAD, row(START), "1,2,3"], "row 3, with 3 cells.*7 cells"),
+        ([HEAD, row(START), row(END).replace("0.4", "left")], "row 3, .*: left.*a number"),
+        ([HEAD, "nan" + row(START)[3:], row(END)], "row 2, x: nan.*a finite number"),
         ([HEAD, row(START), row(END, 1.1)], "row 3: .*a quaternion of length 1"),
         ([HEAD, row(START), row(END, 0.0)], "row 3: .*a quaternion of length 1"),
-        (["# made by hand", HEAD, "", row(START), "", "1,2,3"], "row 6: 1,2,3.*7 finite numbers"),
+        (["# made by hand", HEAD, "", row(START), "", "1,2,3"], "row 6, with 3 cells.*7 cells"),
     ],
 )
 def test_a_wrong_file_is_told_with_its_row(tmp_path, lines, message):

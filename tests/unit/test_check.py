@@ -304,7 +304,7 @@ HEAD = "time,q_joint1,q_joint2,q_joint3"
         (["0,0,0,0", "1,0,0,0", "1,0,0,1"], "row 4, time: 1'; allowed: a time after that of row 3, 1.0 s"),
         (["0,0,0,0", "2,0,0,0", "1,0,0,1", "3,0,0,0"], "row 4, time: 1'; allowed: a time after that of row 3, 2.0 s"),
         (["0,0,0,0", "1,0,nan,0"], "row 3, q_joint2: nan'; allowed: a finite number"),
-        (["0,0,0,0", "1,0,0"], "row 3, with 3 cells'; allowed: at least 4 cells"),
+        (["0,0,0,0", "1,0,0"], "row 3, with 3 cells'; allowed: 4 cells"),
         (["0,0,0,0", "", "1,0,x,0"], "row 4, q_joint2: x'; allowed: a number"),
         (["0,0,0,0"], "with 1 rows of numbers'; allowed: at least two"),
     ],

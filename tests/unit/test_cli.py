@@ -69,7 +69,7 @@ def test_robots_lists_and_prints(arm_file, capsys):
     ("changes", "code", "message"),
     [
         ({"start": ["0", "1"]}, 2, "start: got '0 1'; allowed: 3 numbers, one per joint (j0, j1, j2), not 2"),
-        ({"goal": ["0", "90", "0"]}, 2, "-4 to 4 rad; 90 degrees are 1.571 rad"),
+        ({"goal": ["0", "90", "0"]}, 2, "-4 to 4 rad; it is 86 rad above; 90 degrees are 1.571 rad"),
         ({"acceleration": ["-1"]}, 2, "acceleration"),
         ({"goal": ["9", "0", "0"]}, 2, "goal[0] (j0): got 9.0"),
         ({"goal": ["nan", "0", "0"]}, 2, "finite"),

@@ -5,9 +5,11 @@ import zipfile
 import zlib
 from collections.abc import Mapping
 from pathlib import Path
+from typing import IO
 
 import numpy as np
 
+from manipplan.collision.surfaces.clouds import MOST_POINTS
 from manipplan.robots.meshes.ply import read_ply
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
@@ -16,8 +18,10 @@ from manipplan.support.errors import FileFormatError
 ENDINGS = (".ply", ".pcd", ".npy", ".npz")
 #: NumPy's letters for the types of PCD.
 KINDS = {"F": "f", "I": "i", "U": "u"}
-#: Maximum number of bytes of an array: a small compressed file can announce any size.
-MOST_BYTES = 2_000_000_000
+#: Maximum size of a file, and of what a compressed one unpacks to [bytes].
+MOST_BYTES = 256 * 2**20
+#: Maximum number of packed bytes: unpacking takes about a second for every four million.
+MOST_PACKED = 16 * 2**20
 #: What reading a broken file raises; NumPy and zipfile raise the unusual ones.
 READING = (
     *(ValueError, KeyError, IndexError, OSError, EOFError, OverflowError, MemoryError),
@@ -31,8 +35,10 @@ def read_points(argument: str, file: Path) -> Array:
     if ending not in ENDINGS:
         raise FileFormatError(argument, str(file), f"points in a file that ends with {', '.join(ENDINGS)}")
     try:
+        if file.stat().st_size > MOST_BYTES:
+            raise ValueError(f"it has {file.stat().st_size:,} bytes, of at most {MOST_BYTES:,}")
         if ending == ".ply":
-            points = read_ply(file).vertices
+            points = read_ply(file, rows=MOST_POINTS, faces=MOST_POINTS).vertices
         elif ending == ".pcd":
             points = _pcd(file.read_bytes())
         else:
@@ -51,7 +57,10 @@ def _numpy(file: Path) -> Array:
     if file.suffix.lower() == ".npz":
         with zipfile.ZipFile(file) as archive:
             if sum(each.file_size for each in archive.infolist()) > MOST_BYTES:
-                raise ValueError(f"it unpacks to more than {MOST_BYTES:g} bytes")
+                raise ValueError(f"it unpacks to more than {MOST_BYTES:,} bytes")
+            for each in archive.infolist():
+                with archive.open(each) as stream:
+                    _check_count(_announced(stream))
     loaded = np.load(file, mmap_mode="r" if file.suffix.lower() == ".npy" else None, allow_pickle=False)
     if isinstance(loaded, Mapping):
         names = list(loaded)
@@ -60,7 +69,22 @@ def _numpy(file: Path) -> Array:
         loaded = loaded["points" if "points" in names else names[0]]
     if loaded.ndim != 2 or loaded.shape[1] != 3 or loaded.dtype.kind not in "fiu":
         raise ValueError(f"an array of {loaded.dtype} of shape {loaded.shape} instead of numbers (k, 3)")
+    _check_count(len(loaded))
     return np.array(loaded, dtype=float)
+
+
+def _announced(stream: IO[bytes]) -> int:
+    """The number of rows that the header of an NPY file states."""
+    version = np.lib.format.read_magic(stream)
+    read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
+    shape = read(stream)[0]
+    return shape[0] if shape else 0
+
+
+def _check_count(points: int) -> None:
+    """Raise ValueError for too many points, before they are made."""
+    if points > MOST_POINTS:
+        raise ValueError(f"{points:,} points, of at most {MOST_POINTS:,}")
 
 
 def _pcd(data: bytes) -> Array:
@@ -88,6 +112,7 @@ def _pcd(data: bytes) -> Array:
     axes = [fields.index(axis) for axis in "xyz"]
     if any(counts[axis] != 1 for axis in axes):
         raise ValueError("x, y and z need COUNT 1")
+    _check_count(total)
     row = sum(size * count for size, count in zip(sizes, counts, strict=True))
     body, form = data[at:], (head["DATA"] or [""])[0].lower()
     if form == "ascii":
@@ -99,7 +124,7 @@ def _pcd(data: bytes) -> Array:
         return table[:, [first[axis] for axis in axes]].astype(float)
     if form == "binary_compressed":
         packed, size = (int(word) for word in np.frombuffer(body, "<u4", 2))
-        if size != total * row or packed > len(body) - 8 or size > MOST_BYTES:
+        if size != total * row or packed > min(len(body) - 8, MOST_PACKED) or size > MOST_BYTES:
             raise ValueError(f"{len(body)} bytes that unpack to {size}, for {total} points of {row} bytes")
         body = _lzf(body[8 : 8 + packed], size)
         first = total * np.cumsum([0, *(size * count for size, count in zip(sizes, counts, strict=True))])
@@ -127,10 +152,10 @@ def _lzf(packed: bytes, size: int) -> bytes:
                 at += 1
             start = len(out) - ((control & 31) << 8) - packed[at] - 1
             at += 1
-            if start < 0:
+            if not 0 <= start < len(out):
                 raise ValueError("its compressed data refer to bytes before the first")
-            for k in range(start, start + length + 2):  # the copy may overlap what it appends
-                out.append(out[k])
+            copied = bytes(out[start : start + length + 2])  # repeated where the copy overlaps what it appends
+            out += (copied * (1 + (length + 2) // len(copied)))[: length + 2]
         if len(out) > size:
             break
     if len(out) != size:

@@ -1,5 +1,7 @@
 """What both formats of MoveIt share: poses, planes and triangles."""
 
+import logging
+
 import numpy as np
 import pinocchio as pin
 
@@ -12,11 +14,15 @@ from manipplan.support.errors import InvalidInputError
 UNIT = 0.01
 
 
+log = logging.getLogger("manipplan")
+
+
 def pose_of(argument: str, position: Array, quaternion: Array) -> pin.SE3:
     """The pose of a position (3,) [m] and a quaternion x, y, z, w; zeros mean no rotation, as in MoveIt."""
     finite_array("position", position, (3,), most=FARTHEST)
     size = np.linalg.norm(finite_array(argument, quaternion, (4,), most=1.0 + UNIT))
     if size == 0:
+        log.warning("%s is 0 0 0 0, which is no rotation: taken as none, as in MoveIt", argument)
         return pin.SE3(np.eye(3), position)
     if abs(size - 1.0) > UNIT:
         raise InvalidInputError(argument, quaternion.tolist(), "a quaternion x, y, z, w of length 1")

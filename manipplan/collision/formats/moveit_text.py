@@ -8,7 +8,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.formats.moveit_shapes import half_space, pose_of, triangles_of
-from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere
+from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere, check_obstacles
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
@@ -34,6 +34,7 @@ def read_scene_text(file: Path) -> list[tuple[str, list[Obstacle]]]:
     between = lines[1:first] + (lines[ends[0] + 1 :] if ends else [])
     if not ends or first == 0 or any(k > ends[0] for k in starts) or any(line.strip() for line in between):
         raise FileFormatError("file", str(file), "a scene of MoveIt: its name, objects that begin with *, and a last line .")
+    check_obstacles("file", len(starts))
     objects = []
     for first, last in itertools.pairwise([*starts, ends[0]]):
         name = lines[first][1:].strip()

@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.formats.moveit_shapes import half_space, pose_of, triangles_of
-from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere
+from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Sphere, check_obstacles
 from manipplan.support.checks import Array, existing_file, finite_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.yaml_files import read_yaml
@@ -85,6 +85,7 @@ def _read(file: Path, packages: Packages) -> Contents:
             raise InvalidInputError("fixed_frame_transforms", f"{child!r} twice", "each frame once")
         frames[child] = transform
     objects, roots = [], set()
+    check_obstacles("collision_objects", len(_list("collision_objects", world)))
     for i, entry in enumerate(_list("collision_objects", world)):
         where = f"collision_objects[{i}]"
         name, frame, shapes = _object(where, _mapping(where, entry, OBJECT), file, packages)
@@ -169,7 +170,10 @@ def _file(where: str, resource: str, file: Path, packages: Packages) -> Path:
     package, _, rest = resource.removeprefix("package://").partition("/")
     if package not in packages:
         raise UnknownNameError("packages", package, packages, empty="none: give packages={name: folder}")
-    return existing_file(where, Path(packages[package]) / rest)
+    folder = Path(packages[package])
+    if not (folder / rest).resolve().is_relative_to(folder.resolve()):
+        raise InvalidInputError(f"{where}.resource", resource, "the name of a mesh that stays inside its package")
+    return existing_file(where, folder / rest)
 
 
 def _transform(entry: Any) -> tuple[str, tuple[str, pin.SE3]]:

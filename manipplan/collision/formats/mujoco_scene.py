@@ -6,7 +6,7 @@ from typing import Any
 
 import pinocchio as pin
 
-from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere
+from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere, check_obstacles
 from manipplan.robots.formats.mjcf_files import compile_mjcf
 from manipplan.robots.mjcf import SHAPES, colliding_geoms, fixed_pose, local_pose, stands_still, surface_of
 from manipplan.support.errors import UnknownNameError
@@ -25,7 +25,9 @@ def read_static_bodies(file: Path) -> list[Obstacle]:
     """
     mj = compile_mjcf(file)
     obstacles, surfaces = list[Obstacle](), dict[tuple[str, int], Mesh]()
-    for k in (each for each in colliding_geoms(file, mj) if stands_still(mj, mj.geom_bodyid[each])):
+    standing = [each for each in colliding_geoms(file, mj) if stands_still(mj, mj.geom_bodyid[each])]
+    check_obstacles("file", len(standing))
+    for k in standing:
         body, shape = int(mj.geom_bodyid[k]), SHAPES[mj.geom_type[k]]
         name = mj.geom(k).name or f"{mj.body(body).name}.{k}"
         pose = fixed_pose(mj, body) * local_pose(mj.geom_pos[k], mj.geom_quat[k])

@@ -18,7 +18,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance
+from manipplan.support.checks import flag
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
@@ -147,7 +147,7 @@ def carry(
         torque=torque,
         seed=seed,
     )
-    instance("throw", throw, bool)
+    flag("throw", throw)
     tell, held, allowed, integral = teller(progress), request.grasps, request.tolerance, request.integral
     first = request.way(next(iter(held)))
     draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
@@ -182,6 +182,7 @@ def carry(
         result,
         model,
         joint.goal,
+        taken=request.taken,
         clearance=request.clearance,
         torque=torque,
         jerk=True,

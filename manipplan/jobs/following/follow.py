@@ -24,13 +24,14 @@ from manipplan.paths.cartesian import APART, CartesianPath
 from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import sample_layers, usual_samples
 from manipplan.search.max_min import SearchResult
 from manipplan.search.steps import check_epsilon
-from manipplan.support.checks import Array, finite_array, instance, number, whole_number
+from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
@@ -186,7 +187,7 @@ def follow(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     for name, value in (("torque", torque), ("throw", throw)):
-        instance(name, value, bool)
+        flag(name, value)
     if objective.task is None and has_few_joints(robot) and not robot.planar:
         wanted = f"one with a task of at most {robot.n} rows, as {robot.name} has {robot.n} joints: mp.PathObjective(task=...)"
         if robot.n >= 3:
@@ -199,7 +200,7 @@ def follow(
     epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    q_start = None if start is None else named_configuration("start", start, robot)
+    given = None if start is None else named_configuration("start", start, robot)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
     interruptions = whole_number("interruptions", interruptions, least=0)
@@ -208,8 +209,11 @@ def follow(
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
     compile_ahead(*SOURCES)
-    if q_start is not None:
-        q_start = scene.collision_model(robot).free_configuration("start", q_start, clearance)
+    q_start = None
+    taken: tuple[TakenToLimit, ...] = ()
+    if given is not None:
+        q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
+        taken = taken_to_limits(robot, "start", given)
 
     def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> CourseFinder:
         layers = sample_layers(
@@ -290,6 +294,7 @@ def follow(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
     made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
+    made = replace(made, report=replace(made.report, taken_to_limits=taken))
     if made.status not in ALONG:
         return failed(made, throw, fault)
     if fault:
@@ -301,7 +306,8 @@ def follow(
 def _retreat(value: float | ArrayLike) -> Array:
     """The way (3,) off the path in the tool frame [m]; raises InvalidInputError."""
     tool_z = np.array([0.0, 0.0, 1.0])
-    way = finite_array("retreat", value, (3,)) if np.ndim(value) else -number("retreat", value, least=0.0) * tool_z
+    along = isinstance(value, int | float | np.number)
+    way = -number("retreat", value, least=0.0) * tool_z if along else finite_array("retreat", value, (3,))
     if 0 < np.linalg.norm(way) < LEAST_RETREAT:
         raise InvalidInputError("retreat", value, f"0 for none, or at least {1e3 * LEAST_RETREAT:g} mm")
     return way

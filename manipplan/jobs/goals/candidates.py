@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +11,16 @@ from manipplan.collision.model import CollisionModel
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import PathIntegral
+from manipplan.ik.nearest import millimetres_hint
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import NearestToGoal, nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
+from manipplan.jobs.goals.samples import Reaching, beyond_limits, reaching, refined
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.goals.tool_goals import reaching_tools
 from manipplan.paths.joint import SHORTEST
 from manipplan.robots.arms import has_few_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
@@ -136,7 +138,17 @@ def find_candidates(
     if not len(q):
         refusal = _nothing_free(targets, useless, ", within the constraints" if constraints.constraints else "")
         if missed and len(missed) == len(useless):
-            raise OutOfReachError(*refusal, min(missed, key=lambda each: np.hypot(each.position, each.rotation)))
+            argument, value, allowed = refusal
+            if len(missed) == 1:
+                goal = poses[far[0]]
+                allowed += millimetres_hint(
+                    goal.matrix,
+                    missed[0].position,
+                    lambda pose: next(iter(nearest(robot, [replace(goal, pose=pose)], start, held))).position,
+                )
+            raise OutOfReachError(
+                argument, value, allowed, min(missed, key=lambda each: np.hypot(each.position, each.rotation))
+            )
         raise InvalidInputError(*refusal)
     return [*ordered(measured(q, index.tolist(), start, integral)), *useless]
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.arms import known_tool
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, pose_matrix
@@ -108,6 +109,7 @@ class PoseGoal:
 
         Raises InvalidInputError where a planar arm cannot turn about the free axis.
         """
+        instance("robot", robot, Robot)
         if self.axis is None:
             return Task.pose()
         if not robot.planar:
@@ -123,6 +125,7 @@ class PoseGoal:
 
     def errors(self, robot: Robot, q: Array, tool: str) -> tuple[float, float]:
         """Distance [m] and angle [rad] of a tool, or of a carried part, from the pose at q (n,), by Pinocchio."""
+        q, tool = finite_array("q", q, (instance("robot", robot, Robot).n,)), known_tool(robot, "tool", tool)
         if self.of:
             part = robot.carried[self.of]
             place = frame_pose(robot.model, part.frame, q) @ part.solid.pose.homogeneous
@@ -133,7 +136,7 @@ class PoseGoal:
 
     def missed_by(self, robot: Robot, q: Array, tool: str | None = None) -> str:
         """How far a tool, by default the first, or the part miss the goal at q (n,); "" where it is reached."""
-        position, rotation = self.errors(robot, q, tool or robot.tool)
+        position, rotation = self.errors(robot, q, instance("robot", robot, Robot).tool if tool is None else tool)
         most = self.allowed
         if position <= most[0] + REACHED and rotation <= most[1] + REACHED:
             return ""

@@ -10,6 +10,7 @@ from manipplan.ik.distinct import distinct
 from manipplan.ik.enumeration import Enumeration
 from manipplan.ik.solver import Solver
 from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -115,8 +116,7 @@ def beyond_limits(robot: Robot, goals: dict[int, PoseGoal]) -> list[tuple[int, A
         every = Enumeration(solver.form, -free, free, None)
         blocks = list(every(goal.matrix[None], np.zeros(1, dtype=np.int64), np.zeros((1, 0))))
         q = np.concatenate([each[0] for each in blocks])
-        low, high = robot.limits.lower, robot.limits.upper
-        q = nearest_turns(robot, q, np.where(np.isfinite(low), (low + high) / 2, 0.0), kept=False)
+        q = nearest_turns(robot, q, robot.limits.middle, kept=False)
         found += [(k, each) for each in q if (robot.limits.outside(each) > 0).any()]
     return found
 
@@ -176,18 +176,6 @@ def poses_inside(goal: PoseGoal, count: int) -> Array:
     turns = Rotation.from_rotvec(SHARE * rotation * _ball(u[:, 3:]))
     poses[1:, :3, :3] = goal.matrix[:3, :3] @ turns.as_matrix()
     return poses
-
-
-def nearest_turns(robot: Robot, q: Array, near: Array, *, kept: bool = True) -> Array:
-    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
-    turn = np.where(robot.turns, 2 * np.pi, np.inf)
-    if not kept:
-        turns = np.round((near - q) / turn)
-        return q + np.where(np.isinf(turn), 0.0, turn) * turns
-    most = np.floor((robot.limits.upper - q) / turn)
-    least = np.ceil((robot.limits.lower - q) / turn)
-    turns = np.clip(np.round((near - q) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
-    return np.where(turns == 0, q, q + np.where(np.isinf(turn), 0.0, turn) * turns)
 
 
 def _spread(count: int, dimensions: int) -> Array:

@@ -12,9 +12,9 @@ from manipplan.jobs.goals.own_arm import OfTool, own_arms, solutions
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.ranking import Ranking
 from manipplan.jobs.goals.reach import beyond_links, nearest
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.torsos import meeting, torso_grid
 from manipplan.robots.arms import shared_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 

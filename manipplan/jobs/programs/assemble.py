@@ -166,7 +166,15 @@ def _part(
         *_missed(group, blends, goals, legs, trajectory),
     )
     status = Status.CHECK_FAILED if faults else Status.COMPOSED
-    report = replace(report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept))
+    taken = tuple(
+        each
+        for motion in group
+        if motion.workspace_path is None and motion.step in goals
+        for each in legs[motion.step].targets[goals[motion.step]].taken
+    )
+    report = replace(
+        report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept), taken_to_limits=taken
+    )
     part = Plan(
         robot=robot,
         scene=state.scene,

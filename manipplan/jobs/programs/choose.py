@@ -15,7 +15,6 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.programs.courses import Course, Finders, Motion, NoCourse, course_of
 from manipplan.jobs.programs.legs import Leg
@@ -24,6 +23,7 @@ from manipplan.jobs.programs.places import rounded
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time

@@ -50,8 +50,12 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0) -> list[Leg]:
+def read_steps(
+    steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0, turns: bool = False
+) -> list[Leg]:
     """The legs of a program that begins at start (n,) and has blends of a size [m].
+
+    With `turns`, full turns of configurations reach a goal as well.
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
     """
@@ -66,7 +70,7 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blen
     at: Array | None = kinematics.pose(start)  # the tool's pose where it is known
     for k, step in enumerate(steps):
         if isinstance(step, MoveTo):
-            targets, at = _targets(k, step, robot), None
+            targets, at = _targets(k, step, robot, turns), None
             only = targets[0] if len(targets) == 1 else None
             if only is not None and only.q is not None:
                 at = kinematics.pose(only.q)
@@ -108,7 +112,7 @@ def _check_speed(k: int, step: MoveAlong, robot: Robot, blend: float) -> None:
         raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 
 
-def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
+def _targets(k: int, step: MoveTo, robot: Robot, turns: bool) -> tuple[Target, ...]:
     targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
     for each in targets:
         if each.q is not None:
@@ -116,4 +120,4 @@ def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
         if step.approach is not None and each.pose is None:
             given = sorted(each.tools) if each.q is None and each.tools else np.array(each.q).tolist()
             raise InvalidInputError(each.argument, given, "a pose of the tool, since there is an approach")
-    return targets
+    return tuple(replace(each, turns=turns) for each in targets)

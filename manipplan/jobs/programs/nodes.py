@@ -98,7 +98,7 @@ def _at_targets(
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
-        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=True, before=before)
+        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=not each.turns, before=before)
         for k, each in enumerate(leg.targets)
         if each.q is not None
         for before in places

@@ -12,7 +12,7 @@ from manipplan.jobs.stored import robot_data, robot_of, scene_data, scene_of, wi
 from manipplan.measures.measure import Measure
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import existing_file, instance
+from manipplan.support.checks import existing_file, instance, is_folder, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready
@@ -55,10 +55,10 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
     """Read what `write_program` wrote; see `Program.load`."""
     from manipplan.jobs.programs.program import Program
 
-    given = Path(folder).expanduser() if isinstance(folder, str | Path) else folder
-    if isinstance(given, Path) and given.is_dir():
+    given = path_of("folder", folder)
+    if is_folder(given):
         finish(given)
-    path = existing_file("folder", given / NAME if isinstance(given, Path) and given.is_dir() else given)
+    path = existing_file("folder", given / NAME if is_folder(given) else given)
     data = checked_json(path, FORMAT, VERSION)
     home = path.resolve().parent
     if robot is not None:

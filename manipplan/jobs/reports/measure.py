@@ -80,7 +80,10 @@ def measure(
     for name, wanted, got in (("start", start, trajectory.q[0]), ("goal", goal, trajectory.q[-1])):
         if wanted is None:
             continue
-        off = np.abs(got - wanted)
+        off = got - wanted
+        if name == "goal":  # full turns of joints without limits are the same posture
+            off = np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
+        off = np.abs(off)
         errors[name] = float(off.max())
         if off.max() > TOLERANCE:
             joint = robot.joint_names[int(off.argmax())]

@@ -13,11 +13,12 @@ from manipplan.jobs.reports.tools import ToolFigure
 from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.configuration import TakenToLimit
 from manipplan.support.checks import existing_file
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
-from manipplan.support.json_data import from_json, json_ready
+from manipplan.support.json_data import from_json, json_ready, read_json
 from manipplan.support.status import RECORDED, Status
 from manipplan.timing.verify import LimitUse
 
@@ -58,6 +59,8 @@ class Report:
         constraints: how the motion keeps each constraint, at shares of the duration.
         along: for `follow`: the part of the motion along the workspace path, or the parts, in their order.
         tools: for a robot with several tools, the figures of each.
+        taken_to_limits: joints of start, goal or recording that were given outside a position limit, by at most
+            `robot.limit_tolerance` (of a recording: its noise), and were taken to it.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
             path.
@@ -94,6 +97,7 @@ class Report:
     constraints: tuple[ConstraintFigure, ...] = ()
     along: tuple[PathPart, ...] = ()
     tools: tuple[ToolFigure, ...] = ()
+    taken_to_limits: tuple[TakenToLimit, ...] = ()
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -141,7 +145,7 @@ class Report:
 
     def _measured(self) -> list[str]:
         """Lines on singularities, clearance, constraints and limits."""
-        lines = []
+        lines = [f"  limit        {each}" for each in self.taken_to_limits]
         if self.crossing_note:
             lines.append(f"  singularity  {self.crossing_note}")
         if self.below_floor > 0:
@@ -182,8 +186,10 @@ class Report:
         """Read what `to_json` wrote, a PlanReport for that of a plan; raises FileFormatError for another file."""
         path = existing_file("file", file)
         try:
-            data = json.loads(path.read_text())
+            data = read_json("file", path)
             return from_json(data, PlanReport if "seed_g" in data else Report)
+        except FileFormatError:
+            raise
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
             raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 

@@ -29,7 +29,7 @@ LOOKAHEAD, GAIN = (0.03, 0.2), (100, 2000)
 
 def to_urscript(trajectory: Trajectory, file: str | Path, *, rate: int, name: str, lookahead_time: float, gain: float) -> None:
     """Write the program; see `Trajectory.to_urscript`."""
-    if rate not in RATES or isinstance(rate, bool):
+    if isinstance(rate, bool) or not isinstance(rate, int | np.integer) or rate not in RATES:
         raise InvalidInputError("rate", rate, "125 (CB3) or 500 (e-Series) [Hz]")
     if not isinstance(name, str) or not is_identifier(name):
         raise InvalidInputError("name", name, "a name of letters, digits and underscores that begins with a letter")

@@ -9,8 +9,8 @@ from pathlib import Path
 from manipplan.robots.formats import xacro_files
 from manipplan.robots.formats.packages import PackageFolders
 from manipplan.robots.formats.xml_files import read_xml
-from manipplan.support.checks import instance
-from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.checks import flag, one_of, path_of
+from manipplan.support.errors import FileFormatError, InvalidInputError
 
 log = logging.getLogger("manipplan")
 
@@ -43,15 +43,16 @@ class UrdfFiles:
     def __post_init__(self) -> None:
         if isinstance(self.package_dirs, str | Path) or not isinstance(self.package_dirs, Sequence):
             raise InvalidInputError("package_dirs", self.package_dirs, "a list of folders")
+        for k, folder in enumerate(self.package_dirs):
+            path_of(f"package_dirs[{k}]", folder)
         if not isinstance(self.packages, Mapping):
             raise InvalidInputError("packages", self.packages, "a mapping from names of packages to their folders")
         for name, folder in self.packages.items():
             if not isinstance(folder, str | Path) or not Path(folder).expanduser().is_dir():
                 raise InvalidInputError(f"packages[{name!r}]", str(folder), "an existing folder")
-        instance("meshes", self.meshes, bool)
-        if self.collision not in BODIES:
-            raise UnknownNameError("collision", str(self.collision), BODIES)
-        instance("trust_file", self.trust_file, bool)
+        flag("meshes", self.meshes)
+        one_of("collision", self.collision, BODIES)
+        flag("trust_file", self.trust_file)
         if not isinstance(self.arguments, Mapping):
             raise InvalidInputError("arguments", self.arguments, "a mapping from names of xacro arguments to their values")
         texts = {str(name): _text(f"arguments[{name!r}]", value) for name, value in self.arguments.items()}

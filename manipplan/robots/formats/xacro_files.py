@@ -2,6 +2,7 @@
 
 import importlib.util
 import logging
+import signal
 import subprocess
 import tempfile
 from collections.abc import Mapping
@@ -14,8 +15,8 @@ from manipplan.support.untrusted import printable
 
 log = logging.getLogger("manipplan")
 
-#: Longest time for one file [s]. Large robots take less than 2 s.
-TIME_LIMIT = 60.0
+#: Longest time for one file [s]: of the processor, and until it ends. Large robots take less than 2 s.
+PROCESSOR, TIME_LIMIT = 5, 60.0
 
 
 def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
@@ -40,6 +41,7 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
         "packages": {name: str(folder) for name, folder in folders.packages.items()},
         "package_dirs": [str(folder) for folder in folders.package_dirs],
         "trust": trust,
+        "processor": PROCESSOR,
     }
     with tempfile.TemporaryDirectory() as folder:
         try:
@@ -48,6 +50,8 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:
             raise _fault(file, f"xacro cannot be started ({error.strerror})") from error
+    if answer is None and run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise _fault(file, f"it takes more than {PROCESSOR} s of the processor")
     if answer is None:
         last = (run.stderr.strip().splitlines() or ["no message"])[-1]
         raise _fault(file, f"xacro ended with code {run.returncode}: {last}")

@@ -13,6 +13,8 @@ DEEPEST = 500
 MOST_BODIES, MOST_JOINTS = 1000, 1000
 #: Largest number in a description: products of larger ones overflow.
 LARGEST = 1e12
+#: Maximum size of a file [bytes], and maximum number of elements.
+MOST_BYTES, MOST_ELEMENTS = 100_000_000, 500_000
 
 
 def read_xml(argument: str, file: Path, root_tag: str, text: str | None = None) -> ET.Element:
@@ -30,6 +32,9 @@ def bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Elemen
     spaces and blank lines may stand before <?xml.
     """
     try:
+        size = file.stat().st_size if text is None else len(text)
+        if size > MOST_BYTES:
+            raise FileFormatError(argument, f"{file} of {size:,} bytes", f"XML of at most {MOST_BYTES:,} bytes")
         text = file.read_bytes().decode("utf-8-sig") if text is None else text
         return _Tree(argument, file).read(text.lstrip())
     except FileFormatError:
@@ -47,7 +52,7 @@ class _Tree:
 
     def __init__(self, argument: str, file: Path) -> None:
         self.wanted = argument, str(file)
-        self.depth = 0
+        self.depth = self.count = 0
         self.builder = ET.TreeBuilder()
 
     def read(self, text: str) -> ET.Element:
@@ -66,6 +71,9 @@ class _Tree:
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self.depth += 1
+        self.count += 1
+        if self.count > MOST_ELEMENTS:
+            raise FileFormatError(*self.wanted, f"XML with at most {MOST_ELEMENTS:,} elements")
         if self.depth > DEEPEST:
             raise FileFormatError(*self.wanted, f"XML with elements nested at most {DEEPEST} deep")
         self.builder.start(tag, attributes)

@@ -29,6 +29,9 @@ PASSED = (
     *("lod", "shadow_obj", "trace_obj"),
 )
 
+#: Maximum size of a file [bytes], and maximum number of triangles.
+LARGEST, MOST_TRIANGLES = 100_000_000, 500_000
+
 Faces = NDArray[np.int64]
 
 
@@ -53,12 +56,15 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
     if ending not in ENDINGS:
         raise FileFormatError(argument, str(file), f"a mesh in a file that ends with {', '.join(ENDINGS)}")
     try:
+        size = file.stat().st_size
+        if size > LARGEST:
+            raise ValueError(f"it has {size:,} bytes, of at most {LARGEST:,}")
         if ending == ".stl":
             mesh = MeshFile(triangles=_stl(file.read_bytes()))
         elif ending == ".obj":
             mesh = MeshFile(triangles=_obj(file.read_text(encoding="utf-8-sig", errors="replace")))
         elif ending == ".ply":
-            content = read_ply(file)
+            content = read_ply(file, rows=3 * MOST_TRIANGLES, faces=MOST_TRIANGLES)
             if content.faces and min(map(len, content.faces)) < 3:
                 raise ValueError(f"a face with {min(map(len, content.faces))} corners")
             mesh = MeshFile(triangles=split_polygons(content.vertices, content.faces))
@@ -71,6 +77,7 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
             from manipplan.robots.meshes.gltf import read_gltf
 
             mesh = MeshFile(triangles=read_gltf(file), up="y")
+        check_count(len(mesh.triangles))
     except (FileFormatError, MissingExtraError):
         raise
     except (ValueError, OSError, OverflowError, MemoryError) as error:
@@ -79,6 +86,12 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
     if not len(mesh.triangles):
         raise FileFormatError(argument, str(file), "a mesh with at least one triangle")
     return mesh
+
+
+def check_count(triangles: int) -> None:
+    """Raise ValueError for more triangles, or polygons, than are read, before they are made."""
+    if triangles > MOST_TRIANGLES:
+        raise ValueError(f"it has {triangles:,} triangles, of at most {MOST_TRIANGLES:,}")
 
 
 def numbers(text: str, kind: type = float) -> NDArray[Any]:
@@ -125,12 +138,15 @@ def _stl(data: bytes) -> Array:
     """Triangles of an STL file, binary or text; the length tells which of the two it is."""
     count = int.from_bytes(data[80:HEADER], "little") if len(data) >= HEADER else -1
     if len(data) == HEADER + FACET.itemsize * count:
+        check_count(count)
+    if len(data) == HEADER + FACET.itemsize * count:
         return np.asarray(np.frombuffer(data, FACET, count, HEADER)["corners"], dtype=float)
     if not re.match(rb"\s*solid", data, re.IGNORECASE):
         held = max(len(data) - HEADER, 0) / FACET.itemsize
         raise ValueError(f"its header announces {max(count, 0)} facets, but it holds {held:g}")
     if len(re.findall(rb"(?i)^\s*endsolid", data, re.MULTILINE)) != len(re.findall(rb"(?i)^\s*solid", data, re.MULTILINE)):
         raise ValueError("it is cut off: a solid without endsolid")
+    check_count(len(re.findall(rb"(?i)\bfacet\s+normal", data)))
     words = re.sub(rb"(?i)^\s*(end)?solid.*$", b"", data, flags=re.MULTILINE).lower().split()
     pattern = b"facet normal . . . outer loop vertex . . . vertex . . . vertex . . . endloop endfacet".split()
     if len(words) % len(pattern):
@@ -146,6 +162,7 @@ def _stl(data: bytes) -> Array:
 
 def _obj(text: str) -> Array:
     """Triangles of all objects of an OBJ file; lines and points are left out."""
+    check_count(text.count("\nf "))
     coordinates: list[str] = []
     polygons: list[list[int]] = []
     for line in text.replace("\\\r\n", " ").replace("\\\n", " ").splitlines():

@@ -1,20 +1,23 @@
 """glTF files, text and binary, read by trimesh after a look at what they need."""
 
-import json
 import struct
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from manipplan.robots.meshes.files import check_count
 from manipplan.robots.meshes.polygons import moved_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
+from manipplan.support.json_data import parsed
 
 #: Extensions that say nothing about the shape.
 HARMLESS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "EXT_lights")
 #: Modes of a primitive: points and lines have no triangles; 4, the default, are triangles, 5 are strips of them.
 LINES, TRIANGLES = (0, 1, 2, 3), (4, 5)
+#: Component type of floats.
+FLOAT = 5126
 
 
 def read_gltf(file: Path) -> Array:
@@ -65,7 +68,7 @@ def _document(data: bytes) -> Any:
             raise ValueError("it is cut off, or not version 2")
         data = data[20 : 20 + size]
     try:
-        return json.loads(data)
+        return parsed(data)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"its JSON cannot be read ({error})") from error
 
@@ -83,7 +86,7 @@ def _announced(document: Any) -> int:
         raise ValueError("it has sparse accessors, which are not read")
     if document.get("skins"):
         raise ValueError("it has skins, which are not read")
-    count = 0
+    count, corners = 0, 0
     for mesh in _listed(document, "meshes"):
         if not isinstance(mesh, dict):
             raise ValueError("one of its meshes is not an object")
@@ -94,7 +97,37 @@ def _announced(document: Any) -> int:
             if mode not in (*LINES, *TRIANGLES):
                 raise ValueError(f"it has primitives of mode {mode!r}; triangles (4) and strips (5) are read")
             count += mode in TRIANGLES
+            if mode in TRIANGLES:
+                corners += _corners(document, primitive)
+    check_count(corners // 3)
     return count
+
+
+def _corners(document: dict[str, Any], primitive: Any) -> int:
+    """The number of corners of a primitive's triangles; raises ValueError for positions that are not floats, or not there."""
+    attributes = primitive.get("attributes") if isinstance(primitive, dict) else None
+    if not isinstance(attributes, dict) or "POSITION" not in attributes:
+        raise ValueError("it has a primitive without POSITION")
+    positions = _accessor(document, attributes["POSITION"])
+    if positions.get("componentType") != FLOAT or positions.get("type") != "VEC3":
+        raise ValueError(f"it has positions of the component type {positions.get('componentType')!r}: only floats are read")
+    indices = _accessor(document, primitive["indices"]) if "indices" in primitive else positions
+    return max(int(positions["count"]), int(indices["count"]))
+
+
+def _accessor(document: dict[str, Any], index: Any) -> dict[str, Any]:
+    """An accessor by its number; raises ValueError for one without numbers in the file."""
+    accessors, views = _listed(document, "accessors"), _listed(document, "bufferViews")
+    if type(index) is not int or not 0 <= index < len(accessors) or not isinstance(accessors[index], dict):
+        raise ValueError(f"it has no accessor {index!r}")
+    accessor: dict[str, Any] = accessors[index]
+    view, count = accessor.get("bufferView"), accessor.get("count")
+    if type(view) is not int or not 0 <= view < len(views) or not isinstance(views[view], dict):
+        raise ValueError(f"its accessor {index} has no bufferView")
+    length = views[view].get("byteLength")
+    if type(count) is not int or type(length) is not int or not 0 <= count <= length:
+        raise ValueError(f"its accessor {index} has {count!r} elements in {length!r} bytes")
+    return accessor
 
 
 def _listed(holder: dict[str, Any], name: str) -> list[Any]:

@@ -50,8 +50,8 @@ class Ply:
     faces: Rows
 
 
-def read_ply(file: Path) -> Ply:
-    """The vertices and faces of a PLY file. Raises ValueError with the fault."""
+def read_ply(file: Path, *, rows: int, faces: int) -> Ply:
+    """The vertices and faces of a PLY file with at most `rows` of an element, and `faces`; raises ValueError with the fault."""
     data = file.read_bytes()
     head, mark, body = data.partition(b"end_header")
     if not mark:
@@ -60,6 +60,10 @@ def read_ply(file: Path) -> Ply:
         form, elements = _header(head.decode("ascii"))
         if len({each.name for each in elements}) < len(elements):
             raise ValueError("two elements of the same name")
+        for each in elements:
+            most = faces if each.name == "face" else rows
+            if each.count > most:
+                raise ValueError(f"{each.count:,} rows of {each.name}, of at most {most:,}")
         body = body[body.index(b"\n") + 1 :]
         reader = _Text(body) if form == "ascii" else _Binary(body, FORMATS[form])
         values: dict[str, Mapping[str, Array | Rows]] = {}
@@ -74,16 +78,16 @@ def read_ply(file: Path) -> Ply:
     if len({len(column) for column in columns}) > 1 or any(column.ndim != 1 for column in columns):
         raise ValueError("its vertices lack x, y or z")
     vertices = np.stack(columns, axis=1)
-    faces: Rows = []
+    corners: Rows = []
     if any(each.name == "face" and each.count for each in elements) and not any(key in values["face"] for key in CORNERS):
         raise ValueError(f"a face without one list called {' or '.join(CORNERS)}")
     if any(each.name == "tristrips" and each.count for each in elements):
         raise ValueError("it has triangle strips (tristrips), which are not read")
     for key in CORNERS:
-        rows = list(values.get("face", {}).get(key, ()))
-        _check_corners(rows, len(vertices))
-        faces += rows
-    return Ply(vertices=vertices, faces=faces)
+        found = list(values.get("face", {}).get(key, ()))
+        _check_corners(found, len(vertices))
+        corners += found
+    return Ply(vertices=vertices, faces=corners)
 
 
 def _check_corners(rows: Rows, corners: int) -> None:

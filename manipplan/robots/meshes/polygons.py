@@ -10,6 +10,10 @@ from manipplan.support.checks import Array
 
 #: Maximum number of corners that are tried in all searches for a next ear; a polygon that crosses itself may have none.
 MOST_SEARCHES = 20_000
+#: Maximum number of corners of a polygon: the time grows with its square.
+MOST_CORNERS = 10_000
+#: Maximum number of corners of all concave polygons of one size: each takes some 25 µs.
+MOST_CONCAVE = 100_000
 
 
 def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[Any]]) -> Array:
@@ -18,6 +22,8 @@ def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[A
     Polygons with fewer than three corners are lines or points and have no triangles.
     """
     sizes = np.array([len(each) for each in polygons], dtype=np.int64)
+    if sizes.max(initial=0) > MOST_CORNERS:
+        raise ValueError(f"a face with {sizes.max():,} corners, of at most {MOST_CORNERS:,}")
     found = []
     for size in np.unique(sizes[sizes >= 3]):
         corners = vertices[np.array([polygons[k] for k in np.flatnonzero(sizes == size).tolist()], dtype=np.int64)]
@@ -44,6 +50,8 @@ def _triangles(corners: Array) -> Array:
     normal = np.cross(corners, np.roll(corners, -1, axis=1)).sum(axis=1)
     turns = np.einsum("kci,ki->kc", np.cross(np.roll(along, 1, axis=1), along), normal)
     convex = (turns >= -1e-9 * np.abs(turns).max(axis=1, keepdims=True)).all(axis=1)
+    if (~convex).sum() * corners.shape[1] > MOST_CONCAVE:
+        raise ValueError(f"concave faces with more than {MOST_CONCAVE:,} corners in all")
     once = np.arange(1, corners.shape[1] - 1)
     fans = [corners[convex][:, [0, k, k + 1]] for k in once]
     ears = [_ears(polygon, n) for polygon, n in zip(corners[~convex], normal[~convex], strict=True)]

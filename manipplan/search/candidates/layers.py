@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -134,6 +134,7 @@ class Layers:
 
     def inside(self, limits: JointLimits) -> Self:
         """The same without the candidates nearer to a position limit than INSIDE_LIMITS, except at positions where all are."""
+        instance("limits", limits, JointLimits)
         lower, upper = limits.lower + INSIDE_LIMITS, limits.upper - INSIDE_LIMITS
         kept = [((lower <= q) & (q <= upper)).all(axis=1) for q in self.q]
         kept = [each if each.any() else np.ones_like(each) for each in kept]

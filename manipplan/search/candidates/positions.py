@@ -11,6 +11,8 @@ from manipplan.support.errors import InvalidInputError
 #: Default of the largest distance of the tool between two positions [m], weight of an angle in it [m/rad], and minimum number
 #: of positions.
 STRIDE, RADIAN, FEWEST = 0.03, 0.1, 40
+#: Maximum number of positions.
+MOST_POSITIONS = 100_000
 #: Angle of a corner between the ways from and to the poses beside it [rad]. A position is at every corner.
 CORNER = np.deg2rad(30.0)
 #: Number of places at which the tool's way is measured.
@@ -48,7 +50,7 @@ def count_positions(value: int | ArrayLike) -> int:
     """Number of positions where `value` is that, or gives their s; raises InvalidInputError."""
     if isinstance(value, list | tuple | np.ndarray):
         return len(finite_array("positions", value, (None,)))
-    return whole_number("positions", value, least=2)
+    return whole_number("positions", value, least=2, most=MOST_POSITIONS)
 
 
 def check_positions(value: int | ArrayLike, *, closed: bool) -> Array:

@@ -15,13 +15,14 @@ from numpy.typing import ArrayLike
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.near_pairs import apart_text
 from manipplan.collision.scene import Scene
+from manipplan.ik.nearest import millimetres_hint
 from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
-from manipplan.support.checks import Array, finite_array, instance, number
+from manipplan.support.checks import Array, finite_array, flag, instance, number
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
@@ -132,7 +133,7 @@ def sample_layers(
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
     for name, value in (("closed", closed), ("collisions", collisions)):
-        instance(name, value, bool)
+        flag(name, value)
     if closed and not path.closes:
         raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
     spec = SamplingSpec(
@@ -227,7 +228,8 @@ def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, value
     if nearest.position < REACHES[0] and nearest.rotation < REACHES[1]:
         wanted = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
         return InvalidInputError(position, pose.tolist(), wanted)
-    wanted = f"a pose within reach and joint limits; the arm stays {nearest}"
+    hint = millimetres_hint(pose, nearest.position, lambda each: sampler.nearest(each).position)
+    wanted = f"a pose within reach and joint limits; the arm stays {nearest}{hint}"
     return OutOfReachError(position, pose.tolist(), wanted, nearest)
 
 

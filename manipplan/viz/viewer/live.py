@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number, pose_matrix
+from manipplan.support.checks import Array, flag, instance, number, pose_matrix
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
@@ -68,7 +68,7 @@ def follow_target(
     """
     require_extra()
     instance("robot", robot, Robot)
-    instance("open_browser", open_browser, bool)
+    flag("open_browser", open_browser)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     q = robot.configuration("start", robot.neutral if start is None else start)
     avoidance = Avoidance(scene=scene) if scene.obstacles else None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.support.checks import instance, number
+from manipplan.support.checks import flag, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
 from manipplan.viz.viewer.chart import Chart, Curve
@@ -41,7 +41,7 @@ def show(plan: "Plan | Program", *, port: int = PORT, host: str = HOST, open_bro
         PlanningError: the plan has no trajectory.
     """
     require_extra()
-    instance("open_browser", open_browser, bool)
+    flag("open_browser", open_browser)
     viewer = PlanViewer(Motion.of(plan), port=port, host=host)
     if open_browser:
         viewer.open()
