@@ -79,10 +79,9 @@ class BodyMotion:
     """Bounds on the motion of the bodies of a collision model."""
 
     def __init__(self, model: CollisionModel) -> None:
-        tree, objects = model.robot.tree, model.geometry.geometryObjects
+        tree, objects = model.robot.tree, model.objects
         carrier = np.array([item.parentJoint for item in objects])
-        pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
-        carriers = carrier[pairs]
+        pairs, carriers = model.pairs, carrier[model.pairs]
         #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
         #: (p,) the body of each pair whose joint has the higher number, and the joint of the other body

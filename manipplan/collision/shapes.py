@@ -256,7 +256,7 @@ class Mesh(Obstacle):
     def _build(self, argument: str, triangles: Array) -> tuple[Part, ...]:
         placed = meshes.placed_triangles(argument, triangles, self.scale, self.up)
         found = (meshes.hull_parts if self.fill == "hull" else meshes.mesh_parts)(argument, placed)
-        return tuple(Part(shape=shape, closed=closed) for shape, closed in found)
+        return tuple(Part(shape=part.shape(), closed=part.closed) for part in found)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

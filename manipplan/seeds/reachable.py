@@ -193,13 +193,12 @@ def _axes(task: SeedTask, joints: Indices) -> Array:
 
 def _balls(task: SeedTask) -> Iterator[_Centres]:
     """The largest ball on each joint, those nearest to the tool first."""
-    model, objects = task.model, list(task.model.geometry.geometryObjects)
+    model, objects = task.model, task.model.objects
     still = [k for k, item in enumerate(objects) if item.parentJoint == 0]
     size = sum(item.geometry.num_tris for k, item in enumerate(objects) if k in still and _is_surface(item))
     if not still or size > MOST_TRIANGLES:
         return
-    known = {(pair.first, pair.second) for pair in model.geometry.collisionPairs}
-    known |= {(second, first) for first, second in known}
+    known = {pair for first, second in model.pairs.tolist() for pair in ((first, second), (second, first))}
     kernel = _point_kernel(model, still)
     if kernel is None:
         return
@@ -263,19 +262,16 @@ def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
 
 def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel | None:
     """Distances of a point, placed by three sliding joints, to the bodies `still`, one pair each."""
-    sliding, geometry, objects = pin.Model(), pin.GeometryModel(), model.geometry.geometryObjects
-    joint = 0
+    sliding, joint = pin.Model(), 0
     for name, kind in (("x", pin.JointModelPX), ("y", pin.JointModelPY), ("z", pin.JointModelPZ)):
         joint = sliding.addJoint(joint, kind(), pin.SE3.Identity(), name)
-    geometry.addGeometryObject(pin.GeometryObject("point", joint, 0, pin.SE3.Identity(), coal.Sphere(POINT)))
-    radii = np.zeros(1 + len(still))
-    for number, k in enumerate(still, start=1):
-        geometry.addGeometryObject(pin.GeometryObject(str(number), 0, 0, objects[k].placement, objects[k].geometry))
-        radii[number] = model.radii.get(k, 0.0)
-        geometry.addCollisionPair(pin.CollisionPair(0, number))
+    ball = pin.GeometryObject("point", joint, 0, pin.SE3.Identity(), coal.Sphere(POINT))
+    objects = [ball, *(model.objects[k] for k in still)]
+    radii = np.array([0.0, *(model.radii.get(k, 0.0) for k in still)])
+    pairs = np.array([(0, number) for number in range(1, len(objects))])
     endless = np.full(3, np.inf)
     limits = JointLimits(
         lower=-endless, upper=endless, velocity=endless, acceleration=endless, jerk=endless, effort=endless, sources={}
     )
-    point = Robot(name="point", model=sliding, geometry=geometry, tool="", limits=limits, neutral=np.zeros(3))
-    return find_kernel(point, geometry, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])
+    point = Robot(name="point", model=sliding, geometry=pin.GeometryModel(), tool="", limits=limits, neutral=np.zeros(3))
+    return find_kernel(point, objects, pairs, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])

@@ -14,6 +14,7 @@ import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import against_01
+import against_revision
 import check_trajectories
 import closed_meshes
 import cold_start
@@ -21,6 +22,7 @@ import control_step
 import demo_timing
 import energy_programs
 import energy_solvers
+import first_models
 import first_paths
 import first_plans
 import killed_saves
@@ -157,6 +159,28 @@ def test_figures_beside_an_older_version_count_g_and_time():
     assert cells[4] == "3 of 4 (75 %)"
     assert cells[5] == "1.0683, 1.200"
     assert cells[6] == "1, 0"
+
+
+def test_figures_beside_an_older_revision_are_of_problems_with_the_same_status():
+    def row(name, old, new, status="OPTIMAL"):
+        return {"name": name, "old": {"status": "OPTIMAL", "cpu": old}, "new": {"status": status, "cpu": new}}
+
+    rows = [row("a", 0.1, 0.1), row("b", 0.2, 0.3), row("c", 0.4, 0.2), row("d", 1.0, 9.0, "NO_PATH")]
+    assert against_revision.cells(rows) == ["4", "3", "200 ms", "200 ms", "1.000", "1.000", "1.50 (b)"]
+    assert against_revision.cells(rows[3:])[:2] == ["1", "0"]
+
+
+@pytest.mark.slow
+def test_each_set_beside_an_older_revision_has_problems_that_are_solved():
+    rows = [against_revision.planner_rows("ur5", 1)[0], against_revision.path_rows(0)[1], against_revision.program_rows(1)[0]]
+    assert [against_revision.answer(row)["status"] for row in rows] == ["OPTIMAL", "FOLLOWED", "SOLVED"]
+
+
+@pytest.mark.slow
+def test_a_later_process_finds_the_collision_model(tmp_path):
+    [found] = first_models.main(["--robots", "ur5", "--runs", "1", "--out", str(tmp_path / "table.md")])
+    assert found.first[1] > 5 * found.usual[1] > 0
+    assert "| ur5 | " in (tmp_path / "table.md").read_text()
 
 
 @pytest.fixture(scope="module")

@@ -252,8 +252,7 @@ def _far_away(step: ProgramStep, stop: Stop) -> list[str]:
     """A warning where a part is taken up far from the hand, or let go far from every body that could hold it."""
     robot, scene = stop.state.robot, stop.state.scene
     model = scene.collision_model(robot)
-    bodies = model.geometry.geometryObjects
-    pairs = [(bodies[each.first], bodies[each.second]) for each in model.geometry.collisionPairs]
+    pairs = [(model.objects[i], model.objects[j]) for i, j in model.pairs.tolist()]
     if isinstance(step, Detach):
         name, what, most, where = step.name, "let go in the air", IN_THE_AIR, "the nearest body"
         own = set(robot.carried[name].bodies)
