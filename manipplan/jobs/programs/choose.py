@@ -205,9 +205,10 @@ class ProgramSearch:
         return self._free[key]
 
     def _lines(self, one: list[Node], other: list[Node]) -> tuple[Array, Array]:
-        """A bound on m between each of `one` and of `other` (a, b), 0 across singularities, and g of the straight lines.
+        """A bound on m between each of `one` and of `other` (a, b), and g of the straight lines.
 
-        The bound is -inf where the parts are elsewhere after the one than before the other.
+        Across singularities the bound is minus their number, so that the search takes few. It is -inf where the parts are
+        elsewhere after the one than before the other.
         """
         robot = self.state.robot
         integral = self.objective.integral(robot)
@@ -218,8 +219,13 @@ class ProgramSearch:
             fits = [j for j, key in enumerate(keys) if key == begin.after.key]
             if fits:
                 near = np.where(given[fits, None], ends[fits], nearest_turns(robot, ends[fits], begin.q))
+                for row, j in enumerate(fits):
+                    turned = other[j].turned
+                    if turned is not None:
+                        near[row] = turned[np.linalg.norm(turned - begin.q, axis=1).argmin()]
                 lines = straight_lines(begin.q, near, integral)
-                bounds[k, fits], lengths[k, fits] = lines.bound, lines.g
+                crossings = np.array([each or 0 for each in lines.crossings])
+                bounds[k, fits], lengths[k, fits] = np.where(crossings > 0, -crossings, lines.bound), lines.g
         return bounds, lengths
 
 
@@ -243,18 +249,20 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
 
 
 def _turned(course: Course, q: Array, state: State) -> Course:
-    """The course with its joints turned to the configurations nearest to q (n,), where the limits allow that everywhere."""
-    turn = nearest_turns(state.robot, course.entry[None], q)[0] - course.entry
-    if not np.abs(turn).max() > 0:
+    """The course with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
+    robot = state.robot
+    bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, Motion)])
+    low, high = (course.entry, course.entry) if not len(bounds) else (bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0))
+    turn = np.where(robot.turns, 2 * np.pi, np.inf)
+    least, most = np.ceil((robot.limits.lower - low) / turn), np.floor((robot.limits.upper - high) / turn)
+    turns = np.clip(np.round((q - course.entry) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
+    shift = np.where(turns == 0, 0.0, np.where(robot.turns, turn, 0.0) * turns)
+    if not shift.any():
         return course
     items = tuple(
-        replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + turn))
+        replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + shift))
         if isinstance(each, Motion)
-        else replace(each, q=each.q + turn)
+        else replace(each, q=each.q + shift)
         for each in course.items
     )
-    limits = state.robot.limits
-    for each in items:
-        if isinstance(each, Motion) and (limits.outside(np.array(each.path.bounds())) > 0).any():
-            return course
-    return Course(entry=course.entry + turn, items=items, exit=course.exit + turn, state=course.state, minimum=course.minimum)
+    return Course(entry=course.entry + shift, items=items, exit=course.exit + shift, state=course.state, minimum=course.minimum)
