@@ -104,22 +104,20 @@ class FirstConfigurations:
     def ranked(self, start: Array, integral: PathIntegral) -> Iterator[tuple[GoalCandidate, int]]:
         """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from others.
 
-        Those with the fewest crossings of singularities come first, then those with the largest bound; of bounds that differ
-        by less than GAIN those with the smallest g on the straight line. Continuous joints are turned to the nearest turn.
+        Those with the fewest crossings of singularities come first, then those on whose straight line and path the minimum is
+        largest; of minima that differ by less than GAIN those with the smallest g. Continuous joints are turned to the nearest
+        turn.
         """
         layers = self.finder.layers
         some = np.flatnonzero(self.minimum > -np.inf)
         q = layers.q[0][some]
         q = q + np.where(layers.continuous, 2 * np.pi * np.round((start - q) / (2 * np.pi)), 0.0)
-        near = np.lexsort((np.linalg.norm(q - start, axis=1), -self.minimum[some]))[:COMPARED]
+        near = np.lexsort((np.linalg.norm(q - start, axis=1), _steps(self.minimum[some])))[:COMPARED]
         some, q = some[near], q[near]
         lines = straight_lines(start, q, integral)
         crossings = np.array([each or 0 for each in lines.crossings])
         bound = np.minimum(lines.bound, self.minimum[some])
-        most = bound.max(initial=0.0)
-        with np.errstate(divide="ignore"):
-            step = np.floor(np.log(most / np.maximum(bound, 0.0)) / np.log1p(GAIN)) if most > 0 else np.zeros(len(q))
-        order = np.lexsort((lines.g, step, crossings))
+        order = np.lexsort((lines.g, _steps(np.minimum(bound, lines.m.min(axis=1))), crossings))
         while len(order):
             k = order[0]
             (row,) = measured(q[k : k + 1], [0], start, integral)
@@ -144,6 +142,15 @@ class FirstConfigurations:
         turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
         same = (np.abs(away - turns).max(axis=1) < SAME) & (self.minimum >= self.minimum[k] * (1 - SAME))
         return self.finder.layers.q[0][same]
+
+
+def _steps(minima: Array) -> Array:
+    """How many shares of GAIN each of some minima (k,) is below the largest, rounded down."""
+    most = minima.max(initial=0.0)
+    if most <= 0:
+        return np.zeros(len(minima))
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.floor(np.log(most / np.maximum(minima, 0.0)) / np.log1p(GAIN)))
 
 
 def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: int) -> Layers | None:

@@ -45,9 +45,9 @@ def choose_entry(
     """The entry with the largest minimum manipulability of lead-in and course together.
 
     What the start and the best path from a first configuration allow bounds this minimum; it is 0 in another aspect than the
-    start. The configuration in the aspect of the start with the largest bound is tried first, of nearly equal bounds the one
-    with the smallest g on the straight line. While bounds are above what was reached, the others follow in the order of the
-    minimum on their straight lines.
+    start. Configurations in the aspect of the start come first, those with the largest minimum on the straight line and the
+    path before others, the nearer one of two that are nearly equal; others follow while their bounds are above what was
+    reached.
 
     Args:
         finder: of courses through the layers.
@@ -66,9 +66,11 @@ def choose_entry(
     best: Entry | None = None
     failure, tried, planned, seconds = "", 0, 0, SECONDS
     while waiting and tried < TRIES and planned < MOTIONS and (seconds > 0 or best is None):
-        row, index = waiting[0] if planned == 0 else max(waiting, key=_promise)
-        if best is not None and row.bound <= best.minimum * (1 + GAIN):
-            break
+        if best is not None:
+            better = [each for each in waiting if each[0].bound > best.minimum * (1 + GAIN)]
+            if not better:
+                break
+        row, index = waiting[0] if best is None else better[0]
         waiting = [each for each in waiting if each[1] != index]
         found = configurations.motion(index)
         if not found.connected and index == first.indices[0]:
@@ -101,12 +103,6 @@ def choose_entry(
     same = any(not each.least_crossings for each in rows)
     told = [_told(each, same, best) if k < len(done) else _left(each, best) for k, each in enumerate(rows)]
     return EntryChoice(entry=best, candidates=tuple(told), failure="" if best is not None else failure)
-
-
-def _promise(candidate: tuple[GoalCandidate, int]) -> tuple[int, float, float]:
-    """What makes a first configuration the next one to be tried, once there is a motion to compare with."""
-    row, _ = candidate
-    return -(row.least_crossings or 0), min(row.bound, row.straight_min_manipulability), -row.straight_g
 
 
 def _told(row: GoalCandidate, same: bool, best: Entry | None) -> GoalCandidate:

@@ -118,7 +118,7 @@ def _between(one: Motion, other: Motion, blend: float, clearance: float, legs: M
     if blend == 0.0 or not is_corner(one.path, other.path):
         return None
     kept = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
-    return blend_of(one, other, blend, clearance, kept)
+    found = blend_of(one, other, blend, clearance, kept); return None if isinstance(found, str) else found
 
 
 def _part(
