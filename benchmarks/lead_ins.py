@@ -1,9 +1,9 @@
 """Lead-ins: how `mp.follow` with a start and a leading `mp.MoveAlong` enter a line of the tool, beside all ways to enter it.
 
 Run with `make benchmark`. Writes docs/benchmarks/lead_ins.md. Random lines are followed from random starts. Beside each motion
-stand all configurations of the first pose, one by one: the plan from the start to each, and the best motion along the line that
-begins there. Manipulability, signs of det J and joint travel are measured with Pinocchio on the finished motions at dense times.
-Times are CPU times.
+stand all configurations of the first pose, one by one: the plan from the start to each, and the best motion along the line
+that begins there. Manipulability, signs of det J and joint travel are measured with Pinocchio on the finished motions at dense
+times. Times are CPU times.
 """
 
 import argparse
@@ -62,9 +62,7 @@ class Judge:
 
     def jacobians(self, q: Array) -> Array:
         """Jacobians (k, 6, n) of the tool at q (k, n)."""
-        rows = [
-            pin.computeFrameJacobian(self.model, self.data, each, self.frame, pin.LOCAL_WORLD_ALIGNED).copy() for each in q
-        ]
+        rows = [pin.computeFrameJacobian(self.model, self.data, each, self.frame, pin.LOCAL_WORLD_ALIGNED).copy() for each in q]
         return np.array(rows)
 
     def minimum(self, motion: mp.Trajectory) -> float:
@@ -81,7 +79,7 @@ class Judge:
         return int(np.count_nonzero(np.diff(np.linalg.det(jacobians) >= 0)))
 
     def excess(self, motion: mp.Trajectory, begin: float) -> float:
-        """Largest travel of a joint up to a time beyond the way to the nearest turn with which the rest is inside the limits."""
+        """Largest travel of a joint up to a time beyond the way to the nearest turn that the limits allow the rest."""
         q = motion(np.linspace(0.0, begin, TIMES))
         rest = motion(np.linspace(begin, motion.duration, TIMES))
         excess = -np.inf
@@ -251,8 +249,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     table = [
-        f"| arm | call | motions | found | minimum m at least {ENOUGH:g} of the best | smallest ratio | no way without a crossing "
-        "| needless crossings | joint beyond its nearest turn: largest [rad] | by more than half a turn | time: median | largest |",
+        f"| arm | call | motions | found | minimum m at least {ENOUGH:g} of the best | smallest ratio "
+        "| no way without a crossing | needless crossings | joint beyond its nearest turn: largest [rad] "
+        "| by more than half a turn | time: median | largest |",
         "|---" * 12 + "|",
     ]
     for name in options.arms:

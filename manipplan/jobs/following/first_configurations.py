@@ -102,7 +102,8 @@ class FirstConfigurations:
         return replace(found, indices=np.concatenate([kept, rest]))
 
     def ranked(self, start: Array, integral: PathIntegral) -> Iterator[tuple[GoalCandidate, int]]:
-        """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from others.
+        """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from those
+        before.
 
         Those with the fewest crossings of singularities come first, then those on whose straight line and path the minimum is
         largest; of minima that differ by less than GAIN those with the smallest g. Continuous joints are turned to the nearest
@@ -124,7 +125,6 @@ class FirstConfigurations:
             yield replace(row, bound=float(bound[k])), int(some[k])
             order = order[np.abs(q[order] - q[k]).max(axis=1) > APART]
 
-
     def different(self, robot: Robot, most: int) -> list[int]:
         """The indices of the best configurations, each farther than APART from others but for full turns."""
         q, turn = self.finder.layers.q[0], np.where(robot.turns, 2 * np.pi, np.inf)
@@ -141,7 +141,7 @@ class FirstConfigurations:
         away = self.finder.layers.q[0] - self.finder.layers.q[0][k]
         turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
         same = (np.abs(away - turns).max(axis=1) < SAME) & (self.minimum >= self.minimum[k] * (1 - SAME))
-        return self.finder.layers.q[0][same]
+        return np.asarray(self.finder.layers.q[0][same])
 
 
 def _steps(minima: Array) -> Array:

@@ -38,12 +38,28 @@ DAMPING = 1e-4
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Blend:
-    """A rounded corner: the s at which it leaves the motion before and joins that after, its path, and its size [m]."""
+    """A rounded corner.
+
+    Attributes:
+        leaves, joins: the s at which it leaves the motion before and joins that after.
+        path: the curve between.
+        radius: the tool stays within it from the corner [m].
+        note: why it is smaller than asked for; "" if it is not.
+        tools, hulls: how the arm moves each tool, and the convex hull of the pieces of its way that the blend replaces.
+    """
 
     leaves: float
     joins: float
     path: JointPath
-    size: float
+    radius: float
+    note: str
+    tools: Sequence["ToolWay"]
+    hulls: Sequence[Hull]
+
+    def beyond(self, q: Array) -> float:
+        """Largest distance of a tool from its hull at configurations (k, n) [m]."""
+        off = [hull.beyond(tool.places(q)) for hull, tool in zip(self.hulls, self.tools, strict=True)]
+        return float(np.linalg.norm(off, axis=2).max())
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -72,19 +88,20 @@ class ToolWay:
 def blend_of(
     before: Motion,
     after: Motion,
-    distance: float,
+    asked: float,
     clearance: float,
     constraints: tuple[ConstraintSet, ...],
     *,
     alone: tuple[bool, bool] = (False, False),
 ) -> Blend | str:
-    """The widest blend of two motions whose tool stays within a distance [m] of their corner and that is proven free.
+    """The widest blend of two motions whose tool stays within the radius asked for [m] of their corner and that is proven free.
 
     `alone`: whether it is the only blend of the motion before, and of that after. A text tells why there is none: then the arm
     stops at the corner.
     """
     if _turn(before.path, after.path) < BACK:
         return "the second motion goes straight back"
+    distance = asked
     for motion, only in zip((before, after), alone, strict=True):
         if motion.workspace_path is not None and motion.workspace_path.length > 0:
             distance = min(distance, OF_PATH * (1.0 if only else 0.5) * motion.workspace_path.length)
@@ -97,7 +114,7 @@ def blend_of(
         places = [each.places(q) for each in tools]
         return np.asarray(np.max([np.linalg.norm(each[1:] - each[0], axis=1) for each in places], axis=0))
 
-    refused = ""
+    refused = "half of each path along which the tool moves is left" if distance < asked else ""
     for _ in range(HALVINGS + 1):
         leaves = 1 - _reach(lambda s: away(before.path, 1 - s), distance)
         joins = _reach(lambda s: away(after.path, s), distance)
@@ -111,8 +128,8 @@ def blend_of(
         else:
             reason = _forbidden(path, before, clearance, constraints)
         if path is not None and not reason:
-            return Blend(leaves=leaves, joins=joins, path=path, size=distance)
-        refused = refused or reason
+            return Blend(leaves=leaves, joins=joins, path=path, radius=distance, note=refused, tools=tools, hulls=hulls)
+        refused = reason
         distance /= 2
     return refused
 
