@@ -9,6 +9,7 @@ import numpy as np
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
+from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
 from manipplan.jobs.programs.courses import Motion, Stop
@@ -182,10 +183,11 @@ def _part(
     trajectory = timed.trajectory
     integral = objective.integral(robot)
     sharp, _ = with_blends(group, [None] * len(blends))
+    cost = integral.cost(path)
     result = make_result(
         path,
         integral,
-        cost=integral.cost(path),
+        cost=cost,
         seed=sharp if any(blends) else path,
         seed_cost=integral.cost(sharp),
         model=model,
@@ -204,7 +206,8 @@ def _part(
         *_off_hulls(group, blends, own, trajectory, path),
         *_missed(group, blends, goals, legs, trajectory),
     )
-    status = Status.CHECK_FAILED if faults else Status.COMPOSED
+    status = Status.SINGULAR if is_singular(path, integral, cost) else Status.COMPOSED
+    status = Status.CHECK_FAILED if faults else status
     report = replace(report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept))
     part = Plan(
         robot=robot,
