@@ -231,11 +231,12 @@ def _row(name: str, job: str, made: list[tuple[Entry | str, float, bool]]) -> st
         if isinstance(entry, str):
             print(f"{name}, {job}: {entry}")
     ratios = np.array([entry.minimum / best for entry, best, free in entries if best > 0 and free])
+    shares = [f"{100 * (ratios >= ENOUGH).mean():.1f} %", f"{ratios.min():.3f}"] if len(ratios) else ["", ""]
     needless = sum(entry.crossings > 0 and free for entry, _, free in entries)
     must = sum(not free for _, _, free in entries)
     excess = np.array([entry.excess for entry, _, _ in entries])
     times = np.array([entry.seconds for entry, _, _ in entries])
-    cells = [name, job, len(made), len(entries), f"{100 * (ratios >= ENOUGH).mean():.1f} %", f"{ratios.min():.3f}"]
+    cells = [name, job, len(made), len(entries), *shares]
     cells += [must, needless, f"{np.maximum(excess, 0.0).max():.2f}", int((excess > HALF_TURN).sum())]
     cells += [f"{np.median(times):.1f} s", f"{times.max():.1f} s"]
     return "| " + " | ".join(map(str, cells)) + " |"
