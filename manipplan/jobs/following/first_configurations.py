@@ -27,6 +27,10 @@ GAIN = 0.01
 SAME = 1e-6
 #: Maximum number of first configurations to which motions are compared.
 COMPARED = 20_000
+#: Distance of a joint from which configurations are different postures [rad or m].
+POSTURE = 1.5
+#: Odd numbers by which the joints of configurations are made one number, the same for equal configurations.
+KEYS = np.random.default_rng(0).integers(-(2**62), 2**62, size=64) | 1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -113,7 +117,7 @@ class FirstConfigurations:
         some = np.flatnonzero(self.minimum > -np.inf)
         q = layers.q[0][some]
         q = q + np.where(layers.continuous, 2 * np.pi * np.round((start - q) / (2 * np.pi)), 0.0)
-        near = np.lexsort((np.linalg.norm(q - start, axis=1), _steps(self.minimum[some])))[:COMPARED]
+        near = _compared(q, start, _steps(self.minimum[some]), integral.kinematics.robot.turns)
         some, q = some[near], q[near]
         lines = straight_lines(start, q, integral)
         crossings = np.array([each or 0 for each in lines.crossings])
@@ -126,14 +130,21 @@ class FirstConfigurations:
             order = order[np.abs(q[order] - q[k]).max(axis=1) > APART]
 
     def different(self, robot: Robot, most: int) -> list[int]:
-        """The indices of the best configurations, each farther than APART from others but for full turns."""
-        q, turn = self.finder.layers.q[0], np.where(robot.turns, 2 * np.pi, np.inf)
-        order = np.argsort(-self.minimum, kind="stable")[: int((self.minimum > -np.inf).sum())]
+        """The indices of the best configurations, each farther than APART from others but for full turns.
+
+        Of each posture of the arm there is one first, so that those of the best do not displace all others.
+        """
+        q, some = self.finder.layers.q[0], np.flatnonzero(self.minimum > -np.inf)
+        every = some[_first_of_alike(q[some], robot.turns, -self.minimum[some])]
+        every = every[np.argsort(-self.minimum[every], kind="stable")]
         found: list[int] = []
-        while len(order) and len(found) < most:
-            found.append(int(order[0]))
-            away = q[order] - q[order[0]]
-            order = order[np.abs(away - np.where(robot.turns, turn, 0.0) * np.round(away / turn)).max(axis=1) > APART]
+        for apart in (POSTURE, APART):
+            order = every
+            for k in found:
+                order = order[_distance(q[order], q[k], robot.turns) > apart]
+            while len(order) and len(found) < most:
+                found.append(int(order[0]))
+                order = order[_distance(q[order], q[order[0]], robot.turns) > apart]
         return found
 
     def turned(self, robot: Robot, k: int) -> Array:
@@ -142,6 +153,32 @@ class FirstConfigurations:
         turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
         same = (np.abs(away - turns).max(axis=1) < SAME) & (self.minimum >= self.minimum[k] * (1 - SAME))
         return np.asarray(self.finder.layers.q[0][same])
+
+
+def _compared(q: Array, start: Array, steps: Array, turns: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """Which of configurations (k, n) are compared: of those alike but for full turns the best, and of these the nearest.
+
+    Each is better the fewer `steps` (k,) its minimum is below the largest one, of equal steps the nearer to the start (n,).
+    """
+    distance = np.linalg.norm(q - start, axis=1)
+    first = _first_of_alike(q, turns, steps, distance)
+    if len(first) <= COMPARED:
+        return first
+    best, near = np.lexsort((distance[first], steps[first])), np.argsort(distance[first], kind="stable")
+    return first[np.union1d(best[: COMPARED // 2], near[: COMPARED // 2])]
+
+
+def _first_of_alike(q: Array, turns: NDArray[np.bool_], *figures: Array) -> NDArray[np.int64]:
+    """Of configurations (k, n) that are alike but for full turns the first by figures (k,), those that come first most."""
+    alike = np.round(np.where(turns, q % (2 * np.pi), q) / SAME).astype(np.int64) @ KEYS[: q.shape[1]]
+    order = np.lexsort((*figures[::-1], alike))
+    return order[np.append(True, np.diff(alike[order]) != 0)] if len(order) else order
+
+
+def _distance(q: Array, other: Array, turns: NDArray[np.bool_]) -> Array:
+    """The largest distance (k,) of a joint of configurations (k, n) from another (n,), but for full turns."""
+    away = q - other
+    return np.asarray(np.abs(away - np.where(turns, 2 * np.pi * np.round(away / (2 * np.pi)), 0.0)).max(axis=1))
 
 
 def _steps(minima: Array) -> Array:
