@@ -122,8 +122,9 @@ class ProgramSearch:
         """The nodes of a program, and the largest bound of all.
 
         Without `reached`, the minimum of the best program so far, it is the one that is likely to have the largest minimum, as
-        its motions have on straight lines; of those that tie, the one with the smallest g. Otherwise it is one that could be better, with a bound in the upper half between both minima: of
-        those the one with the fewest motions that are not planned yet.
+        its motions have on straight lines; of those that tie, the one with the smallest g. Otherwise it is one that could be
+        better, with a bound in the upper half between both minima: of those the one with the fewest motions that are not
+        planned yet.
         """
         bound = self._largest(self._between)
         if bound == -np.inf:
