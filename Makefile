@@ -81,6 +81,9 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/cold_start.py
+	$(BIN)/python benchmarks/first_plans.py
+	$(BIN)/python benchmarks/threads.py
+	$(BIN)/python benchmarks/killed_saves.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py

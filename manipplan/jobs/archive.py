@@ -35,6 +35,7 @@ from manipplan.support.checks import existing_file
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready, stored_array
+from manipplan.support.saving import finish
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -48,11 +49,14 @@ FORMAT, VERSION = "manipplan-plan", 1
 NAME = "plan.json"
 
 
-def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None) -> None:
-    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read."""
+def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, home: Path | None = None) -> None:
+    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read.
+
+    `home` is the folder that the file will be in; None: the one that it is written to.
+    """
     import manipplan
 
-    folder = file.expanduser().resolve().parent
+    folder = (home if home is not None else file.parent).expanduser().resolve()
     data = {
         "format": FORMAT,
         "version": VERSION,
@@ -219,6 +223,7 @@ def _maybe(data: Any, build: Callable[[Any], Any]) -> Any:
 def _plan_file(file: str | Path) -> Path:
     """The plan's file, given by its own path or by its folder."""
     if isinstance(file, str | Path) and Path(file).expanduser().is_dir():
+        finish(Path(file).expanduser())
         inside = Path(file).expanduser() / NAME
         if not inside.is_file():
             raise FileFormatError("file", str(file), f"a folder written by Plan.save, with {NAME} in it")

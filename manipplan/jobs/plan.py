@@ -115,7 +115,8 @@ def plan(
     A planner finds a first path, and the path optimiser searches for a local optimum of g near it (see `optimize_path`). If no
     path of this `shape` is collision-free with a lower g than the first path, a polynomial of three more degrees is tried, then
     a cubic B-spline of eight pieces, which starts from the fit to the first path. If that fails too, the first path itself is
-    timed, and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY.
+    timed, and the status says so. A path that is checked but not at its optimum is timed with Status.STOPPED_EARLY;
+    where the time limit was the cause, the status says so: OUT_OF_TIME, or SEED_OUT_OF_TIME for the first path.
 
     A pose is reached by many configurations, and a list holds several goals. All solutions of inverse kinematics inside the
     limits are candidates: at samples of the redundancy parameters, of the angle about a free axis and of the inside of a
@@ -126,8 +127,9 @@ def plan(
     1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
     if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
 
-    The call takes at most `Seeding.time_limit` for each first path, 10 s by default, but for what is built once per machine,
-    robot or scene. The candidates share it. What was found by then is timed.
+    The call takes at most `Seeding.time_limit` for each first path, 10 s by default. What is built once per machine, process,
+    robot or scene, such as code and collision models, does not count. The candidates share the time. What was found by then is
+    timed.
 
     Args:
         robot: the arm.
@@ -211,7 +213,10 @@ def plan(
     for other in _other_shapes(shape):
         descended = result.certificate is not None and np.isfinite(result.certificate.projected_gradient)
         crosses = not np.isfinite(result.g)  # another degree crosses the same singularity
-        if (descended and result.status.ok) or crosses or deadline.passed:
+        if (descended and result.status.ok) or crosses:
+            break
+        if deadline.passed:
+            result = result if result.status.ok else _out_of_time(result)
             break
         tell(0.6, f"{other.basis} of degree {other.degree}")
         more = optimize_from(
@@ -245,6 +250,13 @@ def plan(
         made = check_failed(made, throw, missed)
     tell(1.0, "done")
     return made
+
+
+def _out_of_time(result: PathResult) -> PathResult:
+    """The first path as result, where the time limit left no time for another shape."""
+    status = Status.SEED_OUT_OF_TIME
+    certificate = None if result.certificate is None else replace(result.certificate, status=status)
+    return replace(result, status=status, certificate=certificate)
 
 
 def _other_shapes(shape: PathShape) -> tuple[PathShape, ...]:

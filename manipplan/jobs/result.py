@@ -24,7 +24,8 @@ from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array
 from manipplan.support.display import Pictured, short
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.files import writable_folder, write_text
+from manipplan.support.files import write_text
+from manipplan.support.saving import replacing
 from manipplan.support.status import Status
 
 if TYPE_CHECKING:
@@ -109,7 +110,8 @@ class PartialPlan(Pictured):
         """Write trajectory.csv, .json and .yaml (ROS), report.json, report.txt, plan.png and plan.json; returns the files.
 
         `load` reads plan.json. Parts that cannot be written there (a measure, obstacle or workspace path of a class of your
-        own, a robot put together by hand) are named in the log, and have to be given when the plan is loaded.
+        own, a robot put together by hand) are named in the log, and have to be given when the plan is loaded. All files of a
+        plan or program that was saved there before are replaced in one step; a process that is killed leaves no mixture.
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
@@ -117,13 +119,13 @@ class PartialPlan(Pictured):
         from manipplan.viz import save_plan
 
         plan = self._complete("save")
-        to = writable_folder("folder", folder)
-        archive.write_plan(plan, to / archive.NAME)
-        plan.trajectory.to_csv(to / "trajectory.csv")
-        plan.trajectory.to_json(to / "trajectory.json")
-        plan.trajectory.to_ros(to / "trajectory.yaml")
-        plan.report.to_json(to / "report.json")
-        write_text(to / "report.txt", f"{plan.report}\n")
+        with replacing(folder) as (to, new):
+            archive.write_plan(plan, new / archive.NAME, home=to)
+            plan.trajectory.to_csv(new / "trajectory.csv")
+            plan.trajectory.to_json(new / "trajectory.json")
+            plan.trajectory.to_ros(new / "trajectory.yaml")
+            plan.report.to_json(new / "report.json")
+            write_text(new / "report.txt", f"{plan.report}\n")
         save_plan(plan, to / "plan.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]

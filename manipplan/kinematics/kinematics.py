@@ -21,6 +21,7 @@ from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array, configurations, instance, whole_number
+from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
@@ -196,6 +197,7 @@ class Kinematics:
         """Joint-space inertia M with the rotors' inertia, (..., n, n) [kg m², kg m, kg]."""
         return self._columns(self.symbolic.mass_matrix, configurations("q", q, self.robot.n), self._shape("hessian"))
 
+    @building()
     def evaluator(self, *quantities: str) -> Evaluator:
         """The fastest way to evaluate several quantities at one q: in one call, for instance per control step.
 
@@ -247,6 +249,14 @@ class Kinematics:
 
     def _kernel(self, quantity: str, count: int) -> Kernel | None:
         """Generated C if there is a compiler, else code by LLVM for large batches; None: CasADi's virtual machine."""
+        known = self._kernels.get(quantity)
+        by_llvm = self.compiled == "auto" and count >= MANY
+        return (
+            known if known is not None or (quantity in self._kernels and not by_llvm) else self._new_kernel(quantity, by_llvm)
+        )
+
+    @building()
+    def _new_kernel(self, quantity: str, by_llvm: bool) -> Kernel | None:
         function = getattr(self.symbolic, quantity)
         if quantity not in self._kernels:
             self._kernels[quantity] = None
@@ -256,7 +266,6 @@ class Kinematics:
                     self._kernels[quantity] = simd_kernel(function, subject)
                 except CompilerError as error:
                     do_without(error, self.compiled)
-        by_llvm = self.compiled == "auto" and count >= MANY
         if self._kernels[quantity] is None and by_llvm and expressible(function, jit.OPERATIONS):
             self._kernels[quantity] = jit.JitKernel(function)
         return self._kernels[quantity]

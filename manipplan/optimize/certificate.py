@@ -23,6 +23,7 @@ from manipplan.optimize.descents.rows import LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.status import Status
 
@@ -92,7 +93,8 @@ def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
 
 def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     """The conditions with the best-fitting multipliers of pairs within `reach` of the required clearance [m]."""
-    from scipy.optimize import nnls
+    with building():
+        from scipy.optimize import nnls
 
     length = program.length.without_energy
     gradient = length.gradient(z).ravel() / length.value(z)

@@ -99,8 +99,8 @@ def optimize_path(
     is proven too, or at least checked every milliradian. `certificate` holds the measured figures. Status.OPTIMAL means that
     the first-order conditions hold on the path: the projected gradient of g is at most 1e-3 per rad, relative to g;
     complementarity is at most 1e-5; active clearances are within 0.1 mm of the required one. If one of them does not hold,
-    the status is STOPPED_EARLY. It is that as well where the time limit, `Seeding.time_limit` for each first path, ends the
-    descents: then the result depends on the speed of the machine.
+    the status is STOPPED_EARLY. Where the time limit, `Seeding.time_limit` for each first path, ends the descents, it is
+    OUT_OF_TIME, or SEED_OUT_OF_TIME for the first path: then the result depends on the speed of the machine.
 
     Args:
         robot: the arm.

@@ -172,10 +172,11 @@ def solve_local(
     if best is not None and (best.cost.g <= first_cost.g * (1 + same) or not fallback):
         path, cost = best.path, best.cost
         reached = Status.SHORTEST if integral.kinematics.measure.constant else Status.OPTIMAL
-        status = reached if best.optimality.reached else Status.STOPPED_EARLY
+        unfinished = Status.OUT_OF_TIME if late or best.solver == LATE else Status.STOPPED_EARLY
+        status = reached if best.optimality.reached else unfinished
     else:
         path, cost = first, first_cost
-        status = Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
+        status = Status.SEED_OUT_OF_TIME if late else Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
         status = status if fallback else Status.ENDS_NOT_MET
     if status is not Status.ENDS_NOT_MET and is_singular(path, integral, cost):
         status = Status.SINGULAR

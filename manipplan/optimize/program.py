@@ -22,7 +22,7 @@ from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
-from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.deadline import NEVER, Deadline, building
 from manipplan.support.interrupts import interruptible
 from manipplan.symbolic.batch_function import BatchFunction
 
@@ -72,19 +72,23 @@ class PathProgram:
         return Hull(line=line[moving], rows=rows[moving])
 
     @cached_property
+    @building()
     def _rows(self) -> tuple[ca.Function, ...]:
         return row_functions(self.kinematics)
 
     @cached_property
+    @building()
     def _energy(self) -> Integral:
         s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
         return Integral(density=energy_density(self.integral), s=s, weights=weights)
 
     @cached_property
+    @building()
     def _energy_density(self) -> BatchDensity:
         return BatchDensity.of(self._energy.density)
 
     @cached_property
+    @building()
     def _ipopt(self) -> IpoptEnergy:
         limits = self.kinematics.robot.limits
         rows, power = self._rows, self.integral.power
@@ -93,10 +97,12 @@ class PathProgram:
         )
 
     @cached_property
+    @building()
     def _length_density(self) -> BatchDensity:
         return BatchDensity.of(length_density(self.integral))
 
     @cached_property
+    @building()
     def _batch_rows(self) -> RowFunctions:
         value, gradient, hessian = (BatchFunction(each) for each in self._rows)
         return RowFunctions(joints=tree_size(self._rows[0]), value=value, gradient=gradient, hessian=hessian)

@@ -1,6 +1,5 @@
 """RRT-Connect in compiled code, which counts crossings of singularities: `connect.c` on the collision kernel."""
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,6 +8,7 @@ import numpy as np
 from manipplan.seeds.motions import SIDE, Level, MotionCheck, P
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.deadline import work_time
 
 #: As in connect.c.
 SEARCHING, FOUND, FULL = range(3)
@@ -52,7 +52,7 @@ class Run:
         status = SEARCHING
         while status != FOUND:
             left = SLICE if task.checks is None else min(SLICE, task.checks - self.check.checks)
-            if left <= 0 or time.monotonic() >= task.deadline:
+            if left <= 0 or work_time() >= task.deadline:
                 return None
             if self.check.checks >= PATIENCE and task.why_unreachable() is not None:
                 return None
@@ -67,7 +67,7 @@ class Run:
         call["way"](at, way.ctypes.data)
         count = call["skip"](at, way.ctypes.data, work.ctypes.data, count)
         for _ in range(SHORTCUTS // SOME):
-            if time.monotonic() < task.late:
+            if work_time() < task.late:
                 count = call["shorten"](at, way.ctypes.data, work.ctypes.data, count, SOME)
         count = call["skip"](at, way.ctypes.data, work.ctypes.data, count)
         self.check.raise_failure()

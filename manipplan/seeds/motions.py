@@ -1,7 +1,6 @@
 """The check of straight motions in compiled code: `connect.c` on the collision kernel, one call for each motion."""
 
 import ctypes
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -19,6 +18,7 @@ from manipplan.seeds.constraints import SearchConstraints
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.deadline import work_time
 
 #: As in connect.c.
 MOST_SIDES, MOST_JOINTS = 8, 64
@@ -122,7 +122,7 @@ class MotionCheck:
 
     Attributes:
         data: `Search` of connect.c, with room for nothing but the roots of both trees.
-        deadline: in time.monotonic() [s]; past it, what only coal can decide counts as touching.
+        deadline: in `work_time` [s]; past it, what only coal can decide counts as touching.
     """
 
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
@@ -216,7 +216,7 @@ class MotionCheck:
     def _ask(self, q: Any, clearance: float) -> int:
         """Whether a configuration that the kernel cannot judge is free."""
         try:
-            if time.monotonic() >= self.deadline:
+            if work_time() >= self.deadline:
                 return TOUCHING
             here: Array = np.array(q[: self.n])
             return TOUCHING if self._task.model.in_collision(here, clearance=clearance) else FREE

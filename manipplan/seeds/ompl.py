@@ -1,7 +1,6 @@
 """Searches by the planners of OMPL. Each motion is checked by one call of the compiled check of `motions`."""
 
 import threading
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -14,6 +13,7 @@ from manipplan.seeds.objective import ompl_objective
 from manipplan.seeds.seeding import FEASIBLE
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.deadline import work_time
 
 #: OMPL has one random seed per process, so searches in several threads would not be repeatable.
 _ONE_AT_A_TIME = threading.Lock()
@@ -38,7 +38,7 @@ class OmplSearch:
         Motions are checked as `levels` tell, one after another; without compiled code only as the last one tells.
         """
         with _ONE_AT_A_TIME:
-            if time.monotonic() >= self.task.deadline:
+            if work_time() >= self.task.deadline:
                 return None
             compiled, last = can_check(self.task.model), levels[-1]
             return self._run(_Compiled(self.task, levels) if compiled else _Sampled(self.task, last.margin), last.step)
@@ -66,7 +66,7 @@ class OmplSearch:
         information.setup()
 
         def is_over() -> bool:
-            if time.monotonic() >= task.deadline or (task.checks is not None and check.done >= task.checks):
+            if work_time() >= task.deadline or (task.checks is not None and check.done >= task.checks):
                 return True
             return check.done >= PATIENCE and task.why_unreachable() is not None
 
@@ -98,7 +98,7 @@ class _Compiled:
     """The compiled check for OMPL.
 
     Attributes:
-        late: past it nothing is valid, so that a search ends soon; in time.monotonic() [s].
+        late: past it nothing is valid, so that a search ends soon; in `work_time` [s].
     """
 
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
@@ -121,7 +121,7 @@ class _Compiled:
 
     def is_valid(self, state: Any) -> bool:
         """Whether a configuration is free."""
-        return time.monotonic() < self._check.deadline and self._check.configuration(state[0 : self._n])
+        return work_time() < self._check.deadline and self._check.configuration(state[0 : self._n])
 
     def validator(self, information: object) -> object:
         """The MotionValidator of OMPL that asks the compiled check. No planner of ours asks where a motion becomes invalid."""
@@ -131,7 +131,7 @@ class _Compiled:
 
         class Motions(base.MotionValidator):  # type: ignore[misc]  # ompl has no stubs
             def checkMotion(self, first: Any, last: Any) -> bool:  # noqa: N802  # OMPL's name
-                return time.monotonic() < check.deadline and check.motion(first[0:n], last[0:n])
+                return work_time() < check.deadline and check.motion(first[0:n], last[0:n])
 
         return Motions(information)
 
@@ -140,7 +140,7 @@ class _Sampled:
     """The check where it cannot be compiled: OMPL asks for one configuration after the other.
 
     Attributes:
-        late: past it nothing is valid, so that a search ends soon; in time.monotonic() [s].
+        late: past it nothing is valid, so that a search ends soon; in `work_time` [s].
         done: number of configurations checked.
     """
 
@@ -153,7 +153,7 @@ class _Sampled:
         """Whether a configuration is free."""
         task, q = self._task, np.array(state[0 : self._n])
         self.done += 1
-        if time.monotonic() >= self.late or task.model.in_collision(q, clearance=self._clearance):
+        if work_time() >= self.late or task.model.in_collision(q, clearance=self._clearance):
             return False
         return task.sides is None or task.most_crossings != 0 or task.sides.changes(np.array([task.start, q])) == 0
 

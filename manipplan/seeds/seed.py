@@ -5,7 +5,6 @@ or, where it comes too close to contact for a proof, checked at every milliradia
 """
 
 import logging
-import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -34,6 +33,7 @@ from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
 from manipplan.seeds.star import StarSearch, star_code
 from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
 from manipplan.support.checks import Array, instance, number, whole_number
+from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 
 log = logging.getLogger("manipplan")
@@ -134,7 +134,7 @@ def seed_path(
         sides=sides_of(kinematics),
         most_crossings=None,
         checks=None,
-        deadline=time.monotonic() + seeding.time_limit,
+        deadline=work_time() + seeding.time_limit,
         grace=min(GRACE * seeding.time_limit, MOST_GRACE),
         constraints=kept,
     )
@@ -224,7 +224,7 @@ class _Finder:
             return is_allowed(path) and self.free(path)
 
         def accept_in_time(path: JointPath) -> bool:
-            return time.monotonic() < task.late and accept(path)
+            return work_time() < task.late and accept(path)
 
         line_is_free = accept(line)
         if line_is_free and self.integral is None:
@@ -244,7 +244,7 @@ class _Finder:
             sharp = JointPath.through(waypoints)
             if checked is None and is_allowed(sharp) and is_free(task, sharp):
                 checked = sharp
-        self.spent = time.monotonic() < task.deadline
+        self.spent = work_time() < task.deadline
         if line_is_free:
             return line
         if checked is not None:

@@ -40,7 +40,8 @@ class Seeding:
             the path of smallest g, so more first paths never give a larger g. Without a scene they are the straight line and
             paths through random configurations. `PathResult.missing` estimates how likely one more leads to a new path.
         time_limit: time limit per first path [s], for finding and optimising it; `plan` and `optimize_path` take at most this
-            times the number of first paths. `plan` times what was found by then.
+            times the number of first paths, without the time for what is built once per machine, process, robot or scene.
+            `plan` times what was found by then.
         shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
             returns the best path. Their pose is that of the goal. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),

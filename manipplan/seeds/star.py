@@ -7,7 +7,6 @@ is followed by one with twice as many checks, so that with more and more checks 
 """
 
 import ctypes
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -25,6 +24,7 @@ from manipplan.seeds.objective import LEAST, PANEL, POINTS
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.deadline import work_time
 
 #: Number of random changes between two looks at the clock, and their gain below which new trees are grown.
 CHANGES, STALLED = 200, 0.002
@@ -134,7 +134,7 @@ class _Best:
 
     def _is_over(self) -> bool:
         checks = self.task.checks
-        return time.monotonic() >= self.task.deadline or (checks is not None and self.run.check.checks >= checks)
+        return work_time() >= self.task.deadline or (checks is not None and self.run.check.checks >= checks)
 
     def _changed(self, way: Array) -> tuple[Array, float]:
         """A path (k, n) of lower cost by random changes, and its cost."""

@@ -31,7 +31,7 @@ class SeedTask:
         sides: the functions whose changes of sign count as crossings of singularities; None: they do not count.
         most_crossings: maximum number of them on the path; None: any number.
         checks: maximum number of configurations checked for collision; None: any number.
-        deadline: in time.monotonic() [s].
+        deadline: in `work_time` [s].
         grace: time beyond it for simplifying and rounding a path [s].
         constraints: what is kept beside limits and clearance; None: nothing.
         why_unreachable: why no path joins start and goal; None where that is not proven.
@@ -53,7 +53,7 @@ class SeedTask:
 
     @property
     def late(self) -> float:
-        """When simplifying and rounding end, in time.monotonic() [s]."""
+        """When simplifying and rounding end, in `work_time` [s]."""
         return self.deadline + self.grace
 
     def bounds(self) -> tuple[Array, Array]:

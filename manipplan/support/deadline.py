@@ -1,6 +1,10 @@
-"""The time by which work has to end."""
+"""The time by which work has to end. What is built once, such as code and collision models, does not count."""
 
+import os
+import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,12 +14,62 @@ class OutOfTimeError(Exception):
     """The deadline has passed. It does not leave the package: whoever set the deadline goes on with what was found."""
 
 
+class _WorkClock:
+    """A clock of this process that stands still while at least one thread builds something."""
+
+    def __init__(self) -> None:
+        self._built = 0.0
+        self.forget_builders()
+
+    def forget_builders(self) -> None:
+        """Go on in a forked process, where the threads that build are missing."""
+        self._lock = threading.Lock()
+        self._builders, self._since = 0, 0.0
+
+    def time(self) -> float:
+        with self._lock:
+            now = time.monotonic()
+            return now - self._built - (now - self._since if self._builders else 0.0)
+
+    def stop(self) -> None:
+        with self._lock:
+            if self._builders == 0:
+                self._since = time.monotonic()
+            self._builders += 1
+
+    def go_on(self) -> None:
+        with self._lock:
+            self._builders -= 1
+            if self._builders == 0:
+                self._built += time.monotonic() - self._since
+
+
+_clock = _WorkClock()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_clock.forget_builders)
+
+
+def work_time() -> float:
+    """Time of a clock that stands still while something is built once per machine, process, robot or scene [s]."""
+    return _clock.time()
+
+
+@contextmanager
+def building() -> Iterator[None]:
+    """The clock of `work_time` stands still in this block."""
+    _clock.stop()
+    try:
+        yield
+    finally:
+        _clock.go_on()
+
+
 @dataclass(frozen=True, kw_only=True)
 class Deadline:
     """A time by which work has to end, also in other processes.
 
     Attributes:
-        at: in time.monotonic() [s]; inf: never.
+        at: in `work_time` [s]; inf: never.
     """
 
     at: float = np.inf
@@ -23,17 +77,17 @@ class Deadline:
     @classmethod
     def within(cls, seconds: float) -> "Deadline":
         """The deadline that passes after a number of seconds."""
-        return cls(at=time.monotonic() + seconds)
+        return cls(at=work_time() + seconds)
 
     @property
     def left(self) -> float:
         """The time that is left [s], at least 0."""
-        return max(self.at - time.monotonic(), 0.0)
+        return max(self.at - work_time(), 0.0)
 
     @property
     def passed(self) -> bool:
         """Whether no time is left."""
-        return time.monotonic() >= self.at
+        return work_time() >= self.at
 
     def check(self) -> None:
         """Raise OutOfTimeError if no time is left."""

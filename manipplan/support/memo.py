@@ -1,8 +1,11 @@
-"""Results that are computed once per owner, such as a robot, and stored on it."""
+"""Results that are computed once per owner, such as a robot, and thread, and stored on the owner."""
 
+import threading
 from collections.abc import Callable
 from functools import wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
+
+from manipplan.support.deadline import building
 
 Owner = TypeVar("Owner")
 Made = TypeVar("Made")
@@ -15,16 +18,17 @@ MEMO = "_memo"
 def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
     """Store the results of `make(owner, *arguments)` on the owner, one per set of arguments, which must be hashable.
 
-    A copy of the owner, by pickle or `dataclasses.replace`, starts without results; its class leaves them out of its state
-    with `state_without_memo`.
+    No time limit counts the time of `make`. A copy of the owner, by pickle or `dataclasses.replace`, starts without results;
+    its class leaves them out of its state with `state_without_memo`.
     """
 
     @wraps(make)
     def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
-        memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {})
+        memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {}).setdefault(threading.get_ident(), {})
         key = (make, arguments, tuple(sorted(options.items())))
         if key not in memo:
-            memo[key] = make(owner, *arguments, **options)
+            with building():
+                memo[key] = make(owner, *arguments, **options)
         return memo[key]
 
     return kept

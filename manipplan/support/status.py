@@ -17,15 +17,23 @@ class Status(Enum):
     )
     STOPPED_EARLY = (
         "feasible, not converged: every check passed, but the first-order conditions of a local optimum do not hold; start "
-        "again from this path (Seeding.initial), raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
+        "again from this path (Seeding.initial), raise PathShape.degree, or try another Seeding.seed"
+    )
+    OUT_OF_TIME = (
+        "feasible, out of time: every check passed, but the time limit ended the work before the first-order conditions of a "
+        "local optimum held; raise Seeding.time_limit, or start again from this path (Seeding.initial)"
     )
     SEED_IS_BETTER = (
         "seed: no optimised path of this degree was found that has a lower g than the collision-free seed, which is returned; "
-        "raise PathShape.degree or Seeding.time_limit, or try another Seeding.seed"
+        "raise PathShape.degree, or try another Seeding.seed"
     )
     SEED_IS_SAFE = (
         "seed: no optimised path of this degree was found that stays clear of collisions, so the collision-free seed is "
-        "returned; raise PathShape.degree or Seeding.time_limit, lower clearance, or try another Seeding.seed"
+        "returned; raise PathShape.degree, lower clearance, or try another Seeding.seed"
+    )
+    SEED_OUT_OF_TIME = (
+        "seed, out of time: the time limit ended the work before an optimised path was found that passes every check, so the "
+        "collision-free seed is returned; raise Seeding.time_limit"
     )
     ENDS_NOT_MET = (
         "seed: no path of this degree with the given end slopes and bends is inside the limits and collision-free, so the "
@@ -105,6 +113,7 @@ MET = (
     Status.OPTIMAL,
     Status.SHORTEST,
     Status.STOPPED_EARLY,
+    Status.OUT_OF_TIME,
     Status.IMPROVED,
     Status.FOLLOWED,
     Status.FOLLOWED_IN_PARTS,

@@ -7,6 +7,7 @@ import numpy as np
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array
+from manipplan.support.deadline import building
 
 #: Share by which ‖q'‖ jumps where it does not count as continuous, and minimum number of nodes between two such jumps.
 JUMP, EACH = 1e-6, 60
@@ -20,7 +21,8 @@ class ArcLength:
     """The path from s = a to s = b as q(l), where l is its arc length: a geometric path in toppra's terms."""
 
     def __init__(self, path: JointPath, a: float, b: float) -> None:
-        from scipy.interpolate import CubicSpline, PPoly
+        with building():
+            from scipy.interpolate import CubicSpline, PPoly
 
         self.path = path
         nodes_along = max(1200, 12 * len(path.control))

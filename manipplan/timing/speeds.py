@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.deadline import building
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.dynamics import PathDynamics
 
@@ -41,10 +42,11 @@ def fastest_speeds(
 
 def _algorithm(demands: PathDynamics) -> Any:
     """toppra's algorithm with our rows."""
-    import toppra
-    from toppra.constraint import LinearConstraint
-    from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
-    from toppra.interpolator import AbstractGeometricPath
+    with building():
+        import toppra
+        from toppra.constraint import LinearConstraint
+        from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
+        from toppra.interpolator import AbstractGeometricPath
 
     count = demands.tangent.shape[1]
     rows = demands.u.shape[1]

@@ -23,6 +23,8 @@ import demo_timing
 import energy_programs
 import energy_solvers
 import first_paths
+import first_plans
+import killed_saves
 import lead_ins
 import mesh_pairs
 import motionbenchmaker
@@ -30,6 +32,7 @@ import motions
 import plan_many
 import recorded_motions
 import six_joint_arms
+import threads
 import timed_motions
 import two_arms
 import version_01
@@ -411,3 +414,20 @@ def test_lead_ins_and_blends_make_their_tables(tmp_path):
     blends.main(["--arms", "ur5", "--corners", "4", "--out", str(tmp_path / "blends.md")])
     cells = [row.split("|") for row in (tmp_path / "blends.md").read_text().splitlines()[2:6]]
     assert len(cells) == 4 and all(float(each[8]) <= 0.1 for each in cells)
+
+
+@pytest.mark.slow
+def test_killed_saves_leave_one_plan(tmp_path):
+    assert killed_saves.mixed_and_left(4, tmp_path) == (0, 0)
+
+
+@pytest.mark.slow
+def test_first_and_second_plan_end_alike():
+    (first, g, _), (second, again, _) = first_plans.measure("planar arm, a column", 20.0)
+    assert (first, g) == (second, again)
+    assert first == "OPTIMAL"
+
+
+@pytest.mark.slow
+def test_plans_in_threads_are_those_one_by_one():
+    assert threads.compare(4, 6) == (6, 6)

@@ -1,7 +1,6 @@
 """Proofs that a goal cannot be reached: never where there is a path, and soon where the case can be decided."""
 
 import sys
-import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -19,6 +18,7 @@ from manipplan.seeds.cells import Space, find_barrier
 from manipplan.seeds.inscribed import inscribed_ball
 from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.task import SeedTask
+from manipplan.support.deadline import work_time
 
 OUTSIDE = Path(__file__).parents[2] / "benchmarks" / "outside"
 #: Walls that the first link of a planar arm of three links of 1 m cannot pass.
@@ -38,7 +38,7 @@ def task(robot, start, goal, scene, clearance=0.0):
     ]
     distances = tuple(model.least_distance(each[None])[0] for each in q)
     given = {"seed": 0, "clearance": clearance, "sides": None, "most_crossings": None, "checks": None}
-    return SeedTask(model=model, start=q[0], goal=q[1], distances=distances, deadline=time.monotonic() + 10.0, **given)
+    return SeedTask(model=model, start=q[0], goal=q[1], distances=distances, deadline=work_time() + 10.0, **given)
 
 
 def cage(middle, *, inner=0.14, hole=0.105, thick=0.02):
@@ -77,10 +77,10 @@ def around(carrier):
 
 @pytest.mark.parametrize(("start", "goal", "end"), [(BESIDE, DOWN, "goal"), (DOWN, BESIDE, "start")])
 def test_an_enclosed_body_is_told_with_what_encloses_it(carrier, around, start, goal, end):
-    began = time.monotonic()
+    began = work_time()
     with pytest.raises(mp.PlanningError, match=rf"proven .* globe is enclosed at the {end}, and \w+ is .* radius 120 mm"):
         mp.seed_path(carrier, start, goal, around)
-    assert time.monotonic() - began < 2.0  # 0.2 s
+    assert work_time() - began < 2.0  # 0.2 s
 
 
 def test_every_job_and_planner_tells_it(carrier, around):
@@ -88,11 +88,11 @@ def test_every_job_and_planner_tells_it(carrier, around):
     assert "globe is enclosed at the goal" in result.message
     part = mp.plan(carrier, BESIDE, DOWN, around, throw=False)
     assert part.status is mp.Status.NO_PATH and "globe is enclosed at the goal" in part.message
-    began = time.monotonic()
+    began = work_time()
     for planner in ("RRTConnect", "connect-star"):
         with pytest.raises(mp.PlanningError, match="globe is enclosed at the goal"):
             mp.seed_path(carrier, BESIDE, DOWN, around, seeding=mp.Seeding(planner=planner))
-    assert time.monotonic() - began < 4.0
+    assert work_time() - began < 4.0
 
 
 @pytest.mark.parametrize("inner", [0.13, 0.14])
@@ -132,10 +132,10 @@ def test_a_mesh_and_a_cloud_enclose_as_well(carrier, around):
 
 
 def test_walls_that_the_first_joint_cannot_pass(planar):
-    began = time.monotonic()
+    began = work_time()
     with pytest.raises(mp.PlanningError, match=r"every motion of joint1 .* two bodies into contact; .* (north|south)"):
         mp.seed_path(planar, EAST, WEST, mp.Scene([NORTH, SOUTH]))
-    assert time.monotonic() - began < 2.0
+    assert work_time() - began < 2.0
     found = why_unreachable(task(planar, EAST, WEST, mp.Scene([NORTH, SOUTH]), clearance=0.01))
     assert "closer than the clearance of 10 mm" in found
 
@@ -204,10 +204,10 @@ def test_there_is_no_proof_for_problems_of_others(arm, monkeypatch):
     robot = problems.robot(arm)
     for each in problems.load(arm)[5::61]:
         given = task(robot, each.start, each.goal, each.scene)
-        began = time.monotonic()
+        began = work_time()
         for one in (given, replace(given, start=given.goal, goal=given.start)):
             assert why_unreachable(one) is None
-        assert time.monotonic() - began < 2.0  # 0.1 to 0.7 s
+        assert work_time() - began < 2.0  # 0.1 to 0.7 s
 
 
 def test_a_search_that_ends_soon_does_not_ask(panda, monkeypatch):
@@ -238,10 +238,10 @@ def test_huge_limits(planar, job, scene):
     job(arm, EAST, goal, scene)
     far = round(1e6 / (2 * np.pi) - 1) * 2 * np.pi
     job(arm, [far, 0.5, 0.3], [far - np.pi, 0.5, 0.3], scene)
-    began = time.monotonic()
+    began = work_time()
     with pytest.raises(mp.InvalidInputError, match=r"goal\[0\]: got 1000000.0; allowed: -1000 to 1000: at most 1000 rad"):
         job(arm, EAST, [1e6, 0.5, 0.3], scene)
-    assert time.monotonic() - began < 1.0
+    assert work_time() - began < 1.0
 
 
 GANTRY = """<robot name="gantry"><link name="world"/>
@@ -277,10 +277,10 @@ def test_a_gantry_among_boxes_that_close_a_room(tmp_path):
     """Its three joints are the axes of the world, so the room of the hoist is what the boxes leave; a gap opens it."""
     arm = gantry(tmp_path, 2.0)
     wall = mp.Box(size=[0.02, 5.0, 5.0], name="wall")
-    began = time.monotonic()
+    began = work_time()
     with pytest.raises(mp.PlanningError, match="hoist_0 and wall into contact"):
         mp.seed_path(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall]))
-    assert time.monotonic() - began < 2.0
+    assert work_time() - began < 2.0
     wall = replace(wall, size=[0.02, 5.0, 4.0], position=(0.0, 0.0, -0.4))  # it ends at z = 1.6 m
     assert mp.seed_path(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall])).n == 3
     assert why_unreachable(task(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall]))) is None

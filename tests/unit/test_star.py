@@ -1,7 +1,6 @@
 """connect-star: our own search, which goes on to lower the cost of its path."""
 
 import ctypes
-import time
 
 import numpy as np
 import pytest
@@ -10,6 +9,7 @@ import manipplan as mp
 from manipplan.seeds import motions, star
 from manipplan.seeds.objective import motion_cost
 from manipplan.seeds.seed import LEVELS
+from manipplan.support.deadline import work_time
 
 START, GOAL = [0, 1.5, -2], [np.pi, -2, 2]
 POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
@@ -86,7 +86,7 @@ def motions_task(robot, start, goal):
     model = mp.Scene().collision_model(robot)
     distances = tuple(model.least_distance(q[None])[0] for q in (start, goal))
     given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None, "distances": distances}
-    return star.SeedTask(model=model, start=start, goal=goal, deadline=time.monotonic() + 10.0, **given)
+    return star.SeedTask(model=model, start=start, goal=goal, deadline=work_time() + 10.0, **given)
 
 
 def test_too_few_checks_are_told(planar):

@@ -1,6 +1,9 @@
 """The time limit of a whole call: at whatever moment it comes, the result is a checked path, and no worse than the first one."""
 
+import os
 import pickle
+import subprocess
+import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -11,7 +14,8 @@ import pytest
 import manipplan as mp
 from manipplan.optimize.descents.descent import LATE
 from manipplan.optimize.problem import PathProblem, solve_local
-from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, building, work_time
+from manipplan.support.memo import once_per_owner
 
 POST = mp.Scene([mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")])
 START, GOAL = np.array([-0.6, 0.3, 0.0, -2.0, 0.0, 2.3, 0.8]), np.array([0.9, 0.2, -0.2, -2.1, 0.3, 2.2, 0.8])
@@ -78,7 +82,7 @@ def test_without_a_scene_the_straight_line_is_left(panda, problem):
     free = replace(problem, scene=None, clearance=0.0)
     line = mp.JointPath.line(START, GOAL)
     result = solve_local(free, START, GOAL, line, deadline=AfterChecks(at=0))
-    assert result.status is mp.Status.SEED_IS_BETTER
+    assert result.status is mp.Status.SEED_OUT_OF_TIME
     assert result.certificate.solver == LATE
     assert "time_limit" in result.status.value
 
@@ -115,7 +119,7 @@ def test_a_deadline():
     NEVER.check()
     soon = Deadline.within(100.0)
     assert 99.0 < soon.left <= 100.0 and not soon.passed
-    past = Deadline(at=time.monotonic() - 1.0)
+    past = Deadline(at=work_time() - 1.0)
     assert past.passed and past.left == 0.0
     with pytest.raises(OutOfTimeError):
         past.check()
@@ -140,3 +144,76 @@ def test_the_search_for_a_first_path_gets_what_is_left(panda, monkeypatch):
         with pytest.raises(mp.PlanningError):
             mp.optimize_path(panda, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=8.0))
         assert 0.9 * 8.0 * share < given[-1] <= 8.0 * share
+
+
+def test_what_is_built_once_does_not_count():
+    deadline = Deadline.within(0.1)
+    with building():
+        with building():
+            time.sleep(0.06)
+        time.sleep(0.06)
+    assert 0.05 < deadline.left <= 0.1
+    time.sleep(0.11)
+    assert deadline.passed
+
+
+def test_threads_that_build_at_once_stop_the_clock_once():
+    def build():
+        with building():
+            time.sleep(0.2)
+
+    began, real = work_time(), time.monotonic()
+    with ThreadPoolExecutor(2) as pool:
+        for _ in range(2):
+            pool.submit(build)
+    real = time.monotonic() - real
+    assert 0.0 <= work_time() - began <= real - 0.15
+
+
+def test_an_error_lets_the_clock_go_on():
+    began = work_time()
+    with pytest.raises(ValueError, match="no"), building():
+        raise ValueError("no")
+    time.sleep(0.02)
+    assert work_time() - began >= 0.02
+
+
+def test_results_of_an_owner_do_not_count():
+    class Owner:
+        @once_per_owner
+        def slow(self):
+            time.sleep(0.1)
+            return 1
+
+    began = work_time()
+    assert Owner().slow() == 1
+    assert work_time() - began < 0.09
+
+
+@pytest.mark.slow
+def test_a_slow_compiler_does_not_count(tmp_path):
+    """A fresh process with an empty cache and a compiler that takes two seconds per file more (F3 of reviews/trust.md)."""
+    compiler = tmp_path / "slowcc"
+    compiler.write_text('#!/bin/sh\ncase "$*" in *--version*) ;; *) sleep 2 ;; esac\nexec cc "$@"\n')
+    compiler.chmod(0o755)
+    program = tmp_path / "twice.py"
+    program.write_text("""
+import manipplan as mp
+arm = mp.planar_arm([1.0, 1.0, 1.0])
+post = mp.Scene([mp.Cylinder(radius=0.2, length=1.0, position=(1.0, 1.0, 0.0))])
+for _ in range(2):
+    plan = mp.plan(arm, [0, -1.1, -1.6], [1.57, 0.5, 1.5], post, seeding=mp.Seeding(time_limit=1.5), throw=False)
+    print(plan.status.name)
+""")
+    environment = os.environ | {"CC": str(compiler), "MANIPPLAN_CACHE": str(tmp_path / "cache")}
+    run = subprocess.run([sys.executable, str(program)], env=environment, capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["OPTIMAL", "OPTIMAL"]
+
+
+def test_the_time_limit_is_named_as_the_cause(panda):
+    plan = mp.plan(panda, START, GOAL, POST, clearance=0.01, seeding=mp.Seeding(time_limit=0.02), throw=False)
+    if plan.status is mp.Status.NO_PATH:
+        assert "allow more time (Seeding.time_limit)" in plan.message
+    else:
+        assert plan.status in (mp.Status.SEED_OUT_OF_TIME, mp.Status.OUT_OF_TIME)
+        assert "time limit" in plan.status.value and "Seeding.time_limit" in str(plan.report)

@@ -1,6 +1,5 @@
 """The lead-in: the free motion from the start to the path, and the choice of the configuration in which the path begins."""
 
-import time
 from dataclasses import dataclass, replace
 from itertools import islice
 
@@ -13,6 +12,7 @@ from manipplan.jobs.following.transit import PlanTransit, Transit
 from manipplan.jobs.goals.candidates import GoalCandidate, measured
 from manipplan.search.max_min import SearchResult
 from manipplan.support.checks import Array
+from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.
@@ -81,9 +81,9 @@ def choose_entry(
         left = 0.5**tried  # of the share of the work
         tried += 1
         course = finder.along(_turned(found, row.q), part(tell, 1 - left, 1 - 0.7 * left))
-        began = time.monotonic()
+        began = work_time()
         lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
-        seconds -= time.monotonic() - began
+        seconds -= work_time() - began
         row = replace(row, q=course.path.start)
         if isinstance(lead_in, str):
             failure = failure or lead_in

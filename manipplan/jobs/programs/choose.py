@@ -6,7 +6,6 @@ manipulability of each program through them. The search begins with the program 
 goes on with those of larger bounds. It is repeated with what the planned motions keep, until no other program could be better.
 """
 
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -27,6 +26,7 @@ from manipplan.jobs.result import Plan
 from manipplan.paths.joint import SHORTEST, JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
@@ -70,7 +70,7 @@ class ProgramSearch:
         state: arm and scene at the beginning.
         objective, clearance: of all motions.
         planner: plans free motions.
-        deadline: in time.monotonic() [s]; after it no further program is tried.
+        deadline: in `work_time` [s]; after it no further program is tried.
         failures: why free motions or courses failed.
     """
 
@@ -116,7 +116,7 @@ class ProgramSearch:
     @property
     def late(self) -> bool:
         """Whether the time is over."""
-        return time.monotonic() >= self.deadline
+        return work_time() >= self.deadline
 
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.

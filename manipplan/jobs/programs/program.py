@@ -13,7 +13,8 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.files import writable_folder, write_text
+from manipplan.support.files import write_text
+from manipplan.support.saving import replacing
 from manipplan.timing.steady.speed import SteadySpeed
 
 if TYPE_CHECKING:
@@ -148,18 +149,19 @@ class Program(Pictured):
         """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
         marks.csv has a row for each mark, with times in s, the tool speed in m/s and the radii of blends in m. `load` reads
-        program.json and one file for each part. Raises InvalidInputError when the folder cannot be written.
+        program.json and one file for each part. All files of a plan or program that was saved there before are replaced in one
+        step. Raises InvalidInputError when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
         from manipplan.viz.programs.figure import save_program
 
-        to = writable_folder("folder", folder)
-        self.trajectory.to_csv(to / "trajectory.csv")
-        self.trajectory.to_json(to / "trajectory.json")
-        self.trajectory.to_ros(to / "trajectory.yaml")
-        write_text(to / "report.txt", f"{self}\n")
-        write_text(to / "marks.csv", "\n".join([",".join(COLUMNS), *(each.row for each in self.marks)]) + "\n")
-        written = write_program(self, to)
+        with replacing(folder) as (to, new):
+            self.trajectory.to_csv(new / "trajectory.csv")
+            self.trajectory.to_json(new / "trajectory.json")
+            self.trajectory.to_ros(new / "trajectory.yaml")
+            write_text(new / "report.txt", f"{self}\n")
+            write_text(new / "marks.csv", "\n".join([",".join(COLUMNS), *(each.row for each in self.marks)]) + "\n")
+            written = [to / each.name for each in write_program(self, new, home=to)]
         save_program(self, to / "program.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt", "marks.csv")
         return [*(to / name for name in names), *written, to / "program.png"]

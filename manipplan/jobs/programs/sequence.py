@@ -1,6 +1,5 @@
 """sequence: a program of moves, whose configurations are chosen together."""
 
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -25,6 +24,7 @@ from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
@@ -113,7 +113,7 @@ def sequence(
         objective=objective,
         clearance=clearance,
         planner=_planner(objective, shape, seeding, clearance, torque),
-        deadline=time.monotonic() + seeding.time_limit * max(free, 1),
+        deadline=work_time() + seeding.time_limit * max(free, 1),
     )
     chosen = search.best(part(tell, 0.2, 0.9))
     if chosen is None:

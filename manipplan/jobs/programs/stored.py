@@ -16,6 +16,7 @@ from manipplan.support.checks import existing_file, instance
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready
+from manipplan.support.saving import finish
 
 if TYPE_CHECKING:
     from manipplan.jobs.programs.program import Program
@@ -23,12 +24,12 @@ if TYPE_CHECKING:
 FORMAT, VERSION, NAME = "manipplan-program", 1, "program.json"
 
 
-def write_program(program: "Program", folder: Path) -> list[Path]:
-    """Write program.json and part_0.json, ...; returns the files."""
-    folder = folder.expanduser().resolve()
-    files = [folder / NAME, *(folder / f"part_{k}.json" for k in range(len(program.parts)))]
+def write_program(program: "Program", place: Path, *, home: Path) -> list[Path]:
+    """Write program.json and part_0.json, ... to a place, for the folder `home`; returns the files."""
+    folder = home.expanduser().resolve()
+    files = [place / NAME, *(place / f"part_{k}.json" for k in range(len(program.parts)))]
     for part, file in zip(program.parts, files[1:], strict=True):
-        write_plan(part, file)
+        write_plan(part, file, home=home)
     data = json_ready(
         {
             "format": FORMAT,
@@ -55,6 +56,8 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
     from manipplan.jobs.programs.program import Program
 
     given = Path(folder).expanduser() if isinstance(folder, str | Path) else folder
+    if isinstance(given, Path) and given.is_dir():
+        finish(given)
     path = existing_file("folder", given / NAME if isinstance(given, Path) and given.is_dir() else given)
     data = checked_json(path, FORMAT, VERSION)
     home = path.resolve().parent

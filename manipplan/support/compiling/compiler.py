@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from manipplan.support.compiling.patience import logged_when_slow
+from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes.commands import run
@@ -104,6 +105,7 @@ def install_line(language: str = "c") -> str:
     return "xcode-select --install" if platform.system() == "Darwin" else f"apt install {package}"
 
 
+@building()
 def load_library(
     source: str,
     load: Callable[[Path], Loaded],
@@ -113,7 +115,7 @@ def load_library(
     subject: str,
     announce: bool = False,
 ) -> Loaded:
-    """Build the library of `source`, or find it in the cache, and return what `load` returns for it.
+    """Build the library of `source`, or find it in the cache, and return what `load` returns for it; no time limit counts this.
 
     Args:
         source: one file of C or C++.

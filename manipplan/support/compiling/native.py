@@ -15,6 +15,7 @@ from typing import Any
 from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
 from manipplan.support.compiling.llvm import compiled_by_llvm
 from manipplan.support.compiling.patience import logged_when_slow
+from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
 
 log = logging.getLogger("manipplan")
@@ -56,7 +57,7 @@ def native_code(source: Path, subject: str) -> NativeCode | None:
         subject: what it does, for messages.
     """
     if source not in _found:
-        with _locks[source]:  # a second thread waits for the first one's build
+        with building(), _locks[source]:  # a second thread waits for the first one's build
             if source not in _found:
                 _found[source] = _compiled(source, subject)
     return _found[source]

@@ -16,6 +16,7 @@ from typing import Any, Self
 
 from manipplan.support.checks import whole_number
 from manipplan.support.errors import InvalidInputError, MissingExtraError
+from manipplan.viz.viewer.access import guarded
 
 log = logging.getLogger("manipplan")
 
@@ -52,7 +53,7 @@ class Page:
             raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' for access from other machines")
         address = "127.0.0.1" if host == HOST else host  # the name also resolves to ::1, which not every machine has
         port = _free_port(port, address)
-        with _quiet():
+        with _quiet(), guarded(address):
             self.server: Any = viser.ViserServer(host=address, port=port, verbose=False)
         self.server.gui.set_panel_label(title)
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")
