@@ -8,8 +8,8 @@ from manipplan.support.checks import Array
 
 #: Weight of the sum of shares in the distances that are minimised; places are scaled to the size of the hull.
 WEIGHT = 1e3
-#: Places with more than this share of the largest component along a direction are corners in it.
-DIRECTIONS = 400
+#: Smallest size to which places are scaled [m].
+SMALLEST = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -26,8 +26,8 @@ class Hull:
 
     @classmethod
     def of(cls, places: Array) -> "Hull":
-        """The hull of places (k, 3); those that are far inside it are left out."""
-        return cls(places=places, size=max(float(np.linalg.norm(places - places[0], axis=1).max()), 1e-9))
+        """The hull of places (k, 3)."""
+        return cls(places=places, size=max(float(np.linalg.norm(places - places[0], axis=1).max()), SMALLEST))
 
     def beyond(self, places: Array) -> Array:
         """The vectors (k, 3) from the nearest place of the hull to each of some places (k, 3) [m]; zero for those inside."""
