@@ -174,6 +174,12 @@ class BodyMotion:
         only, others = (np.flatnonzero(carries[a] > carries[b]) for a, b in ((joint, other), (other, joint)))
         return [*only[::-1].tolist(), *others.tolist()]
 
+    def joints_between(self) -> list[frozenset[int]]:
+        """The joints, as indices of q, on which the place of one body of each pair in the frame of the other depends."""
+        kinds = list(zip(self.joint[self.body].tolist(), self.below.tolist(), strict=True))
+        found = {kind: frozenset(self._tree.leader[[j - 1 for j in self._between(*kind)]].tolist()) for kind in set(kinds)}
+        return [found[kind] for kind in kinds]
+
     def largest(self, q: Array, change: Array) -> Array:
         """The largest bound of any pair at each of the configurations q (m, n), (m,) [m]."""
         rows = np.repeat(np.arange(len(q)), len(self._kinds))

@@ -142,9 +142,9 @@ def inverse_kinematics(
                 break
             found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
-            values = solver.random_parameters(poses[k])
-            if len(values) and not deadline.passed:
-                more = _solved(solver, poses[k : k + 1], values, None, deadline)
+            q = solver.random_solutions(poses[k])
+            if len(q) and not deadline.passed:
+                more = _with_these(solver, poses[k], q, deadline)
                 part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
                 found = found.with_more(part, np.array([k]))
     keep = distinct(found.q, found.source)
@@ -219,6 +219,21 @@ def _solved(
         tried=len(values),
         complete=Completeness.STATISTICAL if cut else solver.complete or grids[0].complete,
         missing=1 - found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids]))),
+    )
+
+
+def _with_these(solver: "Solver", pose: Array, q: Array, deadline: Deadline) -> _Solved:
+    """All solutions of a pose (4, 4) with the parameters of known ones, q (k, n), and these themselves."""
+    values = solver.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+    found = _solved(solver, pose[None], values, None, deadline)
+    own = solver.judged(q, pose)
+    return replace(
+        found,
+        q=np.concatenate([found.q, own.q]),
+        owners=np.concatenate([found.owners, np.zeros(len(own.q), dtype=np.int64)]),
+        source=np.concatenate([found.source, own.source]),
+        parameters=np.concatenate([found.parameters, values[own.source]]),
+        residual=np.concatenate([found.residual, own.residual]),
     )
 
 

@@ -9,28 +9,18 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.ik.bridge import HeldValues, bridge
 from manipplan.ik.enumeration import AT_LIMIT, MOST, Enumeration
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.onto_rows import onto_rows, search_rows
+from manipplan.ik.ranges import in_turn, line, reach_in, slides_of, span, spans_turn
 from manipplan.ik.solutions import Completeness
+from manipplan.ik.starts import Starts, StartsOfPoses, approach, window
 from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import (
-    HeldValues,
-    Starts,
-    StartsOfPoses,
-    bridge,
-    in_turn,
-    line,
-    reach_in,
-    slides_of,
-    span,
-    spans_turn,
-    window,
-)
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -211,20 +201,28 @@ class Solver:
         usual = SAMPLES[min(r, len(SAMPLES)) - 1]
         return [count for k in range(1, 9) if (count := usual * 2**k) ** r <= FINEST]
 
-    def random_parameters(self, pose: Array) -> Array:
-        """Parameters (k, r) with which a pose (4, 4) has a solution: those of configurations to which random starts lead.
+    def random_solutions(self, pose: Array) -> Array:
+        """Configurations (k, n) to which random starts lead, and that reach a pose (4, 4).
 
-        They serve where so few values have one that a grid misses them all. There are none without a closed form, where random
-        starts are the method, and none with a free motion.
+        They serve where so few parameters have a solution that a grid misses them all, as far along a slide, where a direction
+        has to be met that leaves the slide little room. Such a pose is approached: the slides of solutions for a nearer one are
+        made longer. There are none without a closed form, where random starts are the method, and none with a free motion.
         """
+        q = np.zeros((0, self.robot.n))
         if self.form is None or not self.names or self.free.names:
-            return np.zeros((0, len(self.names)))
-        starts = Starts.near(self.robot, pose, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+            return q
         arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
-        allowed = float(_allowed(pose[None])[0])
-        q, miss = arm.search(starts, pose, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
-        q = in_turn(self.robot, q[miss <= allowed])
-        return self.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+        slides, ratio = list(slides_of(self.robot)), 1.0
+        for target, share in approach(self.robot, pose):
+            if not len(q):
+                q = Starts.near(self.robot, target, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+            q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
+            allowed, ratio = float(_allowed(target[None])[0]), share
+            q, miss = arm.search(q, target, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
+            q = q[miss <= allowed]
+            if not len(q):
+                break
+        return in_turn(self.robot, q)
 
     @property
     def sweeps_slides(self) -> bool:
@@ -372,6 +370,10 @@ class Solver:
             return poses, owners[source]
         values = samples[source, -len(self.free.names) :]
         return self.free.poses(poses[owners[source]], values), np.arange(len(source))
+
+    def judged(self, q: Array, pose: Array) -> Found:
+        """The rows of q (k, n) that reach a pose (4, 4), after refinement where rounding requires it."""
+        return self._judged(q, np.arange(len(q)), pose[None], np.zeros(len(q), dtype=np.int64))
 
     def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""

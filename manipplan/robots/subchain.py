@@ -103,10 +103,10 @@ def locked_values(
             wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name in active:
-            wanted = f"joints that are not active; {name} moves the tool, and joints= without it locks it"
+            wanted = f"joints that are not active; {name} is active, as it moves the tool: joints= without it locks it"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name not in others:
-            raise UnknownNameError("locked", str(name), others, empty="none: every joint of the robot is active")
+            raise UnknownNameError("locked", str(name), [*others, *active])
         number(f"locked[{name!r}]", value)
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
@@ -165,7 +165,7 @@ def limits_of_leaders(
 ) -> JointLimits:
     """The limits of the active joints, so narrow that their followers stay within those of the description.
 
-    Limits that are `given` remain.
+    Limits that are `given` remain. Those of effort are the leader's own, for the load of all that moves with it.
 
     Raises InvalidInputError when a follower leaves its leader no room, or has no velocity limit above zero.
     """
@@ -187,6 +187,10 @@ def limits_of_leaders(
         if not lower[k] < upper[k]:
             wanted = f"limits that leave its leader room: it moves as {mimic}; lower= and upper= set those of the leader"
             raise InvalidInputError(f"position limits of {name}", [float(low), float(high)], wanted)
+        strength = float(model.effortLimit[joint.idx_v])
+        if "effort" not in given and 0 < strength < np.inf:
+            why = f"as it moves as {mimic}, by the motor of its leader"
+            log.info("%s: its effort limit of %g is not taken, %s", name, strength, why)
         if changes:
             narrowed = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
             log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, narrowed)

@@ -126,6 +126,7 @@ def test_limits_of_leaders_keep_those_of_followers(arms, caplog, tmp_path):
         assert ((full[:, None] & (whole.matrix != 0)).any(axis=0)).all()
         np.testing.assert_allclose(robot.limits.acceleration, robot.limits.velocity / 0.2)
     assert "j5: limits narrowed by j5b, which moves as -1.5 * j5 + 0.4: lower -1.2, upper 1.2, velocity 1.66667" in caplog.text
+    assert "j5b: its effort limit of" in caplog.text and "is not taken, as it moves as -1.5 * j5 + 0.4, by" in caplog.text
 
 
 def test_given_limits_stay_as_they_are(arms):
