@@ -105,8 +105,10 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/tool_paths.py
 	$(BIN)/python benchmarks/follow_starts.py
+	$(BIN)/python benchmarks/lead_ins.py
 	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/programs.py
+	$(BIN)/python benchmarks/blends.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

@@ -16,7 +16,7 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.figures import figures
 from manipplan.constraints.proof import prove
-from manipplan.cost.crossings import find_crossings, least_crossings, runs_along
+from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.descents.descent import LATE
@@ -179,7 +179,7 @@ def solve_local(
         path, cost = first, first_cost
         status = Status.SEED_OUT_OF_TIME if late else Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
         status = status if fallback else Status.ENDS_NOT_MET
-    if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral, cost)):
+    if status is not Status.ENDS_NOT_MET and is_singular(path, integral, cost):
         status = Status.SINGULAR
     unconstrained = np.nan
     if problem.compares and np.isfinite(cost.g) and not (interrupted or late):

@@ -121,7 +121,7 @@ class JointPath:
         ends /= ends[-1]
         degree = max(part.degree for part in parts)
         breaks = [a + (b - a) * part.breaks[1:] for a, b, part in zip(ends[:-1], ends[1:], parts, strict=True)]
-        control = np.concatenate([_raised(part.control, degree) for part in parts])
+        control = np.concatenate([raised(part.control, degree) for part in parts])
         return cls(breaks=np.concatenate([[0.0], *breaks[:-1], breaks[-1][:-1], [1.0]]), control=control)
 
     def backwards(self) -> "JointPath":
@@ -251,7 +251,7 @@ def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
     return np.stack(left, axis=-2), np.stack(right[::-1], axis=-2)
 
 
-def _raised(control: Array, degree: int) -> Array:
+def raised(control: Array, degree: int) -> Array:
     """Control points (p, degree + 1, n) of the same pieces (p, k + 1, n) as polynomials of a degree of at least k."""
     while (k := control.shape[1] - 1) < degree:
         share = (np.arange(1, k + 1) / (k + 1))[:, None]
@@ -286,7 +286,7 @@ def side_by_side(parts: Sequence[tuple[JointPath, Sequence[int]]], still: Array)
     control = np.tile(still, (len(breaks) - 1, degree + 1, 1))
     for path, joints in parts:
         for k, (begin, end) in enumerate(itertools.pairwise(breaks)):
-            control[k][:, list(joints)] = _raised(_piece(path, begin, end)[None], degree)[0]
+            control[k][:, list(joints)] = raised(_piece(path, begin, end)[None], degree)[0]
     control[1:, 0] = control[:-1, -1]
     return JointPath(breaks=breaks, control=control)
 

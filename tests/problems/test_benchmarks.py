@@ -15,6 +15,7 @@ import manipplan as mp
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import against_01
 import against_revision
+import blends
 import check_trajectories
 import closed_meshes
 import cold_start
@@ -26,6 +27,7 @@ import first_models
 import first_paths
 import first_plans
 import killed_saves
+import lead_ins
 import mesh_pairs
 import motionbenchmaker
 import motions
@@ -398,6 +400,44 @@ def test_the_judge_of_two_arms_refuses_arms_that_touch_and_goals_that_are_missed
     assert not free.accepts(crossing, {})
     aside = mp.retime(mp.JointPath.line(robot.neutral, robot.neutral + 0.05), robot)
     assert free.accepts(aside, {})
+
+
+def test_the_judge_of_blends():
+    """Distances beyond a segment, a triangle and a tetrahedron that are known."""
+    segment = np.array([[0.0, 0, 0], [1, 0, 0], [0.5, 0, 0]])
+    assert blends.beyond_hull(segment, np.array([[0.3, 0, 0]])) == pytest.approx(0.0, abs=1e-12)
+    assert blends.beyond_hull(segment, np.array([[1.3, 0, 0.4]])) == pytest.approx(0.5)
+    triangle = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0]])
+    assert blends.beyond_hull(triangle, np.array([[0.2, 0.2, 0.1], [0.5, -0.2, 0]])) == pytest.approx(0.2)
+    corner = np.vstack([triangle, [[0, 0, 1.0]]])
+    assert blends.beyond_hull(corner, np.array([[0.1, 0.1, 0.1]])) == pytest.approx(0.0, abs=1e-12)
+    assert blends.beyond_hull(corner, np.array([[0.1, 0.1, -0.3]])) == pytest.approx(0.3)
+
+
+def test_the_judge_of_lead_ins():
+    """A motion through the singularity of the wrist and by a full turn too many; and one without either."""
+    robot = mp.load_robot("ur5")
+    judge = lead_ins.Judge(robot)
+    start = np.array([0.0, -1.4, 1.6, -1.77, -1.57, 0.0])
+    for goal, count, excess in (
+        (start + [0.5, 0, 0, 0, 0, 0], 0, 0.0),
+        (start + [0, 0, 0, 0, 3.0, 0], 1, 0.0),
+        (start + [6.0, 0, 0, 0, 0, 0], 0, 2 * (6.0 - np.pi)),
+    ):
+        lead_in = mp.retime(mp.JointPath.line(start, goal), robot)
+        assert judge.crossings(lead_in) == count
+        assert judge.excess(lead_in, lead_in.duration) == pytest.approx(excess, abs=1e-6)
+    assert judge.minimum(lead_in) == pytest.approx(robot.kinematics(mp.Task.pose(length=1.0)).manipulability(start), rel=1e-6)
+
+
+def test_lead_ins_and_blends_make_their_tables(tmp_path):
+    lead_ins.main(["--arms", "ur5", "--lines", "1", "--starts", "3", "--out", str(tmp_path / "lead_ins.md")])
+    rows = (tmp_path / "lead_ins.md").read_text().splitlines()
+    assert rows[2].startswith("| ur5 | `follow` | 3 | 3 | ") and rows[3].startswith("| ur5 | `MoveAlong` | 3 | 3 | ")
+    assert all(row.split("|")[8].strip() == "0" for row in rows[2:4])  # needless crossings
+    blends.main(["--arms", "ur5", "--corners", "4", "--out", str(tmp_path / "blends.md")])
+    cells = [row.split("|") for row in (tmp_path / "blends.md").read_text().splitlines()[2:6]]
+    assert len(cells) == 4 and all(float(each[8]) <= 0.1 for each in cells)
 
 
 @pytest.mark.slow

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.cost.crossings import is_singular
 from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
@@ -299,6 +300,8 @@ def follow(
         return failed(made, throw, fault)
     if fault:
         return check_failed(made, throw, fault)
+    if is_singular(result.path, integral, integral.cost(result.path)):
+        made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR.value))
     tell(1.0, "done")
     return made
 

@@ -82,7 +82,9 @@ def read_steps(
             _check_tool(k, robot)
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
-                _check_speed(k, step, robot, blend)
+                before = steps[k - 1] if k else step
+                radii = [each.blend for each in (before, step) if isinstance(each, MoveTo | MoveAlong)]
+                _check_speed(k, step, robot, max(blend if each is None else each for each in radii))
             if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > SAME:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)

@@ -65,8 +65,11 @@ def sequence(
         steps: `MoveTo`, `MoveAlong`, `Attach`, `Detach` and `Wait`, in their order.
         scene: obstacles at the beginning; None: none.
         blend: largest distance of the tool from a corner between two moves where the arm goes around it without a stop [m];
-            0: it stops at each corner. A blend that would touch something, or leave the limits or constraints, is halved, and
-            at last the arm stops. Paths of the tool are left near their ends by that much.
+            0: it stops at each corner. It holds for moves that have no `blend` of their own. Paths of the tool are left near
+            their ends by that much, and at least half of each is left. On a blend the tool stays in the convex hull of the
+            two pieces of its way that the blend replaces, to 0.1 mm. A blend that would leave it, touch something, or leave
+            the limits or constraints, is halved, and at last the arm stops. The marks have the radii, and a warning says
+            where one is smaller than asked for.
         objective: as for `plan`, for all moves.
         shape, seeding: as for `plan`, for free motions; `time_limit` holds for each of them. With shifts="nearest" the joints
             go the short way to every goal that is a configuration.
