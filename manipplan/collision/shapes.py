@@ -15,7 +15,7 @@ from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
-from manipplan.support.checks import ROTATION, Array, existing_file, finite_array, number, number_array, pose_matrix
+from manipplan.support.checks import Array, existing_file, finite_array, number, number_array, pose_matrix, rotation_matrix
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
 
@@ -117,10 +117,7 @@ class Obstacle(ABC):
         argument = self._argument("rotation")
         if number_array(argument, rotation).shape == (3,):
             return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
-        matrix = finite_array(argument, rotation, (3, 3), most=1.0 + ROTATION)
-        if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
-            raise InvalidInputError(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
-        return matrix
+        return rotation_matrix(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

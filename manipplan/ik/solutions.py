@@ -42,7 +42,8 @@ class Completeness(StrEnum):
 class SolutionSet(Pictured):
     """Configurations that reach a pose, or one of several; each verified by forward kinematics to 1e-10.
 
-    Farther than 10 km from the world's origin, to 1e-14 of the distance.
+    Farther than 10 km from the world's origin, to 1e-14 of the distance. A pose that is beyond a joint limit or the arm's reach
+    by no more than a rounded pose may be has the configurations that stop there, at most 1e-6 m and rad from it.
 
     Attributes:
         q: (k, n) [rad or m], inside the position limits.
@@ -236,7 +237,7 @@ def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
 
 
 def pose_stack(argument: str, pose: Any) -> Array:
-    """One or several poses as (p, 4, 4); each is checked."""
+    """One or several poses as (p, 4, 4), each the rigid transform nearest to the one given; raises as `pose_matrix`."""
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)

@@ -38,12 +38,16 @@ from manipplan.support.checks import Array, finite_array, instance, number_array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
+from manipplan.support.tolerances import SAME
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1]; beyond FAR [m] from the
 #: world's origin, where rounding is larger, by more than this share of FAR.
 REACHED, FAR = 1e-10, 1e4
+#: The same where a limit or the reach of the arm ends just before the pose, as it may for rounded poses: distance and angle are
+#: then below SAME.
+NEARLY = SAME / 3
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.
@@ -223,7 +227,7 @@ class Solver:
         arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
         allowed = float(_allowed(pose[None])[0])
         q, miss = arm.search(starts, pose, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
-        q = in_turn(self.robot, q[miss <= allowed])
+        q = in_turn(self.robot, q[miss <= max(allowed, NEARLY)])
         return self.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
 
     @property
@@ -315,16 +319,30 @@ class Solver:
         order = np.random.default_rng(0).permutation(len(samples)) if np.isfinite(deadline.at) else np.arange(len(samples))
         found = self.solve_once(poses, owners[order], samples[order], deadline)
         rows, q = self.with_turns(found.q)
-        source = order[found.source[rows]]
-        usual = np.argsort(source, kind="stable")
-        return replace(found, q=q[usual], source=source[usual], residual=found.residual[rows][usual])
+        source, residual = found.source[rows], found.residual[rows]
+        turning = self._turning
+        stopped = (q[:, turning] == self.robot.limits.upper[turning]).any(axis=1)  # the turn may end just before the pose
+        if stopped.any():
+            targets, at = self._targets(poses, owners[order], samples[order], source[stopped])
+            residual[stopped] = self._residual(q[stopped], targets, at)
+        allowed = _allowed(poses)[owners[order][source]]
+        source = order[source]
+        usual = np.lexsort((residual > allowed, source))  # `distinct` takes the first of those that are one
+        usual = usual[self._counts(q, source, residual, allowed)[usual]]
+        return replace(found, q=q[usual], source=source[usual], residual=residual[usual])
+
+    def _counts(self, q: Array, source: NDArray[np.int64], residual: Array, allowed: Array) -> NDArray[np.bool_]:
+        """Whether q (k, n) are solutions: they reach their pose, or nearly so at a limit, or where none of the sample does."""
+        good, limits = residual <= allowed, self.robot.limits
+        stopped = ((q == limits.lower) | (q == limits.upper)).any(axis=1)
+        return np.asarray(good | ((residual <= NEARLY) & (stopped | ~np.isin(source, source[good]))))
 
     def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
         rows = np.arange(len(q))
         for joint in self._turning:
             upper = self.robot.limits.upper[joint]
-            counts = ((upper - q[:, joint] + REACHED / 10) // (2 * np.pi)).astype(np.int64) + 1
+            counts = ((upper - q[:, joint] + NEARLY) // (2 * np.pi)).astype(np.int64) + 1
             again = np.repeat(np.arange(len(q)), counts)
             turns = np.arange(len(again)) - np.repeat(np.cumsum(counts) - counts, counts)
             q, rows = q[again], rows[again]
@@ -381,10 +399,11 @@ class Solver:
             off &= residual < ROUNDED * allowed / REACHED
         if off.any():
             better = self._holding.refine(q[off], targets, rows[off], steps=STEPS, tolerance=REACHED / 100)
-            q = q.copy()
-            q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
-            residual[off] = self._residual(q[off], targets, rows[off])
-        good = residual <= allowed
+            better = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
+            left, q = self._residual(better, targets, rows[off]), q.copy()
+            nearer = np.flatnonzero(off)[left < residual[off]]
+            q[nearer], residual[nearer] = better[left < residual[off]], left[left < residual[off]]
+        good = self._counts(q, source, residual, allowed)
         return Found(q=q[good], source=source[good], residual=residual[good])
 
     def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:

@@ -183,8 +183,8 @@ def test_spaces_around_the_columns_do_not_matter(tmp_path):
         ([HEAD, row(START), "1,2,3"], "row 3: 1,2,3.*7 finite numbers"),
         ([HEAD, row(START), row(END).replace("0.4", "left")], "row 3: left.*7 finite numbers"),
         ([HEAD, "nan" + row(START)[3:], row(END)], "row 2: nan.*7 finite numbers"),
-        ([HEAD, row(START), row(END, 1.1)], "row 3: .*a quaternion of length 1"),
-        ([HEAD, row(START), row(END, 0.0)], "row 3: .*a quaternion of length 1"),
+        ([HEAD, row(START), row(END, 1.1)], "row 3: .*a quaternion qw, qx, qy, qz of length 1"),
+        ([HEAD, row(START), row(END, 0.0)], "row 3: .*a quaternion qw, qx, qy, qz of length 1"),
         (["# made by hand", HEAD, "", row(START), "", "1,2,3"], "row 6: 1,2,3.*7 finite numbers"),
     ],
 )

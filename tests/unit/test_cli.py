@@ -315,7 +315,7 @@ def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
         ("x,y,z,qw,qx,qy,qz\n", "at least two poses"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0\n1,1.2,0,1,0,0,0\n", "row 2"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,nan,0,1,0,0,0\n", "row 3"),
-        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion of length 1"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion qw, qx, qy, qz of length 1"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "a pose that differs"),
         ("x,y,z,qw,qx,qy,qz\n9,9,0,1,0,0,0\n9,8,0,1,0,0,0\n", "a pose within reach and joint limits; the arm stays"),
     ],

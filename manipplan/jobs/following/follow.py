@@ -20,7 +20,7 @@ from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
-from manipplan.paths.cartesian import APART, CartesianPath
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import SHORTEST
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
@@ -36,6 +36,7 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import ALONG, Status
+from manipplan.support.tolerances import SAME
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits
 from manipplan.timing.steady.speed import check_tool_speed
@@ -275,7 +276,7 @@ def follow(
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
     still = all(each.course.path.length < SHORTEST for each in motion.parts)
-    if still and np.ptp(path.sample(PLACES), axis=0).max() > APART:
+    if still and np.ptp(path.sample(PLACES), axis=0).max() > SAME:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.measured(integral, scene, clearance)

@@ -11,7 +11,7 @@ from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
 from manipplan.robots.arms import known_tool
 from manipplan.robots.attached import check_in_hand
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import ROTATION, Array, configurations
+from manipplan.support.checks import Array, configurations, pose_matrix
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 
 #: The forms of a goal, for messages.
@@ -177,9 +177,11 @@ def _is_pose(goal: Sequence[Any], n: int) -> bool:
         return False
     if n != 4:
         return True
-    matrix = np.asarray(goal, dtype=float)
-    turned = np.abs(matrix[:3, :3].T @ matrix[:3, :3] - np.eye(3)).max() < ROTATION
-    return bool(turned and np.array_equal(matrix[3], [0.0, 0.0, 0.0, 1.0]))
+    try:
+        pose_matrix("goal", goal)
+    except InvalidInputError:
+        return False
+    return True
 
 
 def _has_shape(goal: Any) -> bool:
