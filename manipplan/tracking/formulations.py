@@ -48,8 +48,8 @@ class Formulation(ABC):
 
     #: Whether a step is a QP, which keeps a tolerance and avoids obstacles; False: it is `closed_form`.
     solves_qp: bool = True
-    #: Whether the drive fades where the target stands still and the arm does not come closer: then the arm rests away from a
-    #: target only where it would without a drive.
+    #: Whether the drive fades where the target stands still and the tool is away from it: then the arm rests there only if it
+    #: would do so without a drive.
     yields: bool = False
     #: How the gradient of m is computed.
     gradient: str = "exact"
@@ -188,8 +188,8 @@ class LogDrive(Formulation):
         rate: ρ > 0 [1/s].
         regularisation: r of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows: singular values below r pull no
             harder. For a full pose J is taken at the middle of the arm, where m is the same.
-        yields: whether the drive fades where the target stands still and the arm does not come closer to it, or to its
-            tolerance. False: the arm may rest decimetres away, where the drive balances the tracking.
+        yields: whether the drive fades where the target stands still and the tool is away from it or outside its tolerance.
+            False: the arm may rest decimetres away, where the drive balances the tracking.
     """
 
     weight: float = 10.0

@@ -9,9 +9,9 @@ where these are used, one slack for the tube and one for the avoidance:
 The paper's ṙ brings the tool to its target within one step. With bounded accelerations that overshoots, so the deviation
 left by the last step is corrected no faster than it can be braked; see `_correction`.
 
-A drive has equilibria with the tracking away from the target, at an active bound even in the null space alone. The drive of
-a formulation that `yields` therefore fades where the target stands still and the arm does not come closer, which is also what
-STALLED reports; see `_Approach`.
+A drive has equilibria with the tracking away from the target, at an active bound even in the null space alone, and leads the
+arm to others. The drive of a formulation that `yields` therefore fades where the target stands still and the arm is away from
+it; see `_Approach`, which also notices that the arm comes no closer, as STALLED reports.
 """
 
 from dataclasses import dataclass
@@ -47,20 +47,18 @@ OPTIMALITY_TOLERANCE = 1e-5
 TUBE_TIME = 0.1
 #: Deceleration at which the return from outside the tube is braked [m/s²].
 TUBE_RETURN = 2.0
-#: A target stands still if its speed [m/s] is below this share of the distance [m].
+#: A target stands still if its speed [m/s] is at most this share of its distance [m].
 SLOW = 1e-2
 #: The arm comes closer if the distance shrinks by this share; without that it has stalled after STALLING [s].
 CLOSER = 0.005
 STALLING = 1.0
 #: An arm is away from its target from this distance on [m].
 AWAY = 5e-4
-#: A drive that yields starts to fade after PATIENCE [s] and is gone after FADING more [s].
-PATIENCE = 0.25
+#: Time within which a drive that yields grows or fades [s], the distance to which it may pull the tool off a target that stands still [m],
+#: and the share from which it grows again.
 FADING = 0.5
-#: Distance to which a drive that yields may pull the tool off a target that stands still [m].
-OFF = 2.5e-4
-#: Share from which a faded drive grows again.
-SEED = 0.01
+OFF = 1e-4
+SEED = 2e-3
 #: Numbers that a step remembers beside those of a measure: the last target, whether there was one, and of `_Approach`.
 MEMORY = 20
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
@@ -76,7 +74,7 @@ class StepStatus(IntEnum):
     BAD_TARGET = 2
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 3
-    #: The step was solved, but the arm has not come closer to its target, which stands still, for one second.
+    #: The step was solved, but for one second the arm has not come closer to its target, which stands still.
     STALLED = 4
 
     @property
@@ -349,10 +347,11 @@ class _Approach:
     """Whether the arm comes closer to a target that stands still.
 
     Attributes:
-        share: factor on a drive that yields, from 0 to 1.
+        share: factor on a drive that yields, from 0 to 1: it grows while the target moves, and fades while the target stands
+            still and the arm is away from it.
         nearest: least distance so far to the target, or to its tube, while it stands still [m].
         waited: time since that distance has shrunk by its share CLOSER [s].
-        stalled: whether the arm is away from its target, has waited for STALLING, and no drive is left that yields.
+        stalled: whether the arm is away from its target and has waited for STALLING.
     """
 
     share: ca.SX
@@ -366,17 +365,15 @@ class _Approach:
         dt = setup.dt
         outside = ca.fmax(ca.fabs(error) - _width(setup, inputs), 0) if setup.tube else error
         distance = ca.sqrt(ca.sumsqr(outside))
-        still = ca.sqrt(ca.sumsqr(error - deviation)) <= dt * SLOW * distance
+        still = ca.sqrt(ca.sumsqr(error - deviation)) <= dt * SLOW * (distance + OFF)
         waits = ca.logic_and(ca.logic_and(started, still), distance > (1 - CLOSER) * nearest)
         waited = ca.if_else(waits, waited + dt, 0)
         away = distance > AWAY
-        # near the target the share settles where the tool is pulled off by OFF
-        near = (share + SEED) * (1 - distance / OFF)
-        change = ca.if_else(away, ca.if_else(still, -(waited > PATIENCE) / FADING, 1 / FADING), near / FADING)
-        share = ca.if_else(started, ca.fmax(0, ca.fmin(1, share + dt * change)), 1)
+        # near the target the share settles where the drive pulls the tool off by OFF
+        near = (share + SEED) * (1 - distance / OFF) / FADING
+        change = ca.if_else(still, ca.if_else(away, -1 / FADING, near), 1 / FADING)
+        share = ca.if_else(started, ca.fmax(0, ca.fmin(1, share + dt * change)), ca.logic_not(away))
         stalled = ca.logic_and(waited >= STALLING, away)
-        if setup.formulation.yields:
-            stalled = ca.logic_and(stalled, share * inputs[5] == 0)
         return cls(share=share, nearest=ca.if_else(waits, nearest, distance), waited=waited, stalled=stalled)
 
 
