@@ -83,6 +83,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/cold_start.py
 	$(BIN)/python benchmarks/first_plans.py
 	$(BIN)/python benchmarks/threads.py
+	$(BIN)/python benchmarks/rest.py
 	$(BIN)/python benchmarks/killed_saves.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py

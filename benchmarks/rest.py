@@ -34,7 +34,14 @@ SEED, DT, NEAR = 45, 0.01, 1e-3
 CLOSER, LOOK_BACK = 0.005, 5.0
 #: Distance to a limit [rad], and the least singular value over the largest at which a Jacobian has lost its rank.
 AT_LIMIT, SINGULAR = 1e-4, 0.01
-COLUMNS = ("at the target", "stalled at a joint limit", "stalled at a singularity", "stalled elsewhere", "still approaching", "wrong")
+COLUMNS = (
+    "at the target",
+    "stalled at a joint limit",
+    "stalled at a singularity",
+    "stalled elsewhere",
+    "still approaching",
+    "wrong",
+)
 
 
 class Judge:
@@ -104,8 +111,7 @@ def main(arguments: list[str] | None = None) -> dict[tuple[str, str], Counter[st
                 counts[end_of(robot, judge, run, target)] += 1
     lines = [f"| arm | formulation | {' | '.join(COLUMNS)} |", f"|{'---|' * (len(COLUMNS) + 2)}"]
     lines += [
-        f"| {arm} | {name} | {' | '.join(str(counts[column]) for column in COLUMNS)} |"
-        for (arm, name), counts in found.items()
+        f"| {arm} | {name} | {' | '.join(str(counts[column]) for column in COLUMNS)} |" for (arm, name), counts in found.items()
     ]
     lines += [
         "",

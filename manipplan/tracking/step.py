@@ -54,8 +54,8 @@ CLOSER = 0.005
 STALLING = 1.0
 #: An arm is away from its target from this distance on [m].
 AWAY = 5e-4
-#: Time within which a drive that yields grows or fades [s], the distance to which it may pull the tool off a target that stands still [m],
-#: and the share from which it grows again.
+#: Time within which a drive that yields grows or fades [s], the distance to which it may pull the tool off a target that
+#: stands still [m], and the share from which it grows again.
 FADING = 0.5
 OFF = 1e-4
 SEED = 2e-3
@@ -189,7 +189,7 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, ro
     good_state, good_target = _soundness(inputs)
     sound = ca.logic_and(good_state, good_target)
     error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
-    deviation = _deviation_before(setup, inputs, goal, error)
+    deviation = _deviation_before(setup, inputs, goal)
     approach = _Approach.of(setup, inputs, error, deviation)
     rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
     if setup.approach < ca.inf:
@@ -319,7 +319,7 @@ def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
     return ca.sqrt(ca.sumsqr(ca.vertcat(0, *position))), ca.sqrt(ca.sumsqr(ca.vertcat(0, *rotation)))
 
 
-def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX, error: ca.SX) -> ca.SX:
+def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX) -> ca.SX:
     """Deviation of the tool from the target of the last step, (m, 1); the whole error if there was none."""
     last = inputs[8][-MEMORY:]
     before, started = ca.reshape(last[:16], 4, 4), last[16] > 0
