@@ -108,6 +108,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py
+	$(BIN)/python benchmarks/many_pieces.py
 	$(BIN)/python benchmarks/planar_suite.py
 	$(BIN)/python benchmarks/collision_shapes.py
 	$(BIN)/python benchmarks/mesh_readers.py

@@ -13,6 +13,8 @@ from manipplan.support.deadline import building
 JUMP, EACH = 1e-6, 60
 #: Minimum number of nodes per polynomial piece: a sharp bend may be a short piece of a long path.
 PER_PIECE = 24
+#: Number of samples that tell where the path turns: a thousand per piece up to the first number, at least the second per piece.
+MOST_SAMPLES, EACH_SAMPLES = 200_000, 20
 #: Grid points closer to a break than this share of the mean grid spacing are dropped.
 BESIDE = 0.1
 
@@ -25,14 +27,17 @@ class ArcLength:
             from scipy.interpolate import CubicSpline, PPoly
 
         self.path = path
-        nodes_along = max(1200, 12 * len(path.control))
+        #: where polynomial pieces begin or end, between the ends
+        self.breaks = path.breaks[np.searchsorted(path.breaks, a, side="right") : np.searchsorted(path.breaks, b)]
+        pieces = 1 + len(self.breaks)
+        nodes_along = max(1200, 12 * pieces)
+        self._samples = max(4000, min(1000 * pieces, MOST_SAMPLES), EACH_SAMPLES * pieces)
         nodes, weights = gauss_rule(6)
-        jumps = _jumps(path)
-        ends = np.concatenate([[a], jumps[(jumps > a) & (jumps < b)], [b]])
+        ends = np.concatenate([[a], _jumps(path, self.breaks), [b]])
         at, splines = [0.0], []
         for begin, end in pairwise(ends):
-            inside = 1 + int(np.count_nonzero((path.breaks > begin) & (path.breaks < end)))
-            count = max(EACH, PER_PIECE * inside, int(np.ceil(nodes_along * (end - begin) / (b - a))))
+            inside = np.searchsorted(self.breaks, end) - np.searchsorted(self.breaks, begin, side="right")
+            count = max(EACH, PER_PIECE * (1 + int(inside)), int(np.ceil(nodes_along * (end - begin) / (b - a))))
             # dense near the ends, where a path may start from q' = 0
             s = begin + (end - begin) * (1 - np.cos(np.linspace(0.0, np.pi, count + 1))) / 2
             half = np.diff(s) / 2
@@ -95,11 +100,11 @@ class ArcLength:
 
     def fine(self, count: int) -> Array:
         """The same without edges, for `count` far above what is needed to tell where the path turns."""
-        return self._marked(self._even(count, max(4000, 1000 * len(self.path.control))), np.empty(0))
+        return self._marked(self._even(count, self._samples), np.empty(0))
 
     def _marked(self, points: Array, edges: Array) -> Array:
         """The points, and breaks and edges instead of those close to them."""
-        marks = self.lengths_of(np.union1d(self.path.breaks, edges))
+        marks = self.lengths_of(np.union1d(self.breaks, edges))
         if len(marks):  # a motion would pass points very close to a mark in less time than samples resolve
             beside = np.abs(points[:, None] - marks).min(axis=1) < BESIDE * self.length / (len(points) - 1)
             beside[[0, -1]] = False
@@ -126,12 +131,13 @@ class ArcLength:
         return length / self.length + turned / max(turned[-1], 0.1), length
 
 
-def _jumps(path: JointPath) -> Array:
-    """The breaks at which ‖q'‖ jumps, as where two paths were joined: the parameter has a kink there over the length."""
-    widths = np.diff(path.breaks)
-    last = _norms(path.control[:-1, -1] - path.control[:-1, -2]) / widths[:-1]
-    first = _norms(path.control[1:, 1] - path.control[1:, 0]) / widths[1:]
-    return np.asarray(path.breaks[1:-1][np.abs(last - first) > JUMP * np.maximum(last, first)])
+def _jumps(path: JointPath, breaks: Array) -> Array:
+    """The inner breaks at which ‖q'‖ jumps, as where two paths were joined: the parameter has a kink there over the length."""
+    at = np.searchsorted(path.breaks, breaks)
+    before, after = path.control[at - 1], path.control[at]
+    last = _norms(before[:, -1] - before[:, -2]) / (breaks - path.breaks[at - 1])
+    first = _norms(after[:, 1] - after[:, 0]) / (path.breaks[at + 1] - breaks)
+    return np.asarray(breaks[np.abs(last - first) > JUMP * np.maximum(last, first)])
 
 
 def _norms(vectors: Array) -> Array:

@@ -21,6 +21,7 @@ from manipplan.timing.profile import Profile, SmoothProfile, SteppedProfile
 from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
 from manipplan.timing.speeds import DIGITS, fastest_speeds
 from manipplan.timing.stops import MovingPath
+from manipplan.timing.straight import StraightMotion
 from manipplan.timing.verify import jerk_of_pieces, piece_use
 
 #: Grid points closer to a mark than this share of the grid spacing are dropped.
@@ -71,7 +72,7 @@ def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: A
     share = (share - share[0]) / (share[-1] - share[0])
     wanted = np.linspace(0.0, 1.0, count + 1)
     grid = np.interp(wanted, share, points)
-    marks = curve.lengths_of(np.union1d(curve.path.breaks, edges))
+    marks = curve.lengths_of(np.union1d(curve.breaks, edges))
     marks = marks[(marks > grid[1]) & (marks < grid[-2])]
     if len(marks):
         at = np.interp(marks, points, share)
@@ -110,6 +111,13 @@ class TimingProblem:
     names: tuple[str, ...]
     torque_model: pin.Model | None
     tool: ToolSpeed | None
+
+    def is_plain(self, a: float, b: float) -> bool:
+        """Whether only limits of velocity, acceleration and jerk hold between two s, and they do not change."""
+        edges = self.limits.edges
+        inside = np.searchsorted(edges, b) > np.searchsorted(edges, a, side="right")
+        tool = self.limits.at(np.array([(a + b) / 2])).tool_speed[0]
+        return self.torque_model is None and not inside and bool(np.isinf(tool))
 
     def dynamics(self, curve: ArcLength, points: Array) -> PathDynamics:
         """The demand rows at grid points of a piece."""
@@ -159,6 +167,19 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
 
     tightening = LimitTightening(len(points), (start > 0, end > 0))
     return _verified(problem, solve, tightening, ROUNDS, moving=moving, failure=failure)
+
+
+def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array, Array]) -> Piece:
+    """The motion from rest at s = a to rest at s = b, where the path is straight and `is_plain`; `ends`: q there, (n,) each."""
+    motion = StraightMotion.between(*ends, problem.limits.at(np.array([(a + b) / 2])))
+    factor = 1.0
+    for _ in range(20):
+        trajectory = motion.sampled(problem.names, factor)
+        slower = slowdown(problem.use(trajectory, np.linspace(a, b, len(trajectory.t))))
+        if slower <= 1:
+            return Piece(trajectory=trajectory, ideal=motion.duration)
+        factor *= slower * (1 + SPARE)
+    raise PlanningError(f"no motion within the limits was found on the straight line from s = {problem.course.given(a):.4f}")
 
 
 def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> Piece:

@@ -15,9 +15,10 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece
+from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece, straight_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
 from manipplan.timing.stops import STANDSTILL, MovingPath, stops
+from manipplan.timing.straight import straight_ends
 
 #: Where a grid is too coarse for a bend as sharp as a corner, a stop is tried where ‖q'‖ is below this share of its mean.
 NEAR_STANDSTILL = 0.02
@@ -97,15 +98,21 @@ def retime(
 def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[Piece]:
     """The motions between all stops."""
     pieces = []
+    path = problem.course.path
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
         end = speeds[1] if k == len(at) - 2 else 0.0
+        first, last = np.searchsorted(path.breaks, (a, b))
+        if start == end == 0 and problem.is_plain(a, b) and path.breaks[first] == a and path.breaks[last] == b:
+            ends = straight_ends(path, int(first), int(last))
+            if ends is not None:
+                pieces.append(straight_piece(problem, a, b, ends))
+                continue
         share = max(20, int(np.ceil(grid * (b - a))))
         if problem.limits.has_jerk:
             pieces.append(smooth_piece(problem, a, b, share, start, end))
             continue
-        inside = int(np.count_nonzero((problem.course.path.breaks > a) & (problem.course.path.breaks < b)))
-        pieces.append(stepped_piece(problem, a, b, max(share, min(EACH * (1 + inside), 4 * grid)), start, end))
+        pieces.append(stepped_piece(problem, a, b, max(share, min(EACH * (last - first), 4 * grid)), start, end))
     return pieces
 
 

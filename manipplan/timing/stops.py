@@ -44,10 +44,11 @@ def turn_cosine(before: Array, after: Array) -> float:
 
 def stops(path: JointPath, standstill: float) -> list[float]:
     """Parameters at which the arm must stop: the ends, corners between pieces, and points where q' vanishes."""
-    found = [0.0]
-    for s, before, after in zip(path.breaks[1:-1], path.control[:-1], path.control[1:], strict=True):
-        if turn_cosine(before, after) < np.cos(CORNER):
-            found.append(float(s))
+    arriving = path.control[:-1, -1] - path.control[:-1, -2]
+    leaving = path.control[1:, 1] - path.control[1:, 0]
+    sizes = np.maximum(np.linalg.norm(arriving, axis=1) * np.linalg.norm(leaving, axis=1), 1e-300)
+    turned = np.einsum("ij,ij->i", arriving, leaving) < np.cos(CORNER) * sizes
+    found = [0.0, *path.breaks[1:-1][turned].tolist()]
     s = np.linspace(0.0, 1.0, 2001)
     speed = np.linalg.norm(path(s, 1), axis=1)
     mean = speed.mean()
