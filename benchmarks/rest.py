@@ -48,6 +48,7 @@ class Judge:
     """Forward kinematics of the original file, with the joints that are locked held in place."""
 
     def __init__(self, robot: mp.Robot) -> None:
+        assert robot.source is not None
         self.model = pin.buildModelFromUrdf(str(robot.source.file))
         self.data = self.model.createData()
         self.frame = self.model.getFrameId(robot.tool)
