@@ -349,7 +349,7 @@ class _Approach:
     Attributes:
         share: factor on a drive that yields, from 0 to 1: it grows while the target moves, and fades while the target stands
             still and the arm is away from it.
-        nearest: least distance so far to the target, or to its tube, while it stands still [m].
+        nearest: least distance to the target, or to its tube, about STALLING ago [m].
         waited: time since that distance has shrunk by its share CLOSER [s].
         stalled: whether the arm is away from its target and has waited for STALLING.
     """
@@ -374,7 +374,9 @@ class _Approach:
         change = ca.if_else(still, ca.if_else(away, -1 / FADING, near), 1 / FADING)
         share = ca.if_else(started, ca.fmax(0, ca.fmin(1, share + dt * change)), ca.logic_not(away))
         stalled = ca.logic_and(waited >= STALLING, away)
-        return cls(share=share, nearest=ca.if_else(waits, nearest, distance), waited=waited, stalled=stalled)
+        # an arm that creeps must not look closer after many seconds
+        crept = nearest - ca.fmax(nearest - distance, 0) * min(dt / STALLING, 1.0)
+        return cls(share=share, nearest=ca.if_else(waits, crept, distance), waited=waited, stalled=stalled)
 
 
 def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, deviation: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
