@@ -84,6 +84,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/first_models.py
 	$(BIN)/python benchmarks/first_plans.py
 	$(BIN)/python benchmarks/threads.py
+	$(BIN)/python benchmarks/rest.py
 	$(BIN)/python benchmarks/killed_saves.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py

@@ -170,7 +170,7 @@ def episode(controller: mp.Controller, rng: np.random.Generator, steps: int, cou
         report = controller.report
         count.convexified += report.convexified > 0
         count.contacts += report.clearance < 0
-        failed = report.status != mp.StepStatus.SOLVED
+        failed = report.status.brakes
         strange = not (np.isfinite(qd).all() and np.isfinite(controller._report[:5]).all())
         count.not_solved += failed
         count.not_finite += strange

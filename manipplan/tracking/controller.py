@@ -34,7 +34,7 @@ class StepReport(NamedTuple):
     """Result of one step.
 
     Attributes:
-        status: outcome of the step; the arm brakes unless it is SOLVED.
+        status: outcome of the step; the arm brakes unless it is SOLVED or STALLED.
         manipulability: m before the step.
         position_deviation, rotation_deviation: from the target, after the step, to first order [m, rad].
         tube_excess: violation of the tube, or of the required return into it, that this step cannot avoid, in the unit of the
@@ -258,7 +258,7 @@ class Controller:
         return {"tolerance": self._tube.copy(), "obstacles": self._obstacles.copy()}
 
     def reset(self) -> None:
-        """Clear the memory of past steps: last acceleration and target, quasi-Newton Hessian."""
+        """Clear the memory of past steps: last acceleration and target, approach to it, quasi-Newton Hessian."""
         self._acceleration[:] = 0.0
         self._memory[:] = 0.0
 

@@ -47,6 +47,9 @@ class Formulation(ABC):
 
     #: Whether a step is a QP, which keeps a tolerance and avoids obstacles; False: it is `closed_form`.
     solves_qp: bool = True
+    #: Whether the drive fades where the target stands still and the tool is away from it: then the arm rests there only if it
+    #: would do so without a drive.
+    yields: bool = False
     #: How the gradient of m is computed.
     gradient: str = "exact"
     #: Whether an indefinite cost is made convex before it is solved.
@@ -182,16 +185,20 @@ class LogDrive(Formulation):
         rate: ρ > 0 [1/s].
         regularisation: r of log m = log sqrt(det(J Jᵀ + r² I)), in the unit of J's rows: singular values below r pull no
             harder. For a full pose J is taken at the middle of the arm, where m is the same.
+        yields: whether the drive fades where the target stands still and the tool is away from it or outside its tolerance.
+            False: the arm may rest decimetres away, where the drive balances the tracking.
     """
 
     weight: float = 10.0
     rate: float = 10.0
     regularisation: float = 1e-3
+    yields: bool = True
 
     def __post_init__(self) -> None:
         number("weight", self.weight, least=0.0)
         number("rate", self.rate, above=0.0)
         number("regularisation", self.regularisation, above=0.0)
+        flag("yields", self.yields)
 
     def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:  # noqa: ARG002
         """e eliminated: the Hessian β g gᵀ and the gradient - β ρ g with g = ∇ log m + NUDGE."""

@@ -8,6 +8,10 @@ where these are used, one slack for the tube and one for the avoidance:
 
 The paper's ṙ brings the tool to its target within one step. With bounded accelerations that overshoots, so the deviation
 left by the last step is corrected no faster than it can be braked; see `_correction`.
+
+A drive has equilibria with the tracking away from the target, at an active bound even in the null space alone, and leads the
+arm to others. The drive of a formulation that `yields` therefore fades where the target stands still and the arm is away from
+it; see `_Approach`, which also notices that the arm comes no closer, as STALLED reports.
 """
 
 from dataclasses import dataclass
@@ -43,8 +47,20 @@ OPTIMALITY_TOLERANCE = 1e-5
 TUBE_TIME = 0.1
 #: Deceleration at which the return from outside the tube is braked [m/s²].
 TUBE_RETURN = 2.0
-#: Number of values that hold the last target, and whether there was one.
-TARGET_MEMORY = 17
+#: A target stands still if its speed [m/s] is at most this share of its distance [m].
+SLOW = 1e-2
+#: The arm comes closer if the distance shrinks by this share; without that it has stalled after STALLING [s].
+CLOSER = 0.005
+STALLING = 1.0
+#: An arm is away from its target from this distance on [m].
+AWAY = 5e-4
+#: Time within which a drive that yields grows or fades [s], the distance to which it may pull the tool off a target that
+#: stands still [m], and the share from which it grows again.
+FADING = 0.5
+OFF = 1e-4
+SEED = 2e-3
+#: Numbers that a step remembers beside those of a measure: the last target, whether there was one, and of `_Approach`.
+MEMORY = 20
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
 
 
@@ -58,6 +74,13 @@ class StepStatus(IntEnum):
     BAD_TARGET = 2
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 3
+    #: The step was solved, but for one second the arm has not come closer to its target, which stands still.
+    STALLED = 4
+
+    @property
+    def brakes(self) -> bool:
+        """Whether the arm brakes, since there is no valid solution."""
+        return self not in (StepStatus.SOLVED, StepStatus.STALLED)
 
 
 #: Entries of a step's second output.
@@ -93,11 +116,6 @@ class StepSetup:
     tube: bool
     avoidance: Avoidance | None
 
-    @property
-    def remembers(self) -> bool:
-        """Whether a step needs the target of the last step."""
-        return self.tube or self.approach < ca.inf
-
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
@@ -131,7 +149,7 @@ def step_of(setup: StepSetup) -> Step:
         ca.SX.sym("drive"),
         ca.SX.sym("tolerance", 2),
         rows.obstacles if rows else ca.SX(0, 1),
-        ca.vertcat(measure.memory, ca.SX.sym("before", TARGET_MEMORY)) if setup.remembers else measure.memory,
+        ca.vertcat(measure.memory, ca.SX.sym("before", MEMORY)),
     ]
     problem = _problem(setup, inputs, measure, rows)
     given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
@@ -171,12 +189,15 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, ro
     good_state, good_target = _soundness(inputs)
     sound = ca.logic_and(good_state, good_target)
     error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
-    deviation = _deviation_before(setup, inputs, goal, error)
+    deviation = _deviation_before(setup, inputs, goal)
+    approach = _Approach.of(setup, inputs, error, deviation)
     rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
     if setup.approach < ca.inf:
         rate *= ca.fmin(1, FASTEST / (ca.sqrt(ca.sumsqr(rate)) + 1e-300))
     low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
     drive = formulation.drive(measure, dt)
+    if formulation.yields:
+        share *= approach.share
     bent = ca.SX(0)
     outputs: dict[str, ca.SX]
     if not formulation.solves_qp:
@@ -198,9 +219,9 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, ro
         outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # invalid inputs need no QP solver
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
-    figures = ca.vertcat(good_state, good_target, measure.value, clearance, bent)
+    figures = ca.vertcat(good_state, good_target, approach.stalled, measure.value, clearance, bent)
     outputs |= {"jacobian": jacobian, "error": error, "figures": figures}
-    outputs["next_memory"] = _next_memory(setup, measure, goal, good_state, sound)
+    outputs["next_memory"] = _next_memory(measure, goal, approach, good_state, sound)
     made = ca.cse([ca.densify(each) for each in outputs.values()])
     return ca.Function("problem", inputs, made, list(INPUTS), list(outputs))
 
@@ -258,7 +279,7 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     names = ("lbx", "ubx", "jacobian", "error", "figures")
     made = {name: ca.SX.sym(name, problem.sparsity_out(name)) for name in names}
     variables, solved = ca.SX.sym("answer", answer), ca.SX.sym("solved")
-    good_state, good_target, value, clearance, bent = ca.vertsplit(made["figures"])
+    good_state, good_target, stalled, value, clearance, bent = ca.vertsplit(made["figures"])
     n = made["jacobian"].shape[1]
     low, high = made["lbx"][:n], made["ubx"][:n]
     velocity, slack = variables[:n], variables[n:]
@@ -266,7 +287,8 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     # braking: the velocity within the bounds that is nearest to zero
     accepted = ca.logic_and(solved_too, ca.logic_and(good_state, good_target))
     velocity = ca.if_else(good_state, _clip(ca.if_else(accepted, velocity, 0), low, high), 0)
-    status = ca.if_else(solved_too, float(StepStatus.SOLVED), float(StepStatus.NOT_SOLVED))
+    status = ca.if_else(stalled, float(StepStatus.STALLED), float(StepStatus.SOLVED))
+    status = ca.if_else(solved_too, status, float(StepStatus.NOT_SOLVED))
     status = ca.if_else(good_target, status, float(StepStatus.BAD_TARGET))
     status = ca.if_else(good_state, status, float(StepStatus.BAD_STATE))
     left = made["error"] - made["jacobian"] @ velocity * setup.dt
@@ -277,10 +299,11 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     return ca.Function("finish", inputs, outputs, ["solved", "answer", *names], ["velocity", "report"])
 
 
-def _next_memory(setup: StepSetup, measure: SymbolicMeasure, goal: ca.SX, good_state: ca.SX, sound: ca.SX) -> ca.SX:
+def _next_memory(measure: SymbolicMeasure, goal: ca.SX, approach: "_Approach", good_state: ca.SX, sound: ca.SX) -> ca.SX:
     """The memory of the next step, without values from an invalid state or target."""
     learned = ca.if_else(good_state, measure.next_memory, 0) if measure.next_memory.shape[0] else measure.next_memory
-    return ca.vertcat(learned, ca.vec(goal), sound) if setup.remembers else learned
+    known = ca.if_else(sound, ca.vertcat(approach.share, approach.nearest, approach.waited), 0)
+    return ca.vertcat(learned, ca.vec(goal), sound, known)
 
 
 def _placement(rows: ca.SX) -> Placement:
@@ -296,11 +319,10 @@ def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
     return ca.sqrt(ca.sumsqr(ca.vertcat(0, *position))), ca.sqrt(ca.sumsqr(ca.vertcat(0, *rotation)))
 
 
-def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX, error: ca.SX) -> ca.SX:
+def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX) -> ca.SX:
     """Deviation of the tool from the target of the last step, (m, 1); the whole error if there was none."""
-    if not setup.remembers:
-        return error
-    before, started = ca.reshape(inputs[8][-TARGET_MEMORY:-1], 4, 4), inputs[8][-1] > 0
+    last = inputs[8][-MEMORY:]
+    before, started = ca.reshape(last[:16], 4, 4), last[16] > 0
     symbolic = setup.kinematics.symbolic
     target = _placement(ca.if_else(started, before, goal))
     return task_error(symbolic.task, symbolic.chain.tool, target)
@@ -308,10 +330,53 @@ def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX, error:
 
 def _correction(setup: StepSetup, deviation: ca.SX) -> ca.SX:
     """Share of a deviation that one step corrects: all of it, but no faster than it can be braked, sqrt(2 a |e|)."""
-    if not setup.remembers or setup.approach == ca.inf:
+    if setup.approach == ca.inf:
         return ca.SX(1)
     size = ca.sqrt(ca.sumsqr(deviation)) + 1e-300
     return ca.fmin(1, setup.dt * ca.sqrt(2 * setup.approach / size))
+
+
+def _width(setup: StepSetup, inputs: list[ca.SX]) -> ca.SX:
+    """Half of the tube's width in each row (m, 1)."""
+    position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
+    return position * inputs[6][0] + rotation * inputs[6][1]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Approach:
+    """Whether the arm comes closer to a target that stands still.
+
+    Attributes:
+        share: factor on a drive that yields, from 0 to 1: it grows while the target moves, and fades while the target stands
+            still and the arm is away from it.
+        nearest: least distance to the target, or to its tube, about STALLING ago [m].
+        waited: time since that distance has shrunk by its share CLOSER [s].
+        stalled: whether the arm is away from its target and has waited for STALLING.
+    """
+
+    share: ca.SX
+    nearest: ca.SX
+    waited: ca.SX
+    stalled: ca.SX
+
+    @classmethod
+    def of(cls, setup: StepSetup, inputs: list[ca.SX], error: ca.SX, deviation: ca.SX) -> "_Approach":
+        _, started, share, nearest, waited = ca.vertsplit(inputs[8][-MEMORY:], [0, 16, 17, 18, 19, 20])
+        dt = setup.dt
+        outside = ca.fmax(ca.fabs(error) - _width(setup, inputs), 0) if setup.tube else error
+        distance = ca.sqrt(ca.sumsqr(outside))
+        still = ca.sqrt(ca.sumsqr(error - deviation)) <= dt * SLOW * (distance + OFF)
+        waits = ca.logic_and(ca.logic_and(started, still), distance > (1 - CLOSER) * nearest)
+        waited = ca.if_else(waits, waited + dt, 0)
+        away = distance > AWAY
+        # near the target the share settles where the drive pulls the tool off by OFF
+        near = (share + SEED) * (1 - distance / OFF) / FADING
+        change = ca.if_else(still, ca.if_else(away, -1 / FADING, near), 1 / FADING)
+        share = ca.if_else(started, ca.fmax(0, ca.fmin(1, share + dt * change)), ca.logic_not(away))
+        stalled = ca.logic_and(waited >= STALLING, away)
+        # an arm that creeps must not look closer after many seconds
+        crept = nearest - ca.fmax(nearest - distance, 0) * min(dt / STALLING, 1.0)
+        return cls(share=share, nearest=ca.if_else(waits, crept, distance), waited=waited, stalled=stalled)
 
 
 def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, deviation: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
@@ -321,9 +386,8 @@ def _tube(setup: StepSetup, inputs: list[ca.SX], jacobian: ca.SX, error: ca.SX, 
     a deviation δ T of at most e + κ (w - e). So the arm slows down before it reaches the boundary. A deviation outside the
     tube returns as fast as it can be braked.
     """
-    tolerance, started = inputs[6], inputs[8][-1] > 0
-    position, rotation = (ca.DM(share) for share in row_shares(setup.kinematics.task))
-    width = position * tolerance[0] + rotation * tolerance[1]
+    started = inputs[8][16 - MEMORY] > 0
+    width = _width(setup, inputs)
     share = ca.if_else(started, min(setup.dt / TUBE_TIME, 1.0), 1.0)
 
     def most(side: ca.SX) -> ca.SX:

@@ -22,7 +22,6 @@ from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller, StepReport
 from manipplan.tracking.formulations import Formulation
-from manipplan.tracking.step import StepStatus
 
 #: Tolerance within which the final pose counts as reached [m, rad], and speed below which the arm is at rest [rad/s, m/s].
 REACHED = (1e-4, 1e-3)
@@ -88,7 +87,7 @@ class Tracking:
     @property
     def braked(self) -> int:
         """Number of steps without a valid solution."""
-        return sum(report.status != StepStatus.SOLVED for report in self.reports)
+        return sum(report.status.brakes for report in self.reports)
 
     def __str__(self) -> str:
         times = 1e6 * self.solve_times
@@ -261,7 +260,7 @@ class _Loop:
             [_error(controller.task, pose, target) for pose, target in zip(kinematics.pose(q), targets, strict=True)]
         )
         deviation, rotation = _lengths(controller.task, errors)
-        braked = sum(report.status != StepStatus.SOLVED for report in self.reports)
+        braked = sum(report.status.brakes for report in self.reports)
         status, message = _outcome(deviation, rotation, tube, s, braked, controller.dt)
         return Tracking(
             t=controller.dt * np.arange(len(q), dtype=float),

@@ -426,9 +426,9 @@ def test_a_measure_of_one_s_own_is_raised_until_the_null_space_holds_no_more(arm
 @pytest.mark.parametrize("measure", ["inverse_condition", "smallest_singular_value", "isotropy", "asada", "dynamic"])
 def test_a_measure_that_vanishes_drives_the_arm_out_of_a_singularity(arm, measure, start):
     """With hardly any stiffness; the measure and its gradient may be zero or not defined there."""
-    controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, measure=measure, stiffness=1e-3, compiled=False)
+    controller = Controller(arm, mp.formulations.LogDrive(yields=False), dt=DT, measure=measure, stiffness=1e-3, compiled=False)
     run = controller.rollout(start, np.repeat(pose_of(arm, np.array(start))[None], 200, axis=0))
-    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert np.isin(run["status"], (mp.StepStatus.SOLVED, mp.StepStatus.STALLED)).all()  # the drive leads away from the target
     assert run["manipulability"][0] == pytest.approx(0, abs=1e-7)
     assert run["manipulability"][-1] > 0.02
     assert arm.kinematics().manipulability(run.q[-1]) > 0.03

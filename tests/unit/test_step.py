@@ -10,7 +10,7 @@ from manipplan.measures.names import MEASURES
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.convex import convexified
 from manipplan.tracking.formulations import NUDGE
-from manipplan.tracking.step import INPUTS, PROGRAM, TARGET_MEMORY
+from manipplan.tracking.step import INPUTS, MEMORY, PROGRAM
 
 DT = 0.01
 GOLDEN = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])
@@ -98,9 +98,9 @@ def quadratic(kinematics, formulation, q):
         (mp.formulations.Equality(alpha=5e5), None),
         (mp.formulations.Equality(alpha=5e5, sample_time=0.004), None),
         (mp.formulations.Equality(alpha=5e5), "frobenius"),
-        (mp.formulations.LogDrive(), None),
-        (mp.formulations.LogDrive(weight=3.0, rate=2.0), None),
-        (mp.formulations.LogDrive(), "frobenius"),
+        (mp.formulations.LogDrive(yields=False), None),
+        (mp.formulations.LogDrive(weight=3.0, rate=2.0, yields=False), None),
+        (mp.formulations.LogDrive(yields=False), "frobenius"),
     ],
     ids=str,
 )
@@ -143,8 +143,8 @@ def test_a_deviation_is_corrected_no_faster_than_it_can_be_braked(panda, rng):
         share = min(1.0, DT * np.sqrt(2 * 3.0 / np.linalg.norm(deviation)))
         rate = (whole - (1 - share) * deviation) / DT
         jacobian = panda.kinematics().jacobian(q)
-        memory = np.append(last.ravel(), 1.0)
-        assert len(memory) == TARGET_MEMORY
+        memory = np.append(last.ravel(), [1.0, 0.0, 0.0, 0.0])
+        assert len(memory) == MEMORY
         found = problem(of, q, qd, target, memory=memory)["g"].ravel()
         np.testing.assert_allclose(found, -1e4 * jacobian.T @ rate, rtol=1e-6, atol=1e-6)
 
@@ -232,7 +232,7 @@ def test_three_solvers_of_the_same_problem_agree(panda, formulation, tube, rng):
 
 
 def test_without_active_bounds_the_answer_is_the_minimum_of_the_cost(panda, rng):
-    of = controller(panda.with_limits(velocity=1e4, acceleration=np.inf, jerk=np.inf), mp.formulations.LogDrive())
+    of = controller(panda.with_limits(velocity=1e4, acceleration=np.inf, jerk=np.inf), mp.formulations.LogDrive(yields=False))
     for _ in range(10):
         q, qd, target = state(panda, rng, 1e-3)
         found = problem(of, q, qd, target)

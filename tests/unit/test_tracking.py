@@ -134,7 +134,7 @@ def test_an_exactly_singular_posture_is_left(panda):
     stretched = np.clip(np.zeros(7), panda.limits.lower, panda.limits.upper)
     stretched[5] = 0.0 if panda.limits.lower[5] <= 0 else panda.limits.lower[5]
     kinematics = panda.kinematics()
-    controller = mp.Controller(panda, mp.formulations.LogDrive(), dt=DT, stiffness=1e-3, compiled=False)
+    controller = mp.Controller(panda, mp.formulations.LogDrive(yields=False), dt=DT, stiffness=1e-3, compiled=False)
     motion = controller.rollout(stretched, np.repeat(kinematics.pose(stretched)[None], 100, axis=0))
     assert kinematics.manipulability(motion.q[-1]) > 100 * kinematics.manipulability(stretched) + 1e-3
 

@@ -70,7 +70,7 @@ for k in range(steps):
     trace[k], balls[k] = kinematics.pose(q)[:3, 3], centre
     log["m"][k], log["clearance"][k] = report.manipulability, report.clearance
     log["deviation"][k] = np.linalg.norm(trace[k] - target[:3, 3])
-    log["solved"][k] = report.status is mp.StepStatus.SOLVED
+    log["solved"][k] = not report.status.brakes
 print(
     f"{int(log['solved'].sum())} of {steps} steps solved; minimum distance "
     f"{1e3 * log['clearance'].min():.1f} mm"

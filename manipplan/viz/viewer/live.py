@@ -222,6 +222,8 @@ class LiveViewer(Page):
         away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
         rows = [("measure now", f"{m:.4g}"), ("tool to target", away)]
         rows += limits_now(self.controller.robot, q, self._qd)
-        if status is not StepStatus.SOLVED:
+        if status is StepStatus.STALLED:
+            rows.append(("step", "stalled: the arm comes no closer to its target"))
+        elif status.brakes:
             rows.append(("step", f"{status.name.lower().replace('_', ' ')}: the arm brakes"))
         return rows
