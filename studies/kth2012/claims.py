@@ -190,7 +190,7 @@ def _full(results: Results) -> list[Claim]:
         ),
         *(
             Claim(
-                text=f"changes from machine to machine: {example.name} among {len(posts)} of the posts: g",
+                text=f"{example.name} among {len(posts)} of the posts: g",
                 thesis="-",
                 value=way.g,
                 part=FULL,

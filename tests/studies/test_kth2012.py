@@ -49,6 +49,31 @@ def test_the_whole_study_makes_what_is_expected(tmp_path):
     assert {file.name for file in tmp_path.iterdir()} == {file.name for file in config.PAGES.iterdir()}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("case", range(len(config.POSTS)))
+def test_paths_among_posts_are_measured_anew(case):
+    """g and the distances of links and posts, from the joints' angles alone."""
+    example, posts = config.POSTS[case]
+    found = results.Results(quick=False).among(example, posts)
+    q = found.path(np.linspace(0.0, 1.0, 20001))
+    angles = np.cumsum(q, axis=1)
+    joints = np.zeros((len(q), 4, 2))
+    joints[:, 1:] = np.cumsum(np.stack([np.cos(angles), np.sin(angles)], axis=-1), axis=1)
+    links = np.diff(joints, axis=1)
+    for post in posts:
+        away = post - joints[:, :-1]
+        along = np.clip((away * links).sum(axis=-1) / (links**2).sum(axis=-1), 0.0, 1.0)
+        distance = np.linalg.norm(away - along[..., None] * links, axis=-1).min() - config.POST_RADIUS - 0.05
+        assert config.CLEARANCE <= distance
+    lever = joints[:, -1:] - joints[:, :-1]
+    jacobian = np.stack([-lever[..., 1], lever[..., 0]], axis=1)
+    m = np.sqrt(np.linalg.det(jacobian @ jacobian.swapaxes(1, 2)))
+    g = (np.linalg.norm(np.diff(q, axis=0), axis=1) / ((m[1:] + m[:-1]) / 2) ** config.TABLE_POWER).sum()
+    assert g == pytest.approx(found.g, rel=1e-6)
+    [wanted] = [value for text, value, _ in claims.expected(quick=False) if f"{example.name} among {len(posts)} of" in text]
+    assert g == pytest.approx(wanted, rel=1e-4)
+
+
 def test_a_difference_is_told():
     found = [claims.Claim(text=text, thesis="", value=value) for text, value, _ in claims.expected(quick=False)]
     assert claims.differences(found, quick=False) == []
