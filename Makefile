@@ -81,6 +81,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/cold_start.py
+	$(BIN)/python benchmarks/first_models.py
 	$(BIN)/python benchmarks/first_plans.py
 	$(BIN)/python benchmarks/threads.py
 	$(BIN)/python benchmarks/killed_saves.py
@@ -89,6 +90,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/six_joint_arms.py
 	$(BIN)/python benchmarks/own_configuration.py
 	$(BIN)/python benchmarks/slide_arms.py
+	$(BIN)/python benchmarks/rounded_poses.py
+	$(BIN)/python benchmarks/pose_paths.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --problems 50
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5 --problems 50
 	$(BIN)/python benchmarks/energy_solvers.py
@@ -102,8 +105,10 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/tool_paths.py
 	$(BIN)/python benchmarks/follow_starts.py
+	$(BIN)/python benchmarks/lead_ins.py
 	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/programs.py
+	$(BIN)/python benchmarks/blends.py
 	$(BIN)/python benchmarks/seeds.py
 	$(BIN)/python benchmarks/search.py
 	$(BIN)/python benchmarks/timing.py

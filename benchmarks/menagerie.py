@@ -288,12 +288,17 @@ def kinematics(row: Row, robot: mp.Robot, judge: Judge, rng: np.random.Generator
     """Poses and Jacobians of the tool, and the limits."""
     kin = robot.kinematics(mp.Task.pose(length=1.0), compiled=False)
     body = mujoco.mj_name2id(judge.model, mujoco.mjtObj.mjOBJ_BODY, robot.tool)
+    site = mujoco.mj_name2id(judge.model, mujoco.mjtObj.mjOBJ_SITE, robot.tool) if body < 0 else -1
     for q in robot.random_configuration(rng, size=20):
         judge.place(q)
         theirs = np.eye(4)
-        theirs[:3, 3], theirs[:3, :3] = judge.data.xpos[body], judge.data.xmat[body].reshape(3, 3)
         linear, angular = np.zeros((2, 3, judge.model.nv))
-        mujoco.mj_jacBody(judge.model, judge.data, linear, angular, body)
+        if site < 0:
+            theirs[:3, 3], theirs[:3, :3] = judge.data.xpos[body], judge.data.xmat[body].reshape(3, 3)
+            mujoco.mj_jacBody(judge.model, judge.data, linear, angular, body)
+        else:
+            theirs[:3, 3], theirs[:3, :3] = judge.data.site_xpos[site], judge.data.site_xmat[site].reshape(3, 3)
+            mujoco.mj_jacSite(judge.model, judge.data, linear, angular, site)
         row.pose = max(row.pose, float(np.abs(kin.pose(q) - theirs).max()))
         difference = kin.jacobian(q) - np.concatenate([linear, angular]) @ judge.slopes
         row.jacobian = max(row.jacobian, float(np.abs(difference).max()))

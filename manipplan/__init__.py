@@ -64,6 +64,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
+from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
@@ -201,6 +202,7 @@ __all__ = [
     "StepStatus",
     "StiffnessProfile",
     "SymbolicPose",
+    "TakenToLimit",
     "Task",
     "TiltLimit",
     "Tolerance",

@@ -40,7 +40,7 @@ def plan(
     power: float = 1.0,
     measure: str | None = None,
     degree: int = 6,
-    shifts: Literal["none", "within-limits"] = "none",
+    shifts: Literal["none", "nearest", "within-limits"] = "none",
     clearance: float = 0.0,
     torque: bool = False,
     seed: int = 0,
@@ -64,7 +64,8 @@ def plan(
         power: Exponent of the manipulability in the objective.
         measure: Name of the manipulability measure; default: Yoshikawa's.
         degree: Degree of the path's polynomial.
-        shifts: within-limits also tries goals a full turn away.
+        shifts: nearest takes the full turn of each joint that is nearest to the start; within-limits also tries goals a full
+            turn away.
         clearance: Minimum distance to keep [m].
         torque: Keep the joints' effort limits as well.
         seed: Random seed of the planner.

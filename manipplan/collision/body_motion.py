@@ -79,10 +79,9 @@ class BodyMotion:
     """Bounds on the motion of the bodies of a collision model."""
 
     def __init__(self, model: CollisionModel) -> None:
-        tree, objects = model.robot.tree, model.geometry.geometryObjects
+        tree, objects = model.robot.tree, model.objects
         carrier = np.array([item.parentJoint for item in objects])
-        pairs = np.array([(pair.first, pair.second) for pair in model.geometry.collisionPairs])
-        carriers = carrier[pairs]
+        pairs, carriers = model.pairs, carrier[model.pairs]
         #: (b,) the joint that carries each body; 0: the world
         self.joint = carrier
         #: (p,) the body of each pair whose joint has the higher number, and the joint of the other body
@@ -173,6 +172,12 @@ class BodyMotion:
         carries = self._tree.carries
         only, others = (np.flatnonzero(carries[a] > carries[b]) for a, b in ((joint, other), (other, joint)))
         return [*only[::-1].tolist(), *others.tolist()]
+
+    def joints_between(self) -> list[frozenset[int]]:
+        """The joints, as indices of q, on which the place of one body of each pair in the frame of the other depends."""
+        kinds = list(zip(self.joint[self.body].tolist(), self.below.tolist(), strict=True))
+        found = {kind: frozenset(self._tree.leader[[j - 1 for j in self._between(*kind)]].tolist()) for kind in set(kinds)}
+        return [found[kind] for kind in kinds]
 
     def largest(self, q: Array, change: Array) -> Array:
         """The largest bound of any pair at each of the configurations q (m, n), (m,) [m]."""

@@ -1,21 +1,23 @@
 """Build a collision model: the bodies of a robot and of a scene, and the pairs of them that are checked."""
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.stored_fits import find_or_choose, find_or_cut
-from manipplan.collision.described import FINE, MESH, DescribedBodies
+from manipplan.collision.covers.pieces import MOST_PIECES
+from manipplan.collision.covers.stored_fits import Choice, find_or_choose
+from manipplan.collision.described import FINE, MESH, Bodies, DescribedBodies
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
 from manipplan.robots.attached import number_names
 from manipplan.robots.description import VISUAL_HINT
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 
@@ -40,40 +42,40 @@ def build_model(robot: Robot, scene: Scene) -> CollisionModel:
             obstacle's and that of a carried part or, in an allowed pair, of a link.
         UnknownNameError: an allowed pair names something that neither the scene nor the robot has.
     """
-    alone, _ = self_model(robot)
-    geometry = alone.geometry.copy()
+    alone = self_model(robot)
     if scene.obstacles and not alone.bodies:
         hint = f"; {VISUAL_HINT}" if robot.source is not None and robot.source.kind == "urdf" else ""
         raise InvalidInputError("scene", repr(scene), f"no obstacles: {robot.name} has no collision geometry to check{hint}")
     check_names(robot, scene)
+    geometry = alone.copy_of_bodies()
     dropped, radii, solids = dict(alone.dropped), dict[int, float](), set(alone.solids)
-    named = dict(enumerate(alone.links))
+    links, pairs = list(alone.links), [alone.pairs]
+    own = alone.objects[: alone.bodies]
+    moves = np.array([item.parentJoint > 0 for item in own], dtype=bool)
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         parts = obstacle.parts()
         for label, part in zip(number_names(name, len(parts)), parts, strict=True):
             index = geometry.addGeometryObject(pin.GeometryObject(label, 0, 0, obstacle.pose, part.shape))
-            named[index] = name
+            links.append(name)
             radii[index] = part.radius
             if part.closed and isinstance(part.shape, coal.BVHModelBase):
                 solids.add(index)
-            for body in range(alone.bodies):
-                item = geometry.geometryObjects[body]
-                if item.parentJoint > 0:
-                    geometry.addCollisionPair(pin.CollisionPair(body, index))
-                elif (
-                    frozenset((named[body], name)) not in scene.allowed and (depth := _overlap(item, part, obstacle.pose)) >= 0
-                ):
-                    dropped[item.name, label] = f"neither moves; they overlap by {1e3 * depth:.2g} mm"
-    _drop_allowed(scene, geometry, named, dropped)
+            pairs.append(np.column_stack([np.flatnonzero(moves), np.full(moves.sum(), index)]))
+            for body in np.flatnonzero(~moves).tolist():
+                if frozenset((links[body], name)) not in scene.allowed:
+                    depth = _overlap(own[body], part, obstacle.pose)
+                    if depth >= 0:
+                        dropped[own[body].name, label] = f"neither moves; they overlap by {1e3 * depth:.2g} mm"
     return CollisionModel(
         robot,
         geometry,
+        _without_allowed(scene, geometry, links, np.concatenate(pairs), dropped),
         dropped,
         bodies=alone.bodies,
         excess=alone.excess,
         radii=radii,
         solids=frozenset(solids),
-        links=[named[k] for k in range(geometry.ngeoms)],
+        links=links,
         contacts=alone.contacts,
     )
 
@@ -101,15 +103,24 @@ def _pair_with(scene: Scene, name: str) -> str:
     return f"allowed pair {first} - {second}"
 
 
-def _drop_allowed(
-    scene: Scene, geometry: pin.GeometryModel, named: dict[int, str], dropped: dict[tuple[str, str], str]
-) -> None:
-    """Drop the pairs that the scene allows to touch; `named`: the link, part or obstacle of each object of `geometry`."""
-    for first, second in [(pair.first, pair.second) for pair in geometry.collisionPairs]:
-        if frozenset((named[first], named[second])) in scene.allowed:
-            geometry.removeCollisionPair(pin.CollisionPair(first, second))
-            pair = geometry.geometryObjects[first].name, geometry.geometryObjects[second].name
-            dropped[pair] = "allowed in the scene"
+def _without_allowed(
+    scene: Scene,
+    geometry: pin.GeometryModel,
+    links: Sequence[str],
+    pairs: NDArray[np.int64],
+    dropped: dict[tuple[str, str], str],
+) -> NDArray[np.int64]:
+    """The pairs (k, 2) without those that the scene allows to touch, which are added to `dropped`.
+
+    `links` has the link, part or obstacle of each object of `geometry`.
+    """
+    if not scene.allowed:
+        return pairs
+    allowed = np.array([frozenset((links[i], links[j])) in scene.allowed for i, j in pairs.tolist()], dtype=bool)
+    for first, second in pairs[allowed].tolist():
+        pair = geometry.geometryObjects[first].name, geometry.geometryObjects[second].name
+        dropped[pair] = "allowed in the scene"
+    return np.asarray(pairs[~allowed])
 
 
 def _overlap(body: pin.GeometryObject, part: Part, pose: pin.SE3) -> float:
@@ -120,119 +131,140 @@ def _overlap(body: pin.GeometryObject, part: Part, pose: pin.SE3) -> float:
 
 
 @once_per_owner
-def self_model(robot: Robot) -> tuple[CollisionModel, list[int]]:
-    """The robot alone: its convex pieces and the pairs of its own bodies that are checked.
-
-    Also the object of the robot's geometry that each object of the model represents.
-    """
-    geometry, origins, excess = _convex_geometry(robot)
-    bodies = geometry.ngeoms
-    left_out = add_self_pairs(robot, geometry, origins)
+def self_model(robot: Robot) -> CollisionModel:
+    """The robot alone: its convex pieces and the pairs of its own bodies that are checked."""
+    described = DescribedBodies(robot)
     samples = np.array([robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)])
-    touching = _touching(robot, geometry, samples)
-    solids = _use_meshes_for_coarse_pairs(robot, geometry, origins, excess, samples, touching)
-    if solids is not None:
-        touching = _touching(robot, geometry, samples, solids)
-    links = [robot.link_of(robot.geometry.geometryObjects[origin]) for origin in origins]
-    contacts = _drop_always_touching(robot, geometry, links, left_out, touching)
-    model = CollisionModel(
+    choice = find_or_choose(robot, samples, lambda: _choose(described, samples))
+    own = _own_bodies(described, choice.levels)
+    left_out = dict(own.left_out)
+    pairs, contacts = _drop_always_touching(robot, own, choice.touching, left_out)
+    return CollisionModel(
         robot,
-        geometry,
-        _by_links(geometry, links, left_out),
-        bodies=bodies,
-        excess=excess,
-        solids=solids or (),
-        links=links,
+        own.bodies.geometry,
+        pairs,
+        _by_links(own, pairs, left_out),
+        bodies=own.count,
+        excess=own.bodies.excess,
+        solids=frozenset(own.bodies.solids),
+        links=own.links,
         contacts=contacts,
     )
-    return model, origins
 
 
-def _convex_geometry(robot: Robot) -> tuple[pin.GeometryModel, list[int], dict[str, float]]:
-    """The robot's geometry with convex pieces for its meshes, and the object of the description that each represents.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _OwnBodies:
+    """A robot's bodies, as finely as its pairs need them, and the pairs that can move relative to each other.
 
-    Also by how much each piece is known to stick out of its mesh [m].
+    Attributes:
+        bodies: what they are.
+        count: number of those that are no finer than the others.
+        links: the link or part of each body.
+        pairs: (k, 2) numbers of the bodies of each pair that is checked.
+        left_out: the pairs that the description or an SRDF exempts, with the reason.
     """
-    geometry = pin.GeometryModel()
-    origins, excess, total = [], {}, robot.geometry.ngeoms
-    for origin, item in enumerate(robot.geometry.geometryObjects):
-        shapes, out = [item.geometry], [0.0]
-        if isinstance(item.geometry, coal.BVHModelBase):
-            with logged_when_slow(f"convex pieces of the mesh of {item.name}, body {origin + 1} of {total}, once per machine"):
-                pieces = find_or_cut(mesh_triangles(item.geometry))
-            shapes, out = [piece.hull.shape() for piece in pieces], [piece.excess for piece in pieces]
-        for name, shape, beyond in zip(number_names(item.name, len(shapes)), shapes, out, strict=True):
-            geometry.addGeometryObject(pin.GeometryObject(name, item.parentJoint, item.parentFrame, item.placement, shape))
-            origins.append(origin)
-            excess[name] = beyond
-    return geometry, origins, excess
+
+    bodies: Bodies
+    count: int
+    links: list[str]
+    pairs: NDArray[np.int64]
+    left_out: dict[tuple[str, str], str]
+
+    def is_of(self, names: frozenset[str]) -> NDArray[np.bool_]:
+        """Whether each pair is of two links."""
+        of_one, of_other = (np.array([link == name for link in self.links], dtype=bool) for name in names)
+        first, second = self.pairs.T
+        return np.asarray(of_one[first] & of_other[second] | of_other[first] & of_one[second])
+
+    def touching(self, robot: Robot, samples: Array) -> NDArray[np.bool_]:
+        """Whether each pair touches at each of the samples (m, n); (m, k)."""
+        model = CollisionModel(robot, self.bodies.geometry, self.pairs, {}, solids=self.bodies.solids)
+        return np.asarray(model.distance_rows(samples, beyond=TOUCHING) <= 0)
 
 
-def add_self_pairs(robot: Robot, geometry: pin.GeometryModel, origins: list[int]) -> dict[tuple[str, str], str]:
-    """Add the pairs of bodies that can move relative to each other to `geometry`; returns those left out, with the reason.
+def _own_bodies(described: DescribedBodies, levels: Mapping[tuple[int, int], tuple[int, int]]) -> _OwnBodies:
+    """The bodies of a robot, where `levels` says how finely the two objects of some pairs are taken."""
+    robot, bodies = described.robot, Bodies(described)
+    total = len(described.objects)
+    for origin in range(total):
+        bodies.numbers(origin, MOST_PIECES)
+    count = bodies.geometry.ngeoms
+    pairs, left_out = self_pairs(robot, bodies.geometry, bodies.origins)
+    if levels:
+        finer = np.zeros((total, total), dtype=bool)
+        finer[tuple(np.array(list(levels)).T)] = True
+        added = [
+            (i, j)
+            for pair, (first, second) in sorted(levels.items())
+            for i in bodies.numbers(pair[0], first)
+            for j in bodies.numbers(pair[1], second)
+        ]
+        origins = np.array(bodies.origins)
+        pairs = np.concatenate([pairs[~finer[tuple(origins[pairs].T)]], np.array(added)])
+    names = [robot.link_of(item) for item in described.objects]
+    return _OwnBodies(
+        bodies=bodies, count=count, links=[names[origin] for origin in bodies.origins], pairs=pairs, left_out=left_out
+    )
+
+
+def self_pairs(
+    robot: Robot, geometry: pin.GeometryModel, origins: Sequence[int]
+) -> tuple[NDArray[np.int64], dict[tuple[str, str], str]]:
+    """The pairs (k, 2) of bodies that can move relative to each other, and those left out, with the reason.
 
     Left out are pairs that the description or the SRDF exempts. `origins` gives the object of the robot's description that each
     object of `geometry` represents.
     """
-    left_out: dict[tuple[str, str], str] = {}
-    objects, described = list(geometry.geometryObjects), list(robot.geometry.geometryObjects)
-    links = [robot.link_of(described[origin]) for origin in origins]
-    disabled = robot.disabled_pairs or frozenset()
-    for j, second in enumerate(objects):
-        for i, first in enumerate(objects[:j]):
-            if first.parentJoint == second.parentJoint:
-                continue
-            reason = robot.unchecked.get(frozenset((described[origins[i]].name, described[origins[j]].name)))
-            if frozenset((links[i], links[j])) in disabled:
-                reason = "disabled in the SRDF"
-            if reason is None:
-                geometry.addCollisionPair(pin.CollisionPair(j, i))
-            else:
-                left_out[first.name, second.name] = reason
-    return left_out
+    described = list(robot.geometry.geometryObjects)
+    number = {item.name: k for k, item in enumerate(described)}
+    reasons = [""]
+    why = np.zeros((len(described), len(described)), dtype=np.int64)  # the reason for which two objects are not checked
+
+    def exempt(first: NDArray[np.intp] | int, second: NDArray[np.intp] | int, reason: str) -> None:
+        if reason not in reasons:
+            reasons.append(reason)
+        why[first, second] = why[second, first] = reasons.index(reason)
+
+    for names, reason in robot.unchecked.items():
+        if len(names) == 2 and names <= number.keys():
+            one, other = (number[name] for name in names)
+            exempt(one, other, reason)
+    links = np.array([robot.link_of(item) for item in described], dtype=object)
+    for names in robot.disabled_pairs or ():
+        if len(names) == 2:
+            first, second = (np.flatnonzero(links == name) for name in names)
+            exempt(first[:, None], second, "disabled in the SRDF")
+    objects, origin = list(geometry.geometryObjects), np.array(origins, dtype=np.int64)
+    joint = np.array([item.parentJoint for item in objects])
+    pairs = np.column_stack(np.tril_indices(len(objects), -1))
+    pairs = pairs[joint[pairs[:, 0]] != joint[pairs[:, 1]]]
+    reason_of = why[tuple(origin[pairs].T)]
+    out = np.flatnonzero(reason_of)
+    left_out = {
+        (objects[i].name, objects[j].name): reasons[k]
+        for (j, i), k in zip(pairs[out].tolist(), reason_of[out].tolist(), strict=True)
+    }
+    return pairs[reason_of == 0], left_out
 
 
-def _touching(
-    robot: Robot, geometry: pin.GeometryModel, samples: Array, solids: frozenset[int] = frozenset()
-) -> NDArray[np.bool_]:
-    """Whether each pair touches at each of the samples (m, n); (m, k)."""
-    return np.asarray(CollisionModel(robot, geometry, {}, solids=solids).distance_rows(samples, beyond=TOUCHING) <= 0)
+def _choose(described: DescribedBodies, samples: Array) -> Choice:
+    """How finely the objects of each pair are taken, and how often links touch then, by comparison at samples (m, n).
 
-
-def _use_meshes_for_coarse_pairs(
-    robot: Robot,
-    geometry: pin.GeometryModel,
-    origins: list[int],
-    excess: dict[str, float],
-    samples: Array,
-    touching: NDArray[np.bool_],
-) -> frozenset[int] | None:
-    """Check pairs with finer bodies whose pieces are `touching` (m, k) at samples (m, n) where the meshes are not.
-
-    These are more pieces of one of the two, where that is enough, otherwise the meshes themselves. The bodies are added to
-    `geometry`, `origins` and `excess`. Returns those that are surfaces and solid inside; None where no pair is replaced.
+    Finer are pairs whose pieces touch where their meshes do not: there are more pieces of one of the two, where that is enough,
+    otherwise the meshes themselves.
     """
-    pairs = [(p.first, p.second) for p in geometry.collisionPairs]
-    stands_for = [(origins[i], origins[j]) for i, j in pairs]
-    described = DescribedBodies(robot)
-    if not touching.any():
-        return None
-    chosen = find_or_choose(robot, samples, lambda: _levels(described, stands_for, samples, touching))
-    if not chosen:
-        return None
-    added: dict[tuple[int, int], list[int]] = {}
-    for pair, levels in sorted(chosen.items()):
-        for each in zip(pair, levels, strict=True):
-            if each not in added:
-                added[each] = described.add_to(geometry, *each, excess)
-                origins += [each[0]] * len(added[each])
-        for i in added[pair[0], levels[0]]:
-            for j in added[pair[1], levels[1]]:
-                geometry.addCollisionPair(pin.CollisionPair(i, j))
-    for (i, j), origin_pair in zip(pairs, stands_for, strict=True):
-        if origin_pair in chosen:
-            geometry.removeCollisionPair(pin.CollisionPair(i, j))
-    return described.solids(added)
+    robot, own = described.robot, _own_bodies(described, {})
+    touching = own.touching(robot, samples)
+    origins = own.bodies.origins
+    levels = _levels(described, [(origins[i], origins[j]) for i, j in own.pairs.tolist()], samples, touching)
+    if levels:
+        own = _own_bodies(described, levels)
+        touching = own.touching(robot, samples)
+    anywhere: dict[frozenset[str], NDArray[np.bool_]] = {}
+    for k in np.flatnonzero(touching.any(axis=0)):
+        names = frozenset(own.links[body] for body in own.pairs[k])
+        anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
+    return Choice(levels=levels, touching={names: int(rows.sum()) for names, rows in anywhere.items()})
 
 
 def _levels(
@@ -247,12 +279,10 @@ def _levels(
         touching: (m, k) whether each pair of pieces touches there.
     """
     rows = np.flatnonzero(touching.any(axis=1))
-    suspects = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    touch = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
+    suspects = [pair for pair in touch if any(described.has_triangles(origin) for origin in pair)]
     chosen: dict[tuple[int, int], tuple[int, int]] = {}
-    for pair in suspects:
-        if not any(described.has_triangles(origin) for origin in pair):
-            continue
-        by_mesh = described.touching(pair, (MESH, MESH), samples[rows])
+    for pair, by_mesh in zip(suspects, described.touching(suspects, (MESH, MESH), samples[rows]), strict=True):
         by_pieces = np.asarray(touching[rows][:, [each == pair for each in stands_for]].any(axis=1))
         if _is_coarse(by_pieces, by_mesh, rows):
             chosen[pair] = _fine_enough(described, pair, samples, by_mesh, rows)
@@ -267,7 +297,7 @@ def _fine_enough(
     for many in FINE:
         least = np.inf
         for levels in described.finer(pair, many):
-            by_pieces = described.touching(pair, levels, samples[rows])
+            [by_pieces] = described.touching([pair], levels, samples[rows])
             if not _is_coarse(by_pieces, by_mesh, rows):
                 return levels
             least = min(least, int((by_pieces & ~by_mesh).sum()))
@@ -284,51 +314,44 @@ def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: N
 
 
 def _drop_always_touching(
-    robot: Robot,
-    geometry: pin.GeometryModel,
-    links: list[str],
-    left_out: dict[tuple[str, str], str],
-    touching: NDArray[np.bool_],
-) -> dict[frozenset[str], float]:
-    """Drop pairs of links of which any pieces are `touching` (m, k) nearly everywhere: they touch by construction.
+    robot: Robot, own: _OwnBodies, touching: Mapping[frozenset[str], int], left_out: dict[tuple[str, str], str]
+) -> tuple[NDArray[np.int64], dict[frozenset[str], float]]:
+    """The pairs (k, 2) without those of links that touch nearly everywhere: they touch by construction.
 
     Args:
         robot: parts that it carries, and walls and tables of its MJCF, are never dropped.
-        geometry: the pairs.
-        links: the link or part of each object of `geometry`.
+        own: the pairs.
+        touching: at how many of the samples two links touch.
         left_out: gets the pairs that are dropped.
-        touching: whether each pair touches at each of m configurations.
 
-    Returns the share of the configurations at which each two links touch that are checked, where there are any.
+    Also returns the share of the samples at which each two links touch that are checked, where there are any.
     """
-    pairs = [(pair.first, pair.second) for pair in geometry.collisionPairs]
-    anywhere: dict[frozenset[str], NDArray[np.bool_]] = {}
-    never = robot.carried.keys() | robot.world_geoms
-    for k in np.flatnonzero(touching.any(axis=0)):
-        names = frozenset(links[body] for body in pairs[k])
-        anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
-    always = {
-        names: f"touching at {rows.sum()} of {len(rows)} configurations"
-        for names, rows in anywhere.items()
-        if rows.sum() >= ALWAYS * len(rows) and not names & never
-    }
-    for first, second in pairs:
-        reason = always.get(frozenset((links[first], links[second])))
-        if reason is not None:
-            geometry.removeCollisionPair(pin.CollisionPair(first, second))
-            left_out[geometry.geometryObjects[second].name, geometry.geometryObjects[first].name] = reason
-    return {names: float(rows.mean()) for names, rows in anywhere.items() if names not in always}
+    total, never = SAMPLES + 1, robot.carried.keys() | robot.world_geoms
+    always = [names for names, count in touching.items() if count >= ALWAYS * total and not names & never]
+    drop = np.zeros(len(own.pairs), dtype=bool)
+    for names in always:
+        drop |= own.is_of(names)
+    objects = own.bodies.geometry.geometryObjects
+    for first, second in own.pairs[drop].tolist():
+        names = frozenset((own.links[first], own.links[second]))
+        left_out[objects[second].name, objects[first].name] = f"touching at {touching[names]} of {total} configurations"
+    return own.pairs[~drop], {names: count / total for names, count in touching.items() if names not in always}
 
 
-def _by_links(
-    geometry: pin.GeometryModel, links: list[str], left_out: dict[tuple[str, str], str]
-) -> dict[tuple[str, str], str]:
-    """The pairs left out, as one pair of links where no bodies of these are checked, otherwise by the names of the bodies."""
-    link = {item.name: name for item, name in zip(geometry.geometryObjects, links, strict=True)}
-    checked = {frozenset((links[pair.first], links[pair.second])) for pair in geometry.collisionPairs}
+def _by_links(own: _OwnBodies, pairs: NDArray[np.int64], left_out: dict[tuple[str, str], str]) -> dict[tuple[str, str], str]:
+    """The pairs left out, as one pair of links where no bodies of these are checked, otherwise by the names of the bodies.
+
+    `pairs` (k, 2) are those that are checked.
+    """
+    link = {item.name: name for item, name in zip(own.bodies.geometry.geometryObjects, own.links, strict=True)}
+    number = {name: k for k, name in enumerate(dict.fromkeys(own.links))}
+    of_body = np.array([number[name] for name in own.links], dtype=np.int64)
+    checked = np.zeros((len(number), len(number)), dtype=bool)
+    checked[tuple(of_body[pairs].T)] = True
+    checked |= checked.T
     found: dict[tuple[str, str], str] = {}
     for (first, second), reason in left_out.items():
-        if frozenset((link[first], link[second])) in checked:
+        if checked[number[link[first]], number[link[second]]]:
             found[first, second] = reason
         elif (link[second], link[first]) not in found:
             found.setdefault((link[first], link[second]), reason)

@@ -2,7 +2,7 @@
 
 import ctypes
 import threading
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -108,21 +108,21 @@ def _calls() -> Calls | None:
 
 
 def find_kernel(
-    robot: Robot, geometry: pin.GeometryModel, radii: Array | None = None, closed: Collection[int] = ()
+    robot: Robot, objects: Sequence[pin.GeometryObject], pairs: Numbers, radii: Array, closed: Collection[int]
 ) -> "DistanceKernel | None":
-    """The kernel for the pairs of `geometry`; None where it cannot be compiled.
+    """The kernel for pairs of bodies; None where it cannot be compiled.
 
     Args:
         robot: the arm.
-        geometry: its bodies and the obstacles.
-        radii: (g,) added all around each object [m]; None: zeros.
+        objects: its bodies and the obstacles.
+        pairs: (k, 2) indices of those that are checked.
+        radii: (g,) added all around each object [m].
         closed: the objects that are surfaces and solid inside.
     """
     calls = _calls()
     if calls is None:
         return None
-    given = np.zeros(geometry.ngeoms) if radii is None else radii
-    return DistanceKernel(calls, world_arrays(calls.functions["tree"], robot, geometry, given, closed))
+    return DistanceKernel(calls, world_arrays(calls.functions["tree"], robot, objects, pairs, radii, closed))
 
 
 class DistanceKernel:

@@ -39,15 +39,15 @@ class CollisionModel:
     Not safe to share between threads: it holds working data.
 
     Attributes:
-        geometry: the convex bodies of the robot and the obstacles, with the pairs that are checked.
-        pair_names: (first, second) of every pair; the first belongs to the robot.
+        objects: the convex bodies of the robot and the obstacles.
+        pairs: (k, 2) indices of the objects that are checked for contact.
         dropped: pairs of links, or of single bodies where others of the same links are checked, that are left out, with the
             reason.
-        bodies: number of convex bodies of the robot, which are the first objects of `geometry`.
+        bodies: number of convex bodies of the robot, which are the first objects.
         excess: by how much bodies that are pieces of a mesh are known to stick out of it [m], by name.
         radii: distances around objects of `geometry` that belong to them as well [m], by index; 0 for the others.
-        solids: indices of the surfaces in `geometry` that are solid inside.
-        links: the link, carried part or obstacle of each object of `geometry`.
+        solids: indices of the surfaces that are solid inside.
+        links: the link, carried part or obstacle of each object.
         contacts: share of random configurations at which two links touch that are checked, by their names.
     """
 
@@ -55,6 +55,7 @@ class CollisionModel:
         self,
         robot: Robot,
         geometry: pin.GeometryModel,
+        pairs: NDArray[np.int64],
         dropped: Mapping[tuple[str, str], str],
         *,
         bodies: int = 0,
@@ -66,43 +67,61 @@ class CollisionModel:
     ) -> None:
         self.robot = robot
         self.bodies = bodies
-        self.geometry = geometry
+        self.objects = tuple(geometry.geometryObjects)
+        self.pairs = pairs
         self.dropped = dropped
         self.excess = excess
         self.radii = radii
         self.solids = solids
         self.links = links
         self.contacts = contacts
-        objects = geometry.geometryObjects
-        pairs = [(p.first, p.second) for p in geometry.collisionPairs]
-        names = [item.name for item in objects]
-        self.pair_names = tuple((names[i], names[j]) for i, j in pairs)
+        self._geometry = geometry  # its own pairs do not count
         self._data = robot.model.createData()
-        self._radii = np.array([radii.get(i, 0.0) + radii.get(j, 0.0) for i, j in pairs])
-        carriers = np.array([item.parentJoint for item in objects], dtype=np.int64)
-        self._bodies = np.array([(j, i) if carriers[i] == 0 else (i, j) for i, j in pairs], dtype=np.int64).reshape(-1, 2)
+        around = np.array([radii.get(k, 0.0) for k in range(len(self.objects))])
+        self._radii = around[pairs].sum(axis=1)
+        carriers = np.array([item.parentJoint for item in self.objects], dtype=np.int64)
+        self._bodies = np.where((carriers[pairs[:, 0]] == 0)[:, None], pairs[:, ::-1], pairs)
         self._carriers = carriers[self._bodies]
-        around = np.array([_radius(item.geometry) + radii.get(k, 0.0) for k, item in enumerate(objects)])
-        self._around = around[self._bodies]
-        inside = {k: [(i, j), (j, i)] for k, (i, j) in enumerate(pairs) if i in solids or j in solids}
-        self._solid_pairs = {k: [each for each in both if each[1] in solids] for k, both in inside.items()}
+        self._around = (around + [_radius(item.geometry) for item in self.objects])[self._bodies]
+        is_solid = np.zeros(len(self.objects), dtype=bool)
+        is_solid[list(solids)] = True
+        solid = is_solid[pairs]
+        self._solid_pairs = {
+            k: [(pairs[k, 1 - side].item(), pairs[k, side].item()) for side in (1, 0) if solid[k, side]]
+            for k in np.flatnonzero(solid.any(axis=1)).tolist()
+        }
         self._margin = np.nan  # coal's, set when it is first asked
         self._cores: dict[int, tuple[Array, float]] = {}
         self._surfaces: dict[int, tuple[Array, Array, Array]] = {}  # triangles of solids, and a box around them
         self._probes: dict[int, Array] = {}
 
     def __repr__(self) -> str:
-        later = [item.name for item in list(self.geometry.geometryObjects)[self.bodies :]]
+        later = [item.name for item in self.objects[self.bodies :]]
         others = sum(name not in self.excess for name in later)  # the robot's finer bodies come after its bodies, too
         most = 1e3 * max(self.excess.values(), default=0.0)
-        counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pair_names)} pairs"
+        counts = f"{self.bodies} bodies, {others} part{'s' * (others != 1)} of obstacles, {len(self.pairs)} pairs"
         return f"CollisionModel({self.robot.name!r}, {counts}, excess up to {most:.1f} mm)"
+
+    @cached_property
+    def pair_names(self) -> tuple[tuple[str, str], ...]:
+        """(first, second) of every pair; the first belongs to the robot."""
+        names = [item.name for item in self.objects]
+        return tuple((names[i], names[j]) for i, j in self.pairs.tolist())
+
+    @cached_property
+    def geometry(self) -> pin.GeometryModel:
+        """The objects and pairs as Pinocchio takes them, made where it is first asked."""
+        geometry = self._geometry.copy()
+        geometry.removeAllCollisionPairs()
+        for i, j in self.pairs.tolist():
+            geometry.addCollisionPair(pin.CollisionPair(i, j))
+        return geometry
 
     @cached_property
     def _geometry_data(self) -> pin.GeometryData:
         """Coal's working data, made where it is first asked."""
         data = pin.GeometryData(self.geometry)
-        for k in range(len(self.pair_names)):  # Pinocchio's requests start at the last answer, which changes the next
+        for k in range(len(self.pairs)):  # Pinocchio's requests start at the last answer, which changes the next
             data.distanceRequests[k] = coal.DistanceRequest(True)
             data.distanceRequests[k].gjk_tolerance = GJK_TOLERANCE
             data.collisionRequests[k] = coal.CollisionRequest()
@@ -110,14 +129,19 @@ class CollisionModel:
 
     @cached_property
     def _kernel(self) -> DistanceKernel | None:
-        radii = np.array([self.radii.get(k, 0.0) for k in range(self.geometry.ngeoms)])
-        return find_kernel(self.robot, self.geometry, radii, self.solids)
+        radii = np.array([self.radii.get(k, 0.0) for k in range(len(self.objects))])
+        return find_kernel(self.robot, self.objects, self.pairs, radii, self.solids)
+
+    def copy_of_bodies(self) -> pin.GeometryModel:
+        """The objects without pairs, to which others can be added."""
+        return self._geometry.copy()
 
     def copy(self) -> "CollisionModel":
         """A copy with its own working data, for another thread."""
         copied = CollisionModel(
             self.robot,
-            self.geometry,
+            self._geometry,
+            self.pairs,
             self.dropped,
             bodies=self.bodies,
             excess=self.excess,
@@ -155,7 +179,7 @@ class CollisionModel:
 
     def distance_rows(self, q: Array, *, beyond: float | Array = np.inf) -> Array:
         """Signed distances (m, k) of all pairs at q (m, n) [m], those above `beyond`, a number or (m,), cut off there."""
-        reach, shape = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)), (len(q), len(self.pair_names))
+        reach, shape = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)), (len(q), len(self.pairs))
         if self._kernel is None:
             return np.asarray(np.minimum(np.array([self._all_distances(each) for each in q]).reshape(shape), reach[:, None]))
         found: Array = self._kernel.distances(q, np.maximum(reach, 0.0))
@@ -167,7 +191,7 @@ class CollisionModel:
     def near_pairs(self, q: Array, beyond: float | Array) -> NearPairs:
         """The pairs nearer than `beyond`, a number or (m,), at q (m, n), with their signed distances [m]."""
         reach = np.array(np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)))
-        shape = (len(q), len(self.pair_names))
+        shape = (len(q), len(self.pairs))
         if self._kernel is None:
             rows = self.distance_rows(q)
             where = np.flatnonzero(~(rows >= reach[:, None]))  # nan is not far
@@ -213,7 +237,7 @@ class CollisionModel:
 
     def least_distance(self, q: Array) -> tuple[float, int, int]:
         """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""
-        if not self.pair_names:
+        if not len(self.pairs):
             return np.inf, 0, -1
         if self._kernel is not None:
             for reach in REACHES:
@@ -256,7 +280,7 @@ class CollisionModel:
         pin.computeJointJacobians(model, data, q)
         pin.updateGeometryPlacements(model, data, self.geometry, self._geometry_data)
         result = self._nearest(q, pair)
-        sign, straight = self._sign(pair, result), self.geometry.collisionPairs[pair].first == self._bodies[pair, 0]
+        sign, straight = self._sign(pair, result), self.pairs[pair, 0] == self._bodies[pair, 0]
         between = np.array(result.normal) * (1 if straight else -1)  # from the first body to the second
         ends = [np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())]
         points, turns, gradient = [], [], np.zeros(self.robot.n)
@@ -268,7 +292,7 @@ class CollisionModel:
             strict=True,
         ):
             place = data.oMi[joint]
-            points.append(place.actInv(end - _radius(self.geometry.geometryObjects[body].geometry) * outwards))
+            points.append(place.actInv(end - _radius(self.objects[body].geometry) * outwards))
             turns.append(place.rotation.T @ (sign * outwards))
             if joint > 0:
                 jacobian = pin.getJointJacobian(model, data, joint, pin.LOCAL_WORLD_ALIGNED)
@@ -290,8 +314,7 @@ class CollisionModel:
 
     def contact_hint(self, pair: int) -> str:
         """What to do about a pair whose links touch at more than OFTEN of random configurations; "" for any other."""
-        bodies = self.geometry.collisionPairs[pair]
-        first, second = (self.links[k] if self.links else "" for k in (bodies.second, bodies.first))
+        first, second = (self.links[k] if self.links else "" for k in self.pairs[pair, ::-1])
         share = self.contacts.get(frozenset((first, second)), 0.0)
         if share <= OFTEN:
             return ""
@@ -333,7 +356,7 @@ class CollisionModel:
     def _core(self, body: int) -> tuple[Array, float]:
         """Core points (k, 3) of a geometry object in its joint's frame, and the radius around them [m]."""
         if body not in self._cores:
-            item = self.geometry.geometryObjects[body]
+            item = self.objects[body]
             points, radius = core_of(item.geometry)
             self._cores[body] = points @ item.placement.rotation.T + item.placement.translation, radius
         return self._cores[body]
@@ -362,15 +385,14 @@ class CollisionModel:
 
     def _nearest(self, q: Array, pair: int) -> coal.DistanceResult:
         """Nearest points of a pair at q (n,), where the bodies are placed; a mesh is looked at only where it is nearest."""
-        bodies = self.geometry.collisionPairs[pair]
-        second = self.geometry.geometryObjects[bodies.second]
+        one, other = self.pairs[pair].tolist()
+        first, second = self.objects[one], self.objects[other]
         if self._kernel is None or second.parentJoint > 0 or not isinstance(second.geometry, coal.BVHModelBase):
             return pin.computeDistance(self.geometry, self._geometry_data, pair)
         corners = self._kernel.nearest_triangle(q, pair)
         if corners is None:
             return pin.computeDistance(self.geometry, self._geometry_data, pair)
-        first, place = self.geometry.geometryObjects[bodies.first], self._geometry_data.oMg[bodies.first]
-        result, request = coal.DistanceResult(), self._geometry_data.distanceRequests[pair]
+        place, result, request = self._geometry_data.oMg[one], coal.DistanceResult(), self._geometry_data.distanceRequests[pair]
         here, there = coal.Transform3s(place.rotation, place.translation), coal.Transform3s()
         coal.distance(first.geometry, here, triangle_tree(corners, np.arange(3)[None]), there, request, result)
         return result
@@ -381,7 +403,7 @@ class CollisionModel:
 
     def _is_inside(self, pair: int) -> bool:
         """Whether a part of one body of a pair is inside the other, which is a solid surface, where the bodies are placed."""
-        objects = self.geometry.geometryObjects
+        objects = self.objects
         for body, solid in self._solid_pairs[pair]:
             here, there = (self._data.oMi[objects[k].parentJoint] for k in (body, solid))
             if solid not in self._surfaces:
@@ -397,7 +419,7 @@ class CollisionModel:
     def _inner_points(self, body: int) -> Array:
         """A point (k, 3) of each connected part of a geometry object, in its joint's frame."""
         if body not in self._probes:
-            item = self.geometry.geometryObjects[body]
+            item = self.objects[body]
             if isinstance(item.geometry, coal.BVHModelBase):
                 parts = [placed_triangles(item)] if body in self.solids else connected_parts(placed_triangles(item))
                 self._probes[body] = np.array([part[0, 0] for part in parts])

@@ -1,10 +1,12 @@
 """Convex shapes as coal has them: a primitive with its pose, the points that span a shape, the triangles of a mesh."""
 
+import hashlib
 from dataclasses import dataclass
 
 import coal
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.robots.hulls import box_corners
 from manipplan.support.checks import Array
@@ -51,6 +53,23 @@ def core_of(shape: coal.CollisionGeometry) -> tuple[Array, float]:
 
 def mesh_triangles(mesh: coal.BVHModelBase) -> Array:
     """Corners (t, 3, 3) of a mesh's triangles [m]."""
-    vertices = np.array(mesh.vertices())
-    faces = np.array([[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))], dtype=int)
-    return np.asarray(vertices[faces])
+    corners, faces = _arrays(mesh)
+    return np.asarray(corners[faces])
+
+
+def mesh_key(mesh: coal.BVHModelBase) -> bytes:
+    """Digest of a mesh's corners and triangles."""
+    corners, faces = _arrays(mesh)
+    digest = hashlib.sha256(len(corners).to_bytes(8, "big"))
+    digest.update(np.ascontiguousarray(corners, dtype=float).data)
+    digest.update(np.ascontiguousarray(faces, dtype=np.int32).data)
+    return digest.digest()
+
+
+def _arrays(mesh: coal.BVHModelBase) -> tuple[Array, NDArray[np.int64]]:
+    """The corners (v, 3) of a mesh [m], and the indices (t, 3) of those of each triangle."""
+    if "arrays" in vars(mesh):  # it was made by `triangle_tree`
+        corners, faces = mesh.arrays
+        return corners, faces
+    triangles = [[t[0], t[1], t[2]] for t in map(mesh.tri_indices, range(mesh.num_tris))]
+    return np.array(mesh.vertices()), np.array(triangles, dtype=np.int64)

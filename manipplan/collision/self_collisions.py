@@ -56,11 +56,11 @@ class SelfCollisions:
     @classmethod
     def of(cls, robot: Robot) -> "SelfCollisions":
         """The pairs of all links and carried parts that have collision bodies."""
-        model, _ = self_model(robot)
-        carrier = {link: item.parentJoint for item, link in zip(model.geometry.geometryObjects, model.links, strict=True)}
-        checked = {frozenset((model.links[pair.first], model.links[pair.second])) for pair in model.geometry.collisionPairs}
+        model = self_model(robot)
+        carrier = {link: item.parentJoint for item, link in zip(model.objects, model.links, strict=True)}
+        checked = {frozenset((model.links[i], model.links[j])) for i, j in model.pairs.tolist()}
         reasons: dict[frozenset[str], str] = {}
-        link = {item.name: name for item, name in zip(model.geometry.geometryObjects, model.links, strict=True)}
+        link = {item.name: name for item, name in zip(model.objects, model.links, strict=True)}
         for (first, second), reason in model.dropped.items():
             reasons.setdefault(frozenset((link.get(first, first), link.get(second, second))), reason)
         pairs = []

@@ -16,13 +16,13 @@ from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.support.checks import (
-    ROTATION,
     Array,
     existing_file,
     finite_array,
     number,
     number_array,
     pose_matrix,
+    rotation_matrix,
     text,
 )
 from manipplan.support.errors import FileFormatError, InvalidInputError
@@ -126,10 +126,7 @@ class Obstacle(ABC):
         argument = self._argument("rotation")
         if number_array(argument, rotation).shape == (3,):
             return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
-        matrix = finite_array(argument, rotation, (3, 3), most=1.0 + ROTATION)
-        if not np.allclose(matrix @ matrix.T, np.eye(3), atol=1e-6) or np.linalg.det(matrix) < 0:
-            raise InvalidInputError(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
-        return matrix
+        return rotation_matrix(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -259,7 +256,7 @@ class Mesh(Obstacle):
     def _build(self, argument: str, triangles: Array) -> tuple[Part, ...]:
         placed = meshes.placed_triangles(argument, triangles, self.scale, self.up)
         found = (meshes.hull_parts if self.fill == "hull" else meshes.mesh_parts)(argument, placed)
-        return tuple(Part(shape=shape, closed=closed) for shape, closed in found)
+        return tuple(Part(shape=part.shape(), closed=part.closed) for part in found)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -24,10 +24,12 @@ Tree = Callable[..., Any]
 
 
 def world_arrays(
-    tree: Tree, robot: Robot, geometry: pin.GeometryModel, radii: Array, closed: Collection[int]
+    tree: Tree, robot: Robot, objects: Sequence[pin.GeometryObject], pairs: Numbers, radii: Array, closed: Collection[int]
 ) -> dict[str, NDArray[Any]]:
-    """The arrays of `World`, and the bodies of each pair, the moving one first."""
-    objects = list(geometry.geometryObjects)
+    """The arrays of `World`, and the bodies of each pair, the moving one first.
+
+    The arguments are those of `find_kernel`, and the function that builds trees.
+    """
     joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
     arms = robot.tree
     arrays: dict[str, NDArray[Any]] = {
@@ -36,16 +38,19 @@ def world_arrays(
         "joint": joint,
         **_shapes(objects, radii, closed),
     }
-    pairs = np.array([(p.first, p.second) for p in geometry.collisionPairs], dtype=np.int64).reshape(-1, 2)
-    swapped = joint[pairs[:, 0]] == 0
-    pairs[swapped] = pairs[swapped, ::-1]
+    pairs = np.where((joint[pairs[:, 0]] == 0)[:, None], pairs[:, ::-1], pairs)
     arrays |= _pair_tables(pairs, joint)
     arrays |= _groups(arrays["mover"], joint, arrays["ball"])
-    still = np.array(sorted(set(pairs[joint[pairs[:, 1]] == 0, 1].tolist())), dtype=np.int64)
+    still = _numbers_in(pairs[joint[pairs[:, 1]] == 0, 1], len(objects))
     around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
     arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
     arrays |= _trees(tree, objects, still, pairs, arrays)
     return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+
+
+def _numbers_in(some: Numbers, count: int) -> Numbers:
+    """The different numbers in `some`, all below `count`, sorted; np.unique imports numpy.ma."""
+    return np.flatnonzero(np.bincount(some, minlength=count))
 
 
 def _flat(place: pin.SE3) -> Array:
@@ -104,12 +109,13 @@ def _ball(points: Array) -> Array:
 def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
     """Pairs of two moving bodies as a list (`self`), those of a moving and a static one as a table (`mover`, `pair_of`)."""
     meets_still = joint[pairs[:, 1]] == 0
-    several = set(pairs[meets_still, 0].tolist())  # np.unique imports numpy.ma
-    mover = np.array(sorted(several, key=lambda body: (joint[body], body)), dtype=np.int64)
-    row = {int(body): k for k, body in enumerate(mover)}
+    several = _numbers_in(pairs[meets_still, 0], len(joint))
+    mover = several[np.argsort(joint[several], kind="stable")]
+    row = np.zeros(len(joint), dtype=np.int64)
+    row[mover] = np.arange(len(mover))
     pair_of = np.full((len(mover), len(joint)), -1, dtype=np.int64)
     numbers = np.flatnonzero(meets_still)
-    pair_of[[row[body] for body in pairs[numbers, 0].tolist()], pairs[numbers, 1]] = numbers
+    pair_of[row[pairs[numbers, 0]], pairs[numbers, 1]] = numbers
     alone = np.flatnonzero(~meets_still)
     return {"pair_bodies": pairs, "mover": mover, "pair_of": pair_of, "self": np.column_stack([pairs[alone], alone])}
 
@@ -138,9 +144,10 @@ def _trees(
     """One tree per surface that is checked, then the tree over all static bodies `still`: its root is `top`, -1 without any."""
     local, radius, closed = arrays["local"], arrays["radius"], arrays["size"][:, 0]
     root, probes = np.full(len(objects), -1, dtype=np.int64), np.zeros((len(objects), 2), dtype=np.int64)
-    checked = set(pairs.ravel().tolist())
-    triangles = {k: placed_triangles(objects[k]) for k in np.flatnonzero(arrays["kind"] == SURFACE).tolist() if k in checked}
-    facing = {each for pair in pairs.tolist() for each in pair if set(pair) <= triangles.keys() and closed[pair].any()}
+    surface = arrays["kind"] == SURFACE
+    checked = _numbers_in(pairs.ravel(), len(objects))
+    triangles = {k: placed_triangles(objects[k]) for k in checked[surface[checked]].tolist()}
+    facing = set(pairs[surface[pairs].all(axis=1) & (closed[pairs] > 0).any(axis=1)].ravel().tolist())
     nodes = 2 * (sum(map(len, triangles.values())) + len(still))
     node_box, node = np.empty((nodes, 6)), np.empty((nodes, 2), dtype=np.int64)
     probe = [np.zeros((0, 3))]

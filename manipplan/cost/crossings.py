@@ -170,6 +170,11 @@ def runs_along(path: JointPath, integral: PathIntegral, cost: PathCost) -> bool:
     return bool((speed * low).sum() > LONG * speed.sum())
 
 
+def is_singular(path: JointPath, integral: PathIntegral, cost: PathCost) -> bool:
+    """Whether g of a path is infinite, or the path runs along singularities: what Status.SINGULAR says."""
+    return not np.isfinite(cost.g) or runs_along(path, integral, cost)
+
+
 def describe(crossings: Sequence[Crossing], least: int | None) -> str:
     """What a path does at singularities, in a sentence; "" for nothing."""
     if not crossings:

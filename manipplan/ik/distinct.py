@@ -5,9 +5,7 @@ from numpy.typing import NDArray
 
 from manipplan.ik.native import calls, real, whole
 from manipplan.support.checks import Array
-
-#: Configurations of one sample that differ by less than this are the same [rad or m].
-SAME = 1e-6
+from manipplan.support.tolerances import SAME
 
 
 def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:

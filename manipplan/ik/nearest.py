@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from manipplan.ik.descend import descend
 from manipplan.ik.onto_rows import errors_to
-from manipplan.ik.window import random_near
+from manipplan.ik.starts import random_near
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.deviation import distances_between
 from manipplan.robots.limits import JointLimits

@@ -42,7 +42,8 @@ class Completeness(StrEnum):
 class SolutionSet(Pictured):
     """Configurations that reach a pose, or one of several; each verified by forward kinematics to 1e-10.
 
-    Farther than 10 km from the world's origin, to 1e-14 of the distance.
+    Farther than 10 km from the world's origin, to 1e-14 of the distance. A pose that is beyond a joint limit or the arm's reach
+    by no more than a rounded pose may be has the configurations that stop there, at most 1e-6 m and rad from it.
 
     Attributes:
         q: (k, n) [rad or m], inside the position limits.
@@ -142,9 +143,9 @@ def inverse_kinematics(
                 break
             found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
-            values = solver.random_parameters(poses[k])
-            if len(values) and not deadline.passed:
-                more = _solved(solver, poses[k : k + 1], values, None, deadline)
+            q = solver.random_solutions(poses[k])
+            if len(q) and not deadline.passed:
+                more = _with_these(solver, poses[k], q, deadline)
                 part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
                 found = found.with_more(part, np.array([k]))
     keep = distinct(found.q, found.source)
@@ -222,6 +223,21 @@ def _solved(
     )
 
 
+def _with_these(solver: "Solver", pose: Array, q: Array, deadline: Deadline) -> _Solved:
+    """All solutions of a pose (4, 4) with the parameters of known ones, q (k, n), and these themselves."""
+    values = solver.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+    found = _solved(solver, pose[None], values, None, deadline)
+    own = solver.judged(q, pose)
+    return replace(
+        found,
+        q=np.concatenate([found.q, own.q]),
+        owners=np.concatenate([found.owners, np.zeros(len(own.q), dtype=np.int64)]),
+        source=np.concatenate([found.source, own.source]),
+        parameters=np.concatenate([found.parameters, values[own.source]]),
+        residual=np.concatenate([found.residual, own.residual]),
+    )
+
+
 def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
     """Log how to get solutions faster where one pose took long [s]."""
     if seconds > SLOW and samples > 1:
@@ -236,7 +252,7 @@ def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
 
 
 def pose_stack(argument: str, pose: Any) -> Array:
-    """One or several poses as (p, 4, 4); each is checked."""
+    """One or several poses as (p, 4, 4), each the rigid transform nearest to the one given; raises as `pose_matrix`."""
     from manipplan.ik.verify import are_poses
 
     matrix = getattr(pose, "homogeneous", pose)

@@ -9,28 +9,18 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.ik.bridge import HeldValues, bridge
 from manipplan.ik.enumeration import AT_LIMIT, MOST, Enumeration
 from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.native import swivels_of
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.onto_rows import onto_rows, search_rows
+from manipplan.ik.ranges import in_turn, line, reach_in, slides_of, span, spans_turn
 from manipplan.ik.solutions import Completeness
+from manipplan.ik.starts import Starts, StartsOfPoses, approach, window
 from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
-from manipplan.ik.window import (
-    HeldValues,
-    Starts,
-    StartsOfPoses,
-    bridge,
-    in_turn,
-    line,
-    reach_in,
-    slides_of,
-    span,
-    spans_turn,
-    window,
-)
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
@@ -38,12 +28,16 @@ from manipplan.support.checks import Array, finite_array, instance, number_array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
+from manipplan.support.tolerances import SAME
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1]; beyond FAR [m] from the
 #: world's origin, where rounding is larger, by more than this share of FAR.
 REACHED, FAR = 1e-10, 1e4
+#: The same where a limit or the reach of the arm ends just before the pose, as it may for rounded poses: distance and angle are
+#: then below SAME.
+NEARLY = SAME / 3
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.
@@ -210,20 +204,28 @@ class Solver:
         usual = SAMPLES[min(r, len(SAMPLES)) - 1]
         return [count for k in range(1, 9) if (count := usual * 2**k) ** r <= FINEST]
 
-    def random_parameters(self, pose: Array) -> Array:
-        """Parameters (k, r) with which a pose (4, 4) has a solution: those of configurations to which random starts lead.
+    def random_solutions(self, pose: Array) -> Array:
+        """Configurations (k, n) to which random starts lead, and that reach a pose (4, 4).
 
-        They serve where so few values have one that a grid misses them all. There are none without a closed form, where random
-        starts are the method, and none with a free motion.
+        They serve where so few parameters have a solution that a grid misses them all, as far along a slide, where a direction
+        has to be met that leaves the slide little room. Such a pose is approached: the slides of solutions for a nearer one are
+        made longer. There are none without a closed form, where random starts are the method, and none with a free motion.
         """
+        q = np.zeros((0, self.robot.n))
         if self.form is None or not self.names or self.free.names:
-            return np.zeros((0, len(self.names)))
-        starts = Starts.near(self.robot, pose, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+            return q
         arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
-        allowed = float(_allowed(pose[None])[0])
-        q, miss = arm.search(starts, pose, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
-        q = in_turn(self.robot, q[miss <= allowed])
-        return self.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
+        slides, ratio = list(slides_of(self.robot)), 1.0
+        for target, share in approach(self.robot, pose):
+            if not len(q):
+                q = Starts.near(self.robot, target, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+            q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
+            allowed, ratio = float(_allowed(target[None])[0]), share
+            q, miss = arm.search(q, target, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
+            q = q[miss <= max(allowed, NEARLY)]
+            if not len(q):
+                break
+        return in_turn(self.robot, q)
 
     @property
     def sweeps_slides(self) -> bool:
@@ -314,16 +316,30 @@ class Solver:
         order = np.random.default_rng(0).permutation(len(samples)) if np.isfinite(deadline.at) else np.arange(len(samples))
         found = self.solve_once(poses, owners[order], samples[order], deadline)
         rows, q = self.with_turns(found.q)
-        source = order[found.source[rows]]
-        usual = np.argsort(source, kind="stable")
-        return replace(found, q=q[usual], source=source[usual], residual=found.residual[rows][usual])
+        source, residual = found.source[rows], found.residual[rows]
+        turning = self._turning
+        stopped = (q[:, turning] == self.robot.limits.upper[turning]).any(axis=1)  # the turn may end just before the pose
+        if stopped.any():
+            targets, at = self._targets(poses, owners[order], samples[order], source[stopped])
+            residual[stopped] = self._residual(q[stopped], targets, at)
+        allowed = _allowed(poses)[owners[order][source]]
+        source = order[source]
+        usual = np.lexsort((residual > allowed, source))  # `distinct` takes the first of those that are one
+        usual = usual[self._counts(q, source, residual, allowed)[usual]]
+        return replace(found, q=q[usual], source=source[usual], residual=residual[usual])
+
+    def _counts(self, q: Array, source: NDArray[np.int64], residual: Array, allowed: Array) -> NDArray[np.bool_]:
+        """Whether q (k, n) are solutions: they reach their pose, or nearly so at a limit, or where none of the sample does."""
+        good, limits = residual <= allowed, self.robot.limits
+        stopped = ((q == limits.lower) | (q == limits.upper)).any(axis=1)
+        return np.asarray(good | ((residual <= NEARLY) & (stopped | ~np.isin(source, source[good]))))
 
     def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
         rows = np.arange(len(q))
         for joint in self._turning:
             upper = self.robot.limits.upper[joint]
-            counts = ((upper - q[:, joint] + REACHED / 10) // (2 * np.pi)).astype(np.int64) + 1
+            counts = ((upper - q[:, joint] + NEARLY) // (2 * np.pi)).astype(np.int64) + 1
             again = np.repeat(np.arange(len(q)), counts)
             turns = np.arange(len(again)) - np.repeat(np.cumsum(counts) - counts, counts)
             q, rows = q[again], rows[again]
@@ -372,6 +388,10 @@ class Solver:
         values = samples[source, -len(self.free.names) :]
         return self.free.poses(poses[owners[source]], values), np.arange(len(source))
 
+    def judged(self, q: Array, pose: Array) -> Found:
+        """The rows of q (k, n) that reach a pose (4, 4), after refinement where rounding requires it."""
+        return self._judged(q, np.arange(len(q)), pose[None], np.zeros(len(q), dtype=np.int64))
+
     def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""
         residual, allowed = self._residual(q, targets, rows), _allowed(targets)[rows]
@@ -380,10 +400,11 @@ class Solver:
             off &= residual < ROUNDED * allowed / REACHED
         if off.any():
             better = self._holding.refine(q[off], targets, rows[off], steps=STEPS, tolerance=REACHED / 100)
-            q = q.copy()
-            q[off] = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
-            residual[off] = self._residual(q[off], targets, rows[off])
-        good = residual <= allowed
+            better = np.clip(better, self.robot.limits.lower, self.robot.limits.upper)
+            left, q = self._residual(better, targets, rows[off]), q.copy()
+            nearer = np.flatnonzero(off)[left < residual[off]]
+            q[nearer], residual[nearer] = better[left < residual[off]], left[left < residual[off]]
+        good = self._counts(q, source, residual, allowed)
         return Found(q=q[good], source=source[good], residual=residual[good])
 
     def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:

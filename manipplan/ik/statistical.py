@@ -8,10 +8,12 @@ from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
-from manipplan.ik.window import Starts, in_turn, within_reach
+from manipplan.ik.ranges import in_turn, within_reach
+from manipplan.ik.starts import Starts
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.tolerances import SAME
 from manipplan.symbolic.task import Task
 
 #: Number of random starts per round, and their maximum number in total.
@@ -28,8 +30,10 @@ NEAR, MORE_STEPS = 1e-2, 500
 #: Error at which a pose is reached [m, rad]. Beyond FAR [m] from the world's origin, where rounding is larger, it grows with
 #: the distance.
 TOLERANCE, FAR = 1e-12, 1e3
+#: The same where nothing reaches a pose any nearer: a limit or the reach of the arm may end just before a rounded pose.
+REACHED = SAME / 3
 #: Solutions that differ by less than this are the same [rad or m].
-SAME = 1e-5
+ALIKE = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,6 +75,7 @@ def random_answers(
         return arm.search(q, target, limits.lower, limits.upper, steps=steps, tolerance=tolerance)
 
     while starts < MOST:
+        within = tolerance
         if len(found) or starts < FRUITLESS:
             q = places.random(rng, ROUND)
             q[:, held] = setup.values
@@ -81,11 +86,11 @@ def random_answers(
             near = np.vstack([near, q[(miss > tolerance) & (miss < NEAR)]])
         elif len(near):
             q, miss = advance(near[:ROUND], MORE_STEPS)
-            near = near[:0]
+            near, within = near[:0], max(tolerance, REACHED)
         else:
             break
-        for each in in_turn(setup.robot, q[miss <= tolerance]):
-            same = np.flatnonzero(np.abs(found - each).max(axis=1) < SAME)
+        for each in in_turn(setup.robot, q[miss <= within]):
+            same = np.flatnonzero(np.abs(found - each).max(axis=1) < ALIKE)
             if len(same):
                 hits[same[0]] += 1
             else:
@@ -102,7 +107,7 @@ def merged(q: Array, source: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDAr
     edges = np.flatnonzero(np.diff(source, prepend=-1, append=-1))
     for begin, end in pairwise(edges.tolist()):
         some = q[begin:end]
-        same = np.abs(some[:, None] - some).max(axis=2) < SAME
+        same = np.abs(some[:, None] - some).max(axis=2) < ALIKE
         first = np.flatnonzero(same.argmax(axis=1) == np.arange(len(some)))
         kept.append(begin + first)
         hits.append(same[first].sum(axis=1))

@@ -4,13 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.ik.native import calls, real, whole
-from manipplan.support.checks import ROTATION, Array
+from manipplan.support.checks import Array
+from manipplan.support.tolerances import EXACT
 
 
 def are_poses(poses: Array) -> bool:
-    """Whether every matrix of poses (p, 4, 4) is a rotation and a translation."""
+    """Whether every matrix of poses (p, 4, 4) is a rotation and a translation, up to the rounding of double precision."""
     poses = real(poses)
-    return bool(calls()["are_poses"](poses.ctypes.data, len(poses), ROTATION))
+    return bool(calls()["are_poses"](poses.ctypes.data, len(poses), EXACT))
 
 
 def residuals(reached: Array, targets: Array, owners: NDArray[np.int64]) -> Array:

@@ -1,6 +1,7 @@
 """check: judges a trajectory, whoever made it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.recordings.read import read_motion
 from manipplan.jobs.reports.along import PathPart
 from manipplan.jobs.reports.measure import measure
@@ -17,6 +19,7 @@ from manipplan.jobs.reports.report import Report
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.errors import InvalidInputError
@@ -44,8 +47,8 @@ def check(
     trajectory: Trajectory | str | Path,
     scene: Scene | None = None,
     *,
-    start: ArrayLike | None = None,
-    goal: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
     path: CartesianPath | None = None,
     path_begin: float = 0.0,
     path_parts: Sequence[PathPart] = (),
@@ -69,13 +72,17 @@ def check(
     Args:
         robot: the arm.
         trajectory: a Trajectory, or the file of one: .csv, .json, .yaml or .npz, as `Trajectory.to_csv` and the others write.
-            Its columns are matched with the robot's joints by their names.
+            Its columns are matched with the robot's joints by their names. Where a continuous joint jumps by full turns, faster
+            than five times its velocity limit, the positions without the jumps are judged.
         scene: obstacles; None: none. The arm is always checked against itself.
-        start, goal: (n,) where the motion has to begin and end, to 1e-6 [rad or m]; None: anywhere.
+        start, goal: (n,) where the motion has to begin and end, to 1e-6 [rad or m], or the name of one of `robot.states`; None:
+            anywhere. Outside a limit by at most `robot.limit_tolerance`, they are taken to it, as the report says. Of a goal,
+            full turns of joints without limits do not count.
         path: path of the tool. The tool must not leave it, has to come past each of its poses, begin at the first and end at
-            the last; the order in which it passes the others is not judged. With an objective whose task leaves a motion
-            of the tool free, such as Task.pointing(axis) or Task.position(), only the rest counts. None: the tool may move
-            anywhere.
+            the last; the order in which it passes the others is not judged. Of a path through given poses, these are judged
+            themselves: the tool has to come past each, and must not leave their polygon by more than an eighth of the piece or
+            of one beside it. With an objective whose task leaves a motion of the tool free, such as Task.pointing(axis) or
+            Task.position(), only the rest counts. None: the tool may move anywhere.
         path_begin: time from which the tool follows `path` [s], such as `path_begin` of a plan of `follow` with a lead-in.
         path_parts: the parts of the motion on which the tool follows `path`, where it leaves it between them: `report.along` of
             a plan of `follow` with interruptions. Together they have to cover the path; instead of `path_begin`.
@@ -99,8 +106,8 @@ def check(
     instance("robot", robot, Robot)
     motion = _motion(robot, trajectory, degrees=degrees, columns=columns)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    first = None if start is None else robot.configuration("start", start)
-    last = None if goal is None else robot.configuration("goal", goal)
+    ends = {name: named_configuration(name, q, robot) for name, q in (("start", start), ("goal", goal)) if q is not None}
+    inside = {name: robot.configuration(name, q) for name, q in ends.items()}
     if path is not None and not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
     if path is None and tolerance is not None:
@@ -110,12 +117,12 @@ def check(
         instance("tolerance", tolerance, Tolerance)
     clearance = number("clearance", clearance, least=0.0)
     flag("torque", torque)
-    return measure(
+    report = measure(
         motion,
         scene.collision_model(robot),
         instance("objective", objective, PathObjective).integral(robot),
-        start=first,
-        goal=last,
+        start=inside.get("start"),
+        goal=inside.get("goal"),
         workspace_path=path,
         along=along,
         tolerance=(tolerance or BETWEEN) if path is not None else None,
@@ -123,6 +130,7 @@ def check(
         clearance=clearance,
         torque=torque,
     )
+    return replace(report, taken_to_limits=tuple(each for name, q in ends.items() for each in taken_to_limits(robot, name, q)))
 
 
 def _parts(

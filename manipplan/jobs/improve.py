@@ -10,7 +10,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.recordings.blocked import blocked
 from manipplan.jobs.recordings.comparison import MotionFigures
 from manipplan.jobs.recordings.inside import Tube, best_motion
-from manipplan.jobs.recordings.read import read_recording
+from manipplan.jobs.recordings.read import noise_beyond_limits, read_recording
 from manipplan.jobs.recordings.smooth import smooth
 from manipplan.jobs.result import PartialPlan, Plan, failed, finish
 from manipplan.optimize.result import make_result
@@ -93,7 +93,9 @@ def improve(
         robot: the arm.
         recorded: a Trajectory, the file of one, or a JointPath, which is timed by `retime` and a quarter slower. The columns of
             a CSV file are found by the names of the robot's joints, in any order; others are ignored (`Trajectory.from_csv`).
-            Positions up to 0.01 rad or m outside the limits count as noise.
+            Positions up to 0.01 rad or m, or `robot.limit_tolerance` if it is more, outside the limits count as noise, and the
+            report names them. Where a continuous joint jumps by full turns, as one that is reported in (-π, π] does, the
+            positions as driven count.
         scene: obstacles to avoid.
         duration: of the motion [s]; None: that of the recording.
         tolerance: largest distance of the tool from the recorded pose. What the objective's task leaves free does not count.
@@ -161,7 +163,19 @@ def improve(
     )
     goal = curve.ends.goal
     draft = replace(draft, status=status)
-    made = finish(draft, path, trajectory, result, model, goal, clearance=clearance, torque=False, jerk=True, throw=False)
+    made = finish(
+        draft,
+        path,
+        trajectory,
+        result,
+        model,
+        goal,
+        taken=noise_beyond_limits(robot, motion),
+        clearance=clearance,
+        torque=False,
+        jerk=True,
+        throw=False,
+    )
     made = replace(made, report=replace(made.report, comparison=comparison))
     if not made.report.passed:
         return failed(made, throw, made.message)

@@ -15,7 +15,6 @@ from manipplan.ik.solutions import inverse_kinematics
 from manipplan.optimize.optimize import optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import PathShape
-from manipplan.paths.joint import SHORTEST
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, instance, number, whole_number
@@ -23,9 +22,7 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
-
-#: Configurations are the same when no joint differs by more than this, up to full turns [rad or m].
-SAME = 1e-6
+from manipplan.support.tolerances import SAME
 
 
 @one_line
@@ -102,7 +99,7 @@ def other_goals(
     tell(0.0, "solving the inverse kinematics")
     solutions = inverse_kinematics(robot, robot.kinematics().pose(q_goal)).q
     solutions = _nearest_turns(robot, q_start, solutions[np.abs(solutions - q_goal).max(axis=1) > SAME])
-    solutions = solutions[np.abs(solutions - q_start).max(axis=1) >= SHORTEST]
+    solutions = solutions[np.abs(solutions - q_start).max(axis=1) >= SAME]
     if scene is not None:
         model = instance("scene", scene, Scene).collision_model(robot)
         least = np.array([model.least_distance(q[None])[0] for q in solutions])

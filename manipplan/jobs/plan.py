@@ -25,8 +25,9 @@ from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
@@ -140,7 +141,8 @@ def plan(
 
     Args:
         robot: the arm.
-        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`.
+        start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`. Outside a limit by at
+            most `robot.limit_tolerance`, it is taken to the limit, as the report says; so is a goal.
         goal: as `start`; or a pose of the tool in the world, (4, 4) or pin.SE3; or a `PoseGoal`, with a free axis or a
             tolerance; or, for a robot with several tools, a mapping from tools to these two, where the arm of a tool that is
             not named ends where it began; or a list of these, such as a set of grasps.
@@ -173,7 +175,12 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     tell = teller(progress)
     targets, is_list = read_goals("goal", goal, robot)
-    q_start = named_configuration("start", start, robot)
+    given = named_configuration("start", start, robot)
+    q_start = robot.configuration("start", given)
+    if seeding.shifts != AS_GIVEN:
+        targets = tuple(replace(each, turns=True) for each in targets)
+    if seeding.shifts == NEAREST:
+        targets = tuple(each.nearest(robot, q_start) for each in targets)
     kept = ConstraintSet.of(robot, constraints)
     check_start(kept, q_start)
     check_timing_limits(robot.limits)
@@ -205,10 +212,13 @@ def plan(
         return found
 
     integral = objective.integral(robot)
+    start_taken = taken_to_limits(robot, "start", given)
     there = next((k for k, each in enumerate(targets) if not each.missed_by(robot, q_start)), None)
     if there is not None and not shape.has_slopes:
         scene.collision_model(robot).free_configuration("start", q_start, number("clearance", clearance, least=0.0))
-        return _standing(replace(draft, goal_index=there), q_start, integral, clearance=clearance, torque=torque, throw=throw)
+        taken = (*start_taken, *targets[there].taken)
+        at_goal = replace(draft, goal_index=there)
+        return _standing(at_goal, q_start, integral, taken, clearance=clearance, torque=torque, throw=throw)
     if targets[0].q is not None and not is_list:
         candidates = measured(targets[0].q[None], [0], q_start, integral)
     else:
@@ -254,8 +264,20 @@ def plan(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.9, "checking the result")
     model = scene.collision_model(robot)
-    made = finish(draft, path, trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True, throw=throw)
-    reached = targets[made.goal_index]
+    reached = targets[draft.goal_index]
+    made = finish(
+        draft,
+        path,
+        trajectory,
+        result,
+        model,
+        path.goal,
+        taken=(*start_taken, *reached.taken),
+        clearance=clearance,
+        torque=torque,
+        jerk=True,
+        throw=throw,
+    )
     missed = reached.missed_by(robot, trajectory.q[-1])
     tools = with_goals(made.report.tools, robot, trajectory.q[-1], reached.tools)
     made = replace(made, report=replace(made.report, tools=tools))
@@ -266,7 +288,14 @@ def plan(
 
 
 def _standing(
-    draft: PartialPlan, q: Array, integral: PathIntegral, *, clearance: float, torque: bool, throw: bool
+    draft: PartialPlan,
+    q: Array,
+    integral: PathIntegral,
+    taken: tuple[TakenToLimit, ...],
+    *,
+    clearance: float,
+    torque: bool,
+    throw: bool,
 ) -> Plan | PartialPlan:
     """The plan of an arm that stands in a goal already: a motion that stays at q (n,)."""
     path = JointPath(breaks=np.array([0.0, 1.0]), control=np.array([[q, q]]))
@@ -305,7 +334,7 @@ def _standing(
     )
     draft = replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
     model = draft.scene.collision_model(draft.robot)
-    return finish(draft, path, stays, result, model, q, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    return finish(draft, path, stays, result, model, q, taken=taken, clearance=clearance, torque=torque, jerk=True, throw=throw)
 
 
 def _out_of_time(result: PathResult) -> PathResult:

@@ -18,6 +18,7 @@ from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
@@ -195,6 +196,7 @@ def finish(
     model: CollisionModel,
     goal: Array,
     *,
+    taken: tuple[TakenToLimit, ...] = (),
     clearance: float,
     torque: bool,
     jerk: bool,
@@ -204,6 +206,7 @@ def finish(
     report = measure_plan(
         trajectory, result, model, goal, constraints=draft.constraints, clearance=clearance, torque=torque, jerk=jerk
     )
+    report = replace(report, taken_to_limits=taken)
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
     plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
     return plan if report.passed else check_failed(plan, throw)

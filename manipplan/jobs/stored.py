@@ -67,6 +67,7 @@ def robot_data(robot: Robot, folder: Path) -> dict[str, Any]:
         "joint_names": robot.joint_names,
         "neutral": robot.neutral,
         "limits": {**limits, "sources": robot.limits.sources},
+        "limit_tolerance": robot.limit_tolerance,
         "home": home,
         "screws": screws,
         "outlines": outlines(robot),
@@ -110,6 +111,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             limits = from_json(data["limits"], JointLimits)
             if limits.n == arm.n:  # otherwise it is another arm, which raises below
                 arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
+                arm = arm.with_limits(limit_tolerance=data["limit_tolerance"])
         except MissingExtraError:
             raise
         except ManipplanError as error:

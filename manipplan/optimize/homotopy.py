@@ -20,8 +20,10 @@ from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import TIE, PathProblem, planned_path, solve_local
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.seeds.random_path import random_path
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -175,8 +177,12 @@ def _best_first(results: Sequence[PathResult]) -> list[PathResult]:
     return ordered
 
 
-def shifted_goals(robot: Robot, start: Array, goal: Array) -> list[Array]:
-    """The goal and all goals inside the limits that differ from it by one turn in some revolute joints."""
+def shifted_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Array]:
+    """The full turns of a goal that `Seeding.shifts` asks for: for all of them, by one turn in some revolute joints."""
+    if shifts == AS_GIVEN:
+        return [goal]
+    if shifts == NEAREST:
+        return [nearest_turns(robot, goal[None], start)[0]]
     turns = []
     for joint, can_turn in enumerate(robot.turns.tolist()):
         options = (-1, 0, 1) if can_turn else (0,)

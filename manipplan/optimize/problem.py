@@ -16,7 +16,7 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.figures import figures
 from manipplan.constraints.proof import prove
-from manipplan.cost.crossings import find_crossings, least_crossings, runs_along
+from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.descents.descent import LATE
@@ -28,6 +28,7 @@ from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.paths.turns import unwrapped
 from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import CHECK_STEP, PROVABLE
 from manipplan.seeds.random_path import random_path
@@ -178,7 +179,7 @@ def solve_local(
         path, cost = first, first_cost
         status = Status.SEED_OUT_OF_TIME if late else Status.SEED_IS_BETTER if safe else Status.SEED_IS_SAFE
         status = status if fallback else Status.ENDS_NOT_MET
-    if status is not Status.ENDS_NOT_MET and (not np.isfinite(cost.g) or runs_along(path, integral, cost)):
+    if status is not Status.ENDS_NOT_MET and is_singular(path, integral, cost):
         status = Status.SINGULAR
     unconstrained = np.nan
     if problem.compares and np.isfinite(cost.g) and not (interrupted or late):
@@ -353,7 +354,9 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
         if motion.joint_names != robot.joint_names:
             wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
             raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
-        path = motion.path()
+        path = unwrapped(
+            robot, motion, lambda row, joint: (f"initial.q[{row}, {joint}]", motion.q[row, joint]), fastest=1
+        ).path()
     if path.n != robot.n:
         raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
     return path

@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -10,17 +11,30 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
+from manipplan.paths.distinct import distinct
+from manipplan.paths.pose_curve import PoseCurve, rotation_vectors
 from manipplan.paths.tables import Table
-from manipplan.support.checks import Array, existing_file, finite_array, flag, number, number_array, pose_matrix, whole_number
+from manipplan.support.checks import (
+    Array,
+    existing_file,
+    finite_array,
+    flag,
+    number,
+    number_array,
+    pose_matrix,
+    unit_quaternion,
+    whole_number,
+)
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.tolerances import SAME
 
-#: Minimum distance between neighbouring poses [m].
-APART = 1e-9
+#: Way that an angle of 1 rad counts as, between the poses that a path goes through [m].
+RADIAN = 0.1
 #: Distance within which a path returns to its first pose [m, or entry of the rotation].
 RETURNS = 1e-9
 #: Distance in s within which two knots are one.
-SAME = 1e-12
+SAME_KNOT = 1e-12
 #: Maximum number of poses of a sample.
 MOST_SAMPLES = 1_000_000
 #: Columns of a CSV file of poses: position [m], then the quaternion.
@@ -60,6 +74,11 @@ class CartesianPath(ABC):
     def knots(self) -> Array:
         """Parameters s (k,) of the poses through which the path was laid, with 0 and 1."""
         return np.array([0.0, 1.0])
+
+    @property
+    def given(self) -> Array | None:
+        """The poses (k, 4, 4) through which the path was laid, near whose polygon it stays; None where there are none."""
+        return None
 
     def part(self, begin: float, end: float) -> "CartesianPath":
         """The part from s = begin to s = end > begin. On a closed path the end may be beyond 1, at most one round farther."""
@@ -103,26 +122,41 @@ class CartesianPath(ABC):
 
     @classmethod
     def through(cls, poses: Sequence[Any] | Array) -> "CartesianPath":
-        """A smooth path through poses, each (4, 4) or pin.SE3, at least two: cubic splines of position and rotation.
+        """A path through poses, each (4, 4) or pin.SE3, at least two; it is twice continuously differentiable.
+
+        It stays near the polygon of the poses, whose pieces are straight and turn about one axis each: its positions within an
+        eighth of the longest of a piece and its neighbours, usually a twentieth, and its rotations within an eighth of the
+        largest of their angles. Its length is that of the polygon, to some 1 %. So it is round like a circle through the poses
+        where they turn by up to 22° each, and turns sharper corners near the pose. Of poses nearer than 1e-6 m and rad to the
+        one before it takes one.
 
         s is proportional to the distance between neighbours, in which 1 rad counts as 0.1 m.
         """
         if not isinstance(poses, list | tuple | np.ndarray) or len(poses) < 2:
             raise InvalidInputError("poses", poses, "at least two poses")
         matrices = np.array([pose_matrix(f"poses[{k}]", pose) for k, pose in enumerate(poses)])
-        turned = np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3]
-        angles = np.array([np.linalg.norm(pin.log3(each)) for each in turned])
-        steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + angles / 10
-        if not (steps > APART).all():
-            k = int(np.argmin(steps))
-            raise InvalidInputError(f"poses[{k + 1}]", matrices[k + 1].tolist(), f"a pose that differs from poses[{k}]")
+        positions, rotations = matrices[:, :3, 3], matrices[:, :3, :3].reshape(-1, 9)
+        matrices = matrices[
+            distinct(
+                len(matrices),
+                lambda i, j: np.maximum(
+                    np.linalg.norm(positions[i] - positions[j], axis=1),
+                    np.linalg.norm(rotations[i] - rotations[j], axis=1) / np.sqrt(2),  # √8 sin(angle / 2) / √2
+                ),
+            )
+        ]
+        if len(matrices) < 2:
+            wanted = f"at least two poses that differ: all are within {SAME:g} m and rad of the first one"
+            raise InvalidInputError("poses", f"{len(poses)} poses", wanted)
+        turns = rotation_vectors(np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3])
+        steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + RADIAN * np.linalg.norm(turns, axis=1)
         s = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
         s[-1] = 1.0
         return Spline(s=s, poses=matrices)
 
     @classmethod
     def from_csv(cls, file: str | Path) -> "CartesianPath":
-        """The smooth path through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        """The path through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz, as by `through`.
 
         Lines that begin with # are left out. Raises a FileFormatError that shows the faulty row.
         """
@@ -133,10 +167,10 @@ class CartesianPath(ABC):
             raise FileFormatError("file", found, f"a first line {','.join(COLUMNS)}")
         poses = []
         for (row, cells), values in zip(table.rows, table.numbers(range(len(COLUMNS))), strict=True):
-            size = np.linalg.norm(values[3:])
-            if abs(size - 1) > 1e-3:
-                raise FileFormatError("file", f"{path}, row {row}: {','.join(cells)}", "a quaternion of length 1")
-            w, x, y, z = values[3:] / size
+            try:
+                w, x, y, z = unit_quaternion("quaternion", values[3:], "qw, qx, qy, qz")
+            except InvalidInputError as error:
+                raise FileFormatError("file", f"{path}, row {row}: {','.join(cells)}", error.allowed) from error
             poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
         return cls.through(poses)
 
@@ -178,7 +212,7 @@ class Arc(CartesianPath):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Spline(CartesianPath):
-    """Cubic splines of position and rotation through `poses` (k, 4, 4) at s (k,)."""
+    """The path through `poses` (k, 4, 4) at s (k,), near their polygon."""
 
     s: Array
     poses: Array
@@ -187,13 +221,16 @@ class Spline(CartesianPath):
     def knots(self) -> Array:
         return self.s
 
-    def _at(self, s: Array) -> tuple[Array, Array]:
-        from scipy.interpolate import CubicSpline
-        from scipy.spatial.transform import Rotation, RotationSpline
+    @property
+    def given(self) -> Array:
+        return self.poses
 
-        positions = CubicSpline(self.s, self.poses[:, :3, 3])(s)
-        turns = RotationSpline(self.s, Rotation.from_matrix(self.poses[:, :3, :3]))(s)
-        return np.asarray(positions), np.asarray(turns.as_matrix()).reshape(-1, 3, 3)
+    @cached_property
+    def _curve(self) -> PoseCurve:
+        return PoseCurve(self.s, self.poses)
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        return self._curve(s)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -208,7 +245,7 @@ class Stretch(CartesianPath):
     def knots(self) -> Array:
         whole = self.path.knots
         inner = (np.concatenate([whole, 1.0 + whole]) - self.begin) / (self.end - self.begin)
-        return np.concatenate([[0.0], np.unique(inner[(inner > SAME) & (inner < 1.0 - SAME)]), [1.0]])
+        return np.concatenate([[0.0], np.unique(inner[(inner > SAME_KNOT) & (inner < 1.0 - SAME_KNOT)]), [1.0]])
 
     def _at(self, s: Array) -> tuple[Array, Array]:
         at = self.begin + s * (self.end - self.begin)

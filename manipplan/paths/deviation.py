@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.pose_curve import rotation_vectors
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
@@ -14,6 +15,8 @@ from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 #: Number of poses on the path, and weight of an angle in the search for the nearest of them [m/rad].
 POSES = 2001
 RADIAN = 0.1
+#: Width of the neighbourhood of a polygon of poses as a share of its pieces, and distance from it that counts as beside [m].
+NEAR, BESIDE = 1 / 8, 1e-3
 #: Number of tool poses compared at a time.
 BLOCK = 256
 
@@ -63,8 +66,37 @@ def deviations(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) ->
     return distances_from(path.sample(POSES), poses, free)
 
 
+def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
+    """How far poses (k, 4, 4) are outside the neighbourhood of the polygon of given ones (n, 4, 4): [m] and [rad], (k,) each.
+
+    The neighbourhood of a piece between two given poses is as wide as a path through them may be: `NEAR` times the longest of
+    the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own.
+    """
+    turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
+    sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
+    wide = np.pad(sizes, ((0, 0), (1, 1)))
+    room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
+    middles, best = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2, np.full((2, len(poses)), np.inf)
+    away = np.linalg.norm(poses[:, None, :3, 3] - middles, axis=2) - sizes[0] / 2 - room[0]
+    # what is not beside a piece is compared with it only where it is beside none
+    near = (away <= BESIDE) | (away > BESIDE).all(axis=1)[:, None] | bool(free.names)
+    for k in range(len(turns)):
+        rows = np.flatnonzero(near[:, k])
+        some = poses[rows]
+        begins, ends = (np.broadcast_to(each, some.shape) for each in given[k : k + 2])
+        position, _ = _from_piece(some, begins, ends, free, radian=0.0)
+        _, rotation = _from_piece(some, begins, ends, free, radian=1e6)
+        found = np.maximum(np.array([position, rotation]) - room[:, k : k + 1], 0.0)
+        better = found[0] + RADIAN * found[1] < best[0, rows] + RADIAN * best[1, rows]
+        best[:, rows[better]] = found[:, better]
+    return best[0], best[1]
+
+
 def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4).
+
+    `room` (2, m - 1): distances and angles from each piece that count as none.
+    """
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
@@ -127,8 +159,8 @@ def _largest(position: Array, rotation: Array) -> Deviation:
     )
 
 
-def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion) -> tuple[Array, Array]:
-    """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses."""
+def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[Array, Array]:
+    """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses; `radian`: weight of angles [m]."""
     from scipy.spatial.transform import Rotation
 
     start = begins[:, :3, :3]
@@ -141,8 +173,8 @@ def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion) -> t
         turns, leans = turn, Rotation.from_matrix(np.swapaxes(start, 1, 2) @ poses[:, :3, :3]).as_rotvec()
     else:
         turns, leans = (free.directions(each[:, :3, :3]) - free.directions(start) for each in (ends, poses))
-    length = (along**2).sum(axis=1) + RADIAN**2 * (turns**2).sum(axis=1)
-    share = (offset * along).sum(axis=1) + RADIAN**2 * (leans * turns).sum(axis=1)
+    length = (along**2).sum(axis=1) + radian**2 * (turns**2).sum(axis=1)
+    share = (offset * along).sum(axis=1) + radian**2 * (leans * turns).sum(axis=1)
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
     rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
     return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, free)

@@ -11,14 +11,14 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import ArrayLike
 
 from manipplan.paths.curves import Curve, bernstein
+from manipplan.paths.distinct import distinct
 from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.tolerances import SAME
 
 #: Breaks of two paths nearer than this are one.
 SAME_BREAK = 1e-12
-#: Paths shorter than this count as no motion [rad or m].
-SHORTEST = 1e-6
 #: Tolerance on the full turns between start and end of a closed path [rad or m].
 TURNED = 1e-9
 #: Bases available for the coefficients of a polynomial path.
@@ -62,11 +62,18 @@ class JointPath:
 
     @classmethod
     def through(cls, waypoints: ArrayLike) -> "JointPath":
-        """Straight pieces through waypoints (k, n), k >= 2, neighbours different; s is proportional to arc length."""
+        """Straight pieces through waypoints (k, n), k >= 2; s is proportional to arc length.
+
+        Of waypoints nearer than 1e-6 rad or m to the one before it takes one.
+        """
         points = finite_array("waypoints", waypoints, (None, None))
+        if len(points) < 2:
+            raise InvalidInputError("waypoints", points, "at least two points")
+        points = points[distinct(len(points), lambda i, j: np.linalg.norm(points[i] - points[j], axis=1))]
+        if len(points) < 2:
+            wanted = f"at least two points that differ: all are within {SAME:g} rad or m of the first one"
+            raise InvalidInputError("waypoints", np.asarray(waypoints), wanted)
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        if len(points) < 2 or not (steps > 0).all():
-            raise InvalidInputError("waypoints", points, "at least two points, neighbours different")
         breaks = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
         breaks[-1] = 1.0
         return cls(breaks=breaks, control=np.stack([points[:-1], points[1:]], axis=1))
@@ -75,7 +82,8 @@ class JointPath:
     def spline(cls, s: ArrayLike, q: ArrayLike, *, closed: bool = False) -> "JointPath":
         """The cubic spline through q (k, n) at increasing s (k,) from 0 to 1, twice continuously differentiable.
 
-        With `closed` also where the end joins the start; the last configuration must equal the first up to full turns.
+        Of rows nearer than 1e-6 to the one before it, in s and in q, it takes one. With `closed` it is smooth where the end
+        joins the start, too; the last configuration must equal the first up to full turns.
         """
         from scipy.interpolate import CubicSpline
 
@@ -83,6 +91,11 @@ class JointPath:
         places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
         if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
             raise InvalidInputError("s", places, "increasing numbers, one per row of q")
+        own = distinct(
+            len(places),
+            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(places[i] - places[j])),
+        )
+        places, points = places[own], points[own]
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
         if np.abs(drift - 2 * np.pi * np.round(drift / (2 * np.pi))).max(initial=0.0) > TURNED:
             raise InvalidInputError("q", points[-1].tolist(), "a last row equal to the first up to full turns")
@@ -102,13 +115,13 @@ class JointPath:
         """
         if not isinstance(parts, list | tuple) or not all(isinstance(part, JointPath) for part in parts):
             raise InvalidInputError("parts", parts, "a list of JointPath")
-        if not parts or any(part.length < SHORTEST for part in parts):
-            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SHORTEST:g}")
+        if not parts or any(part.length < SAME for part in parts):
+            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SAME:g}")
         ends = np.cumsum([0.0, *(part.length for part in parts)])
         ends /= ends[-1]
         degree = max(part.degree for part in parts)
         breaks = [a + (b - a) * part.breaks[1:] for a, b, part in zip(ends[:-1], ends[1:], parts, strict=True)]
-        control = np.concatenate([_raised(part.control, degree) for part in parts])
+        control = np.concatenate([raised(part.control, degree) for part in parts])
         return cls(breaks=np.concatenate([[0.0], *breaks[:-1], breaks[-1][:-1], [1.0]]), control=control)
 
     def backwards(self) -> "JointPath":
@@ -238,7 +251,7 @@ def split(control: Array, u: float = 0.5) -> tuple[Array, Array]:
     return np.stack(left, axis=-2), np.stack(right[::-1], axis=-2)
 
 
-def _raised(control: Array, degree: int) -> Array:
+def raised(control: Array, degree: int) -> Array:
     """Control points (p, degree + 1, n) of the same pieces (p, k + 1, n) as polynomials of a degree of at least k."""
     while (k := control.shape[1] - 1) < degree:
         share = (np.arange(1, k + 1) / (k + 1))[:, None]
@@ -273,7 +286,7 @@ def side_by_side(parts: Sequence[tuple[JointPath, Sequence[int]]], still: Array)
     control = np.tile(still, (len(breaks) - 1, degree + 1, 1))
     for path, joints in parts:
         for k, (begin, end) in enumerate(itertools.pairwise(breaks)):
-            control[k][:, list(joints)] = _raised(_piece(path, begin, end)[None], degree)[0]
+            control[k][:, list(joints)] = raised(_piece(path, begin, end)[None], degree)[0]
     control[1:, 0] = control[:-1, -1]
     return JointPath(breaks=breaks, control=control)
 

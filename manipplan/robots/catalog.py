@@ -285,7 +285,11 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         return _of_catalogue(str(name), options)
     found = robot_file(str(name))
     if found is not None:
-        robot = _read(found.file, {**found.options, **options})
+        given = dict(options)
+        for option in ("arguments", "packages"):  # one that is given leaves the others of the collection as they are
+            if isinstance(given.get(option), Mapping):
+                given[option] = {**found.options.get(option, {}), **options[option]}  # type: ignore[dict-item]
+        robot = _read(found.file, {**found.options, **given})
         if options.get("joints") is None:
             robot = with_published_limits(robot, options)
         return replace(robot, source=RobotSource.of("catalogue", found.file, options, name=str(name)))

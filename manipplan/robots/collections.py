@@ -6,12 +6,11 @@ downloaded by the package mujoco-menagerie. An entry point of the group `manippl
 options of `load_robot` and returns a Robot.
 """
 
-import contextlib
 import importlib
-import io
-import logging
 import os
-from collections.abc import Callable, Iterator, Mapping
+import subprocess
+import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib.metadata import EntryPoint, entry_points
 from importlib.util import find_spec
@@ -25,6 +24,7 @@ from manipplan.support.errors import (
     RobotNotFetchedError,
     UnknownNameError,
 )
+from manipplan.support.processes import commands
 
 #: Ending of the names of robot_descriptions, and its package; its cache folder.
 ENDING, DESCRIPTIONS, DESCRIPTIONS_CACHE = "_description", "robot_descriptions", "ROBOT_DESCRIPTIONS_CACHE"
@@ -32,6 +32,8 @@ ENDING, DESCRIPTIONS, DESCRIPTIONS_CACHE = "_description", "robot_descriptions",
 MENAGERIE, CHECKOUT, DOWNLOADER = "menagerie:", "MUJOCO_MENAGERIE", "mujoco_menagerie"
 #: Group of the entry points of other packages.
 GROUP = "manipplan.robots"
+#: Longest time in which a robot is fetched [s].
+TIME_LIMIT = 3600.0
 #: Beginnings of names of Menagerie's files that hold no robot, or one for another engine.
 NO_ROBOT = ("scene", "mjx_")
 
@@ -82,51 +84,37 @@ def _of_descriptions(name: str) -> RobotFile:
     known = importlib.import_module(DESCRIPTIONS).DESCRIPTIONS
     if name not in known:
         raise UnknownNameError("name", name, known)
-    module = _fetched(name, lambda: importlib.import_module(f"{DESCRIPTIONS}.{name}"))
-    above = [Path(module.PACKAGE_PATH), Path(module.REPOSITORY_PATH)]
-    folders = [*above, *(folder.parent for folder in above)]
-    if not (hasattr(module, "URDF_PATH") or hasattr(module, "XACRO_PATH")):
-        return RobotFile(file=Path(module.MJCF_PATH))
-    options: dict[str, Any] = {"package_dirs": list(dict.fromkeys(folders))}
-    if hasattr(module, "SRDF_PATH"):
-        options["srdf"] = Path(module.SRDF_PATH)
-    if hasattr(module, "URDF_PATH"):
-        return RobotFile(file=Path(module.URDF_PATH), options=options)
-    packages = {package: Path(folder) for package, folder in getattr(module, "XACRO_PACKAGE_PATHS", {}).items()}
-    options |= {"arguments": dict(getattr(module, "XACRO_ARGS", {})), "packages": packages}
-    return RobotFile(file=Path(module.XACRO_PATH), options={key: value for key, value in options.items() if value})
+    found = _fetched(name, DESCRIPTIONS, name)
+    above = [Path(found["PACKAGE_PATH"]), Path(found["REPOSITORY_PATH"])]
+    if not {"URDF_PATH", "XACRO_PATH"} & set(found):
+        return RobotFile(file=Path(found["MJCF_PATH"]))
+    options: dict[str, Any] = {"package_dirs": list(dict.fromkeys([*above, *(folder.parent for folder in above)]))}
+    if "SRDF_PATH" in found:
+        options["srdf"] = Path(found["SRDF_PATH"])
+    if "URDF_PATH" in found:
+        return RobotFile(file=Path(found["URDF_PATH"]), options=options)
+    packages = {package: Path(folder) for package, folder in found.get("XACRO_PACKAGE_PATHS", {}).items()}
+    options |= {"arguments": found.get("XACRO_ARGS", {}), "packages": packages}
+    return RobotFile(file=Path(found["XACRO_PATH"]), options={key: value for key, value in options.items() if value})
 
 
-def _fetched(name: str, fetch: Callable[[], Any]) -> Any:
-    """What `fetch` returns, quietly; whatever it raises is one of our errors, as it is another package's network code."""
-    try:
-        with _quiet():
-            return fetch()
-    except Exception as error:
-        reason = getattr(error, "stderr", None) or str(error) or type(error).__name__
-        if name.startswith(MENAGERIE):
-            remedy = f"run: mujoco-menagerie prefetch {name.removeprefix(MENAGERIE)}   or set {CHECKOUT} to a checkout"
-        else:
-            remedy = f"run: python -m robot_descriptions pull {name}   or copy its folder from another machine"
-            remedy += f" ({DESCRIPTIONS_CACHE}, by default ~/.cache/robot_descriptions)"
-        raise RobotNotFetchedError(name, " ".join(str(reason).split()), remedy) from error
-
-
-@contextlib.contextmanager
-def _quiet() -> Iterator[None]:
-    """Nothing on the terminal: no progress bar, no question of git for a password, no handler of its log."""
-    before, asks = logging.root.manager.disable, os.environ.get("GIT_TERMINAL_PROMPT")
-    os.environ["GIT_TERMINAL_PROMPT"] = "0"
-    logging.disable(logging.WARNING)
-    try:
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            yield
-    finally:
-        logging.disable(before)
-        if asks is None:
-            del os.environ["GIT_TERMINAL_PROMPT"]
-        else:
-            os.environ["GIT_TERMINAL_PROMPT"] = asks
+def _fetched(name: str, package: str, robot: str) -> dict[str, Any]:
+    """The files of a robot of a package, from its cache or the network, by `collections_child` in a process of its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            request = {"package": package, "name": robot}
+            answer, run = commands.ask_module("manipplan.robots.collections_child", folder, request, limit=TIME_LIMIT)
+            reason = f"the process that fetches it ended with code {run.returncode}" if answer is None else answer.get("error")
+        except subprocess.TimeoutExpired:
+            answer, reason = None, f"it takes more than {TIME_LIMIT:g} s"
+    if answer is not None and reason is None:
+        return answer
+    if name.startswith(MENAGERIE):
+        remedy = f"run: mujoco-menagerie prefetch {robot}   or set {CHECKOUT} to a checkout"
+    else:
+        remedy = f"run: python -m robot_descriptions pull {name}   or copy its folder from another machine"
+        remedy += f" ({DESCRIPTIONS_CACHE}, by default ~/.cache/robot_descriptions)"
+    raise RobotNotFetchedError(name, " ".join(str(reason).split()), remedy)
 
 
 def _of_menagerie(name: str) -> RobotFile:
@@ -144,7 +132,7 @@ def _of_menagerie(name: str) -> RobotFile:
     if folder_name not in package.names():
         raise UnknownNameError("name", folder_name, package.names())
     robot = package.get(folder_name)
-    folder = _fetched(f"{MENAGERIE}{folder_name}", lambda: robot.path(progress=None))
+    folder = _fetched(f"{MENAGERIE}{folder_name}", DOWNLOADER, folder_name)["path"]
     return RobotFile(file=_robot_of(Path(folder), file_name, robot.entry(robot.default_model).file))
 
 

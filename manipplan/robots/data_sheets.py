@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from manipplan.robots.robot import Robot
 
@@ -58,5 +59,5 @@ def with_published_limits(robot: Robot, given: Collection[str]) -> Robot:
     if sheet is None:
         return robot
     left_out = {*given, *(RANGE if set(RANGE) & set(given) else ())}
-    limits = {kind: value for kind, value in sheet.limits.items() if kind not in left_out}
+    limits: dict[str, Any] = {kind: value for kind, value in sheet.limits.items() if kind not in left_out}
     return robot.with_limits(source=sheet.source, **limits) if limits else robot

@@ -12,7 +12,7 @@ from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_visuals
 from manipplan.robots.mimics import Mimic, read_mimics
 from manipplan.robots.model_tree import plain_angles
-from manipplan.robots.sizes import check_sizes
+from manipplan.robots.sizes import check_origins, check_sizes
 
 log = logging.getLogger("manipplan")
 
@@ -53,6 +53,7 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
     files.without_meshes(file, root, files.collision)
     model = build_model(file, root)
     geometry = build_bodies(file, root, model, files, files.collision)
+    check_origins(file, model, geometry)
     check_sizes(file, model, geometry)
     return Description(
         file=file,

@@ -14,7 +14,9 @@ The rule, in this order:
 4. Of several ends on one rigid body, the name decides, in the order of `NAMES`; then it is the only frame without collision
    geometry that is no sensor's. Where the body carries fingers, only ends fixed beyond the link of the fingers count, and
    otherwise it is that link.
-5. Linkages do not count beside others, such as the piston of a balancer: ends that are moved, apart from joints of the arm,
+5. A site of an MJCF file on the body that is chosen is the tool where its name decides, in the order of `NAMES` and `SITES`,
+   with or without `_site` at its end. A body whose own name comes no later remains the tool.
+6. Linkages do not count beside others, such as the piston of a balancer: ends that are moved, apart from joints of the arm,
    only by followers of joints inside the arm, and whose names are not those of fingers.
 
 Anything else, such as two arms, or an arm and a head, is an error, which lists the ends.
@@ -32,7 +34,7 @@ import pinocchio as pin
 from manipplan.robots.description import Description
 from manipplan.robots.hulls import box_corners
 from manipplan.robots.mimics import Mimic
-from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute
+from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute, parent_bodies
 from manipplan.robots.srdf import Semantics
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -51,9 +53,11 @@ NAMES = (
     r".*ee_link",
     r".*(eef|end_?effector.*|_ee)",
     r".*grasp.*",
-    r".*gripper_frame.*",
+    r".*gripper_?frame.*",
     r".*tool.*",
 )
+#: Further patterns, of names of sites of an MJCF file.
+SITES = ("pinch", "attachment", "ee", "end", "tip", "gripper")
 #: Largest reach of a finger [m], and as a share of the length of the arm that carries it.
 FINGER, FINGER_SHARE = 0.25, 0.5
 #: Largest number of joints of a finger that follow no other, and with those that do; smallest number that carries a hand.
@@ -100,10 +104,17 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
     elif len(tree.ends) > 1:
         others = ", ".join(name for name in map(tree.name, tree.ends) if name != chosen)
         log.info("%s: the tool is %s; other ends: %s", read.file.name, chosen, others)
-    sites = [each.name for each in tree.model.frames if each.type == pin.FrameType.OP_FRAME and each.parentJoint == joint]
-    if read.source == "MJCF" and sites:
-        log.info("%s: the tool is the body %s; sites that move with it: %s", read.file.name, chosen, ", ".join(sites[:LISTED]))
-    return chosen
+    sites = tree.sites(joint)
+    if not sites:
+        return chosen
+    others = ", ".join(list(sites)[:LISTED])
+    near = [name for name, body in sites.items() if body == chosen and not SENSORS.search(name)]
+    site = _first_named([chosen, *near], (*NAMES, *SITES))
+    if site is None or site == chosen:
+        log.info("%s: the tool is the body %s; sites that move with it: %s", read.file.name, chosen, others)
+        return chosen
+    log.info("%s: the tool is the site %s of the body %s; sites that move with it: %s", read.file.name, site, chosen, others)
+    return site
 
 
 def _several(tree: "_Tree", what: str, names: Sequence[str]) -> InvalidInputError:
@@ -142,15 +153,7 @@ class _Tree:
     @cached_property
     def parents(self) -> dict[int, int]:
         """The body that carries each body, through whatever joint; 0: the world."""
-        frames = self.model.frames
-        bodies = {i for i, frame in enumerate(frames) if frame.type == pin.FrameType.BODY and i > 0}
-        found = {}
-        for body in bodies:
-            above = int(frames[body].parentFrame)
-            while above and above not in bodies:
-                above = int(frames[above].parentFrame)
-            found[body] = above
-        return found
+        return parent_bodies(self.model)
 
     @cached_property
     def ends(self) -> list[int]:
@@ -211,6 +214,14 @@ class _Tree:
         """The ends on the rigid body of a joint, for a message."""
         chosen = self.chosen(joint)
         return [self.name(body) for body in self.ends if self.joint(body) == joint] if chosen is None else [chosen]
+
+    def sites(self, joint: int) -> dict[str, str]:
+        """The sites of an MJCF file on the rigid body of a joint, and the body of each; not those that share a body's name."""
+        frames = self.model.frames
+        names = dict.fromkeys(str(each.name) for each in frames if each.parentJoint == joint)
+        found = {name: frames[frame_index(self.model, name)] for name in names}
+        sites = {name: frame for name, frame in found.items() if frame.type == pin.FrameType.OP_FRAME}
+        return {name: str(frames[frame.parentFrame].name) for name, frame in sites.items()}
 
     def tips(self, chains: Iterable[tuple[str, str]]) -> list[str]:
         """Tips of an SRDF's chains, but for those without a joint and those in a finger; each once."""
@@ -322,13 +333,14 @@ class _Tree:
         return next(body for body in self._above(self.parents[roots[0]]) if all(body in each for each in common))
 
 
-def _rank(name: str) -> int:
-    """Place of the first pattern of `NAMES` that a name matches; their number for none."""
-    return next((k for k, pattern in enumerate(NAMES) if re.fullmatch(pattern, name, re.IGNORECASE)), len(NAMES))
+def _rank(name: str, patterns: Sequence[str] = NAMES) -> int:
+    """Place of the first pattern that a name matches, without a prefix such as `left/` and `_site`; their number for none."""
+    name = re.sub("^.*[/:]|_?site$", "", name, flags=re.IGNORECASE)
+    return next((k for k, pattern in enumerate(patterns) if re.fullmatch(pattern, name, re.IGNORECASE)), len(patterns))
 
 
-def _first_named(names: Sequence[str]) -> str | None:
-    """The name that comes first in `NAMES`; None where none or several do."""
-    best = min(map(_rank, names), default=len(NAMES))
-    found = [name for name in names if _rank(name) == best]
-    return found[0] if len(found) == 1 and best < len(NAMES) else None
+def _first_named(names: Sequence[str], patterns: Sequence[str] = NAMES) -> str | None:
+    """The name that comes first in `patterns`; None where none or several do."""
+    best = min((_rank(name, patterns) for name in names), default=len(patterns))
+    found = [name for name in names if _rank(name, patterns) == best]
+    return found[0] if len(found) == 1 and best < len(patterns) else None

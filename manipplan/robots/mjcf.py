@@ -22,7 +22,7 @@ from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.mimics import WORLD, Mimic, first_leaders
 from manipplan.robots.model_tree import joint_about
-from manipplan.robots.sizes import check_sizes
+from manipplan.robots.sizes import check_origins, check_sizes
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
@@ -56,6 +56,7 @@ def read_mjcf(file: Path) -> Description:
     names = _joint_names(mj)
     model, frames = _tree(file, mj, names)
     geometry = _geometry(file, mj, model, frames, colliding)
+    check_origins(file, model, geometry)
     check_sizes(file, model, geometry)
     _log_left_out(file, mj)
     return Description(

@@ -173,6 +173,19 @@ def plain_angles(model: pin.Model) -> pin.Model:
     return plain
 
 
+def parent_bodies(model: pin.Model) -> dict[int, int]:
+    """The body that carries each body, through whatever joint, both by their frames; 0: the world. Parents come first."""
+    frames = model.frames
+    bodies = [i for i, frame in enumerate(frames) if frame.type == pin.FrameType.BODY and i > 0]
+    found = dict[int, int]()
+    for body in bodies:
+        above = int(frames[body].parentFrame)
+        while above and frames[above].type != pin.FrameType.BODY:
+            above = int(frames[above].parentFrame)
+        found[body] = above
+    return found
+
+
 def frame_index(model: pin.Model, name: str) -> int:
     """Index of the frame called `name`; a link takes precedence over a site of the same name, and a site over a joint."""
     found = [i for i, frame in enumerate(model.frames) if frame.name == name]

@@ -14,14 +14,14 @@ from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
 from manipplan.robots.attached import AddedFrame, Part, Solid
-from manipplan.robots.configuration import checked_configuration
+from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.mimics import Mimic
 from manipplan.robots.source import RobotSource
 from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
-from manipplan.support.checks import Array, existing_file, instance, one_of, pose_matrix, text, whole_number
+from manipplan.support.checks import Array, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner, state_without_memo
@@ -55,6 +55,8 @@ class Robot(Pictured):
         tool: name of the tool frame; of several the first.
         other_tools: names of the further tool frames; `tools` has all.
         limits: JointLimits.
+        limit_tolerance: a start, goal or other configuration that is given outside a position limit by at most this is taken to
+            the limit, as reports and the log say [rad or m]; see `with_limits`.
         neutral: (n,) a posture inside the limits; see `from_urdf`.
         locked: the locked joints of the description, with their values [rad or m].
         disabled_pairs: pairs of links that need no self-collision check, from an SRDF, but for those of two arms with a tool
@@ -85,6 +87,7 @@ class Robot(Pictured):
     base: Array = field(default_factory=lambda: pose_matrix("base", np.eye(4)))
     added_frames: tuple[AddedFrame, ...] = ()
     carried: Mapping[str, Part] = field(default_factory=dict)
+    limit_tolerance: float = LIMIT_TOLERANCE
 
     @classmethod
     def from_urdf(
@@ -340,10 +343,15 @@ class Robot(Pictured):
 
         return kinematics_of(self, task, measure, backend, compiled, threads)
 
-    def configuration(self, argument: str, q: ArrayLike, *, tolerance: float = 0.0) -> Array:
-        """Check one configuration (n,): finite, right length, inside the position limits.
+    def configuration(self, argument: str, q: ArrayLike, *, tolerance: float | None = None) -> Array:
+        """One configuration (n,), inside the position limits: joints outside by at most the tolerance are taken to the limit.
 
-        Raises InvalidInputError that names `argument`, the joint, its value and its limits.
+        Args:
+            argument: what messages and the log call it.
+            q: (n,) [rad or m].
+            tolerance: [rad or m]; None: `limit_tolerance`.
+
+        Raises InvalidInputError that names `argument`, the joint, its value, its limits, and by how much it misses them.
         """
         return checked_configuration(self, argument, q, tolerance)
 
@@ -358,10 +366,22 @@ class Robot(Pictured):
         upper = np.where(np.isfinite(self.limits.upper), self.limits.upper, np.pi)
         return rng.uniform(lower, upper, (self.n,) if size is None else (size, self.n))
 
-    def with_limits(self, *, source: str = "given", **changes: ArrayLike) -> "Robot":
-        """A copy with other limits: lower, upper, velocity, acceleration, jerk, effort; one number or (n,)."""
-        limits = self.limits.with_changes(changes, source=source)
-        return replace(self, limits=limits, neutral=np.clip(self.neutral, limits.lower, limits.upper))
+    def with_limits(self, *, source: str = "given", limit_tolerance: float | None = None, **changes: ArrayLike) -> "Robot":
+        """A copy with other limits.
+
+        Args:
+            source: where the numbers come from; `print(robot)` shows it.
+            limit_tolerance: how far configurations may be given outside the position limits, up to 0.1 [rad or m]: they are
+                taken to the limit. None: as before; 1e-6 for a robot that was read.
+            **changes: lower, upper, velocity, acceleration, jerk, effort; one number or (n,).
+
+        Raises InvalidInputError when a number is not usable as such a limit.
+        """
+        limits, tolerance = self.limits.with_changes(changes, source=source), self.limit_tolerance
+        if limit_tolerance is not None:
+            tolerance = number("limit_tolerance", limit_tolerance, least=0.0, most=LARGEST_TOLERANCE)
+        neutral = np.clip(self.neutral, limits.lower, limits.upper)
+        return replace(self, limits=limits, limit_tolerance=tolerance, neutral=neutral)
 
     def with_tool(self, pose: ArrayLike | pin.SE3, *, name: str = "tcp", tool: str | None = None) -> "Robot":
         """The arm with another tool frame, at `pose`, (4, 4) or pin.SE3, in the current tool frame.

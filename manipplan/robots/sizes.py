@@ -1,4 +1,4 @@
-"""Bodies of implausible size: a mesh in millimetres that is read in metres is 1,000 times too large and too far away."""
+"""Implausible bodies and links: what is in millimetres and read in metres is 1,000 times too large and too far away."""
 
 from pathlib import Path
 
@@ -7,13 +7,58 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.hulls import FARTHEST, box_around
-from manipplan.robots.model_tree import is_prismatic
+from manipplan.robots.model_tree import is_prismatic, parent_bodies
+from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
 #: A body may be as long, and as far from its link, as this many times the length of the arm, or as `ROOM` [m].
 REACHES, ROOM = 10.0, 5.0
 #: Widest range of a slide that counts as a length of the arm [m]; wider ones are written where there is no limit.
 TRAVEL = 1000.0
+#: A moving link may be as far from its parent as this many times the median of the robot's links, or as `ROOM` [m].
+MEDIANS = 30.0
+#: Largest distance of any link from its parent, and largest length of an arm [m].
+LONGEST = 100.0
+
+
+def check_origins(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> None:
+    """Raise FileFormatError for a link that is farther from its parent than the rest of the robot makes plausible.
+
+    The origin of its joint is in another unit. As far as a slide travels, or a moving body is long, a link may always be away;
+    where the robot stands, by links that no joint moves, it may be anywhere within `LONGEST`.
+    """
+    parents, offsets = parent_bodies(model), _offsets(model)
+    lengths = {body: float(np.linalg.norm(offset)) for body, offset in offsets.items()}
+    sizes = (float(np.ptp(box_around(item.geometry), axis=0).max()) for item in geometry.geometryObjects if item.parentJoint)
+    span = max(_travel(model), max((size for size in sizes if size <= LONGEST), default=0.0))
+    arm = {0: 0.0}
+    for body, above in parents.items():
+        arm[body] = arm[above] + lengths[body] if model.frames[body].parentJoint and above else 0.0
+    for body in sorted((each for each in parents if lengths[each] > ROOM), key=lambda each: -lengths[each]):
+        others = [length for each, length in lengths.items() if each != body and length > 0]
+        most = max(LONGEST, span)
+        if arm[body] and others:
+            most = max(min(max(MEDIANS * float(np.median(others)), ROOM), LONGEST), span)
+        wanted = f"links within {most:.3g} m of their parents"
+        if lengths[body] <= most:
+            if not arm[body] or max(arm.values()) <= max(LONGEST, span):
+                continue
+            wanted = f"an arm of at most {max(LONGEST, span):g} m, not {max(arm.values()):.3g} m"
+        xyz = " ".join(f"{each:g}" for each in np.round(offsets[body], 9) + 0.0)
+        joint, link = (model.frames[each].name for each in (model.frames[body].parentFrame, body))
+        wanted += f"; joint {joint} has link {link} at {xyz} in its parent. Origins are in metres; "
+        wanted += f"{np.abs(offsets[body]).max():g} looks like millimetres"
+        raise FileFormatError("file", str(file), wanted)
+
+
+def _offsets(model: pin.Model) -> dict[int, Array]:
+    """The origin (3,) [m] of each body, by its frame, in the frame of its parent, all joints at 0."""
+    places = [pin.SE3.Identity()]
+    for j in range(1, model.njoints):
+        places.append(places[model.parents[j]] * model.jointPlacements[j])
+    parents = parent_bodies(model)
+    poses = {body: places[model.frames[body].parentJoint] * model.frames[body].placement for body in (0, *parents)}
+    return {body: np.asarray(poses[above].actInv(poses[body].translation)) for body, above in parents.items()}
 
 
 def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> None:
@@ -45,18 +90,20 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
 
 def largest_size(model: pin.Model) -> float:
     """The size [m] up to which a body of this arm is plausible."""
-    reach, travel = _reach(model)
-    return max(REACHES * reach, travel, ROOM)
+    return max(REACHES * _reach(model), _travel(model), ROOM)
 
 
-def _reach(model: pin.Model) -> tuple[float, float]:
-    """The length of the longest chain of links, and the widest range of a slide below `TRAVEL` [m]."""
-    lengths, travel = [0.0], 0.0
+def _reach(model: pin.Model) -> float:
+    """The length of the longest chain of links [m]."""
+    lengths = [0.0]
     for k in range(1, model.njoints):
-        joint = model.joints[k]
         lengths.append(lengths[model.parents[k]] + float(np.linalg.norm(model.jointPlacements[k].translation)))
-        if is_prismatic(joint):
-            width = float(model.upperPositionLimit[joint.idx_q] - model.lowerPositionLimit[joint.idx_q])
-            travel = max(travel, width) if width < TRAVEL else travel
     ends = (lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
-    return max(ends), travel
+    return max(ends, default=0.0)
+
+
+def _travel(model: pin.Model) -> float:
+    """The widest range of a slide below `TRAVEL` [m]; 0 without one."""
+    slides = [joint.idx_q for joint in list(model.joints)[1:] if is_prismatic(joint)]
+    ranges = (float(model.upperPositionLimit[k] - model.lowerPositionLimit[k]) for k in slides)
+    return max((width for width in ranges if width < TRAVEL), default=0.0)

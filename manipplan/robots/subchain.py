@@ -9,6 +9,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.robots import model_tree
+from manipplan.robots.configuration import LIMIT_TOLERANCE
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
@@ -100,9 +101,9 @@ def locked_values(
             wanted = f"joints that can be locked: {name} mimics another, as {mimics[name]}; lock {followers[name]} instead"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
         if name in active:
-            wanted = f"joints that are not active; {name} moves the tool, and joints= without it locks it"
+            wanted = f"joints that are not active; {name} is active, as it moves the tool: joints= without it locks it"
             raise InvalidInputError(f"locked[{name!r}]", value, wanted)
-        one_of("locked", name, others, empty="none: every joint of the robot is active")
+        one_of("locked", name, [*others, *active])
         number(f"locked[{name!r}]", value)
         joint = model.joints[model.getJointId(name)]
         if joint.nq != 1:
@@ -161,7 +162,7 @@ def limits_of_leaders(
 ) -> JointLimits:
     """The limits of the active joints, so narrow that their followers stay within those of the description.
 
-    Limits that are `given` remain.
+    Limits that are `given` remain. Those of effort are the leader's own, for the load of all that moves with it.
 
     Raises InvalidInputError when a follower leaves its leader no room, or has no velocity limit above zero.
     """
@@ -183,6 +184,10 @@ def limits_of_leaders(
         if not lower[k] < upper[k]:
             wanted = f"limits that leave its leader room: it moves as {mimic}; lower= and upper= set those of the leader"
             raise InvalidInputError(f"position limits of {name}", [float(low), float(high)], wanted)
+        strength = float(model.effortLimit[joint.idx_v])
+        if "effort" not in given and 0 < strength < np.inf:
+            why = f"as it moves as {mimic}, by the motor of its leader"
+            log.info("%s: its effort limit of %g is not taken, %s", name, strength, why)
         if changes:
             narrowed = ", ".join(f"{kind} {value:g}" for kind, value in changes.items())
             log.info("%s: limits narrowed by %s, which moves as %s: %s", mimic.leader, name, mimic, narrowed)
@@ -194,7 +199,9 @@ def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) > 0).any():
+    if (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
+        neutral = np.clip(neutral, limits.lower, limits.upper)
+    else:
         raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
     neutral.flags.writeable = False
     return neutral

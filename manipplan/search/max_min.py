@@ -22,7 +22,7 @@ from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Wi
 from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, silent, teller
 from manipplan.support.status import Status
 
 
@@ -227,6 +227,20 @@ def max_min_search(
         return results
     *_, last = results
     return last
+
+
+def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
+    """For each candidate of the first layer (k,), the largest minimum manipulability of a continuous path that begins there.
+
+    At most `cap`; -inf where no path leads to the last layer. One pass, from the last layer to the first. The paths need not
+    close.
+    """
+    from manipplan.kinematics.batch import all_cores
+
+    reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=strict)
+    backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], closed=False)
+    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
+        return Search(backwards, pool, silent, work=layers.count).last_values(Part(cap=cap), reach)
 
 
 def _results(

@@ -143,6 +143,23 @@ class Search:
         self.rounds += 1
         return np.arange(len(stages)) - lengths
 
+    def last_values(self, part: Part, reach: Array) -> Array:
+        """The largest minimum manipulability of a path to each candidate of the last layer (k,); -inf where none leads."""
+        stages = [Stage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
+        grid = self._grid(reach, self.layers.count)
+        values, objective = np.full(len(stages[-1].m), -np.inf), Widest()
+        old: Cells | None = None
+        reached = Reached(np.empty(0), np.empty(0))
+        for cells in self._sorted(stages, part, grid):
+            reached = objective.first(cells) if old is None else objective.step(old, reached, cells, grid, self.pool.share)[0]
+            if not (reached.top > -np.inf).any():
+                return values
+            old = cells
+            self._tick(len(cells.ids), "values")
+        assert old is not None
+        values[old.ids] = reached.value
+        return values
+
     def minimum_manipulability(self, path: CandidatePath) -> float:
         """The minimum manipulability along the path."""
         return float(min(m[i] for m, i in zip(self.layers.m, path.indices, strict=True)))

@@ -1,7 +1,8 @@
 """A proof that no collision-free path joins two configurations, from two necessary conditions for one.
 
-- The bodies that the first k joints move depend on these alone. A path of the arm is also a path of those joints among
-  configurations at which these bodies are free. k = 1 to 4 are tried.
+- How two bodies are to each other depends on the joints between them alone. A path of the arm is also a path of some of its
+  joints among configurations at which the bodies that depend on no other joint are free. Tried are the first 1 to 4 joints, and
+  any one or two joints between two bodies, such as those of the upper arm and the head.
 - A ball inside a body moves along a curve in the world on which it keeps clear of all obstacles that are checked against the
   body, and its centre stays within reach of the base.
 
@@ -39,6 +40,8 @@ POINT = 1e-9
 MOST_TRIANGLES = 20_000
 #: Maximum number of distances that are measured for the first joints, and for a ball: 1 to 4 µs each.
 MOST_FOR_JOINTS, MOST_FOR_BALL = 50_000, 100_000
+#: Number of joints up to which those between any two bodies are tried.
+FEW = 2
 ENDS = "start", "goal"
 
 
@@ -50,9 +53,14 @@ def why_unreachable(task: SeedTask) -> str | None:
     kernel = task.model.kernel_copy()
     if kernel is None or not task.model.pair_names:
         return None
-    most = min(task.model.robot.n, max(LAST))
-    joints: Iterator[_Condition] = (_FirstJoints.of(task, kernel, k) for k in range(1, most + 1))
-    for each in itertools.chain(itertools.islice(joints, 2), _balls(task), joints):  # the quick ones first
+    between = body_motion(task.model).joints_between()
+    first = [frozenset(range(k)) for k in range(1, min(task.model.robot.n, max(LAST)) + 1)]
+    few = {joints for joints in between if 0 < len(joints) <= FEW} | set(first[:FEW])
+    quick, slow = (
+        (_SomeJoints.of(task, kernel, joints, between) for joints in each)
+        for each in (sorted(few, key=lambda joints: (len(joints), sorted(joints))), first[FEW:])
+    )
+    for each in itertools.chain[_Condition](quick, _balls(task), slow):
         barrier = find_barrier(each)
         if barrier is not None:
             return each.reason(task, barrier)
@@ -68,43 +76,50 @@ class _Condition(Space):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _FirstJoints(_Condition):
-    """The configurations of the first k joints, and the pairs that depend on no other joint.
+class _SomeJoints(_Condition):
+    """The configurations of k joints, and the pairs of bodies that depend on no other joint.
 
     Attributes:
+        joints: (k,) their indices.
         start: (n,) values of the other joints, which do not matter.
         slides: (k, 3) axes in the world, if all of these joints are prismatic.
     """
 
+    joints: Indices
     kernel: DistanceKernel
     motion: BodyMotion
     start: Array
     slides: Array | None
 
     @classmethod
-    def of(cls, task: SeedTask, kernel: DistanceKernel, k: int) -> "_FirstJoints":
-        """Those of a task, within the bounds of its searches; beyond them, where the limits allow it, nothing is blocked."""
-        motion, robot, (low, high) = body_motion(task.model), task.model.robot, task.bounds()
+    def of(
+        cls, task: SeedTask, kernel: DistanceKernel, joints: frozenset[int], between: Sequence[frozenset[int]]
+    ) -> "_SomeJoints":
+        """Those of a task, within the bounds of its searches; beyond them, where the limits allow it, nothing is blocked.
+
+        `between` has the joints between the bodies of each pair.
+        """
+        robot, (low, high), chosen = task.model.robot, task.bounds(), np.array(sorted(joints), dtype=np.int64)
         limits, tree = robot.limits, robot.tree
-        last = np.array([max(tree.carriers(joint), default=-1) + 1 for joint in range(robot.model.njoints)])
-        slide = not tree.has_followers and tree.slides[:k].all()
+        slide = not tree.has_followers and tree.slides[chosen].all()
         return cls(
-            low=low[:k],
-            high=high[:k],
-            goes_on=~((low <= limits.lower) & (high >= limits.upper))[:k],
-            pairs=np.flatnonzero(np.maximum(last[motion.joint[motion.body]], last[motion.below]) <= k).astype(np.int64),
+            low=low[chosen],
+            high=high[chosen],
+            goes_on=~((low <= limits.lower) & (high >= limits.upper))[chosen],
+            pairs=np.array([pair for pair, each in enumerate(between) if each <= joints], dtype=np.int64),
             least=task.clearance,
             most=MOST_FOR_JOINTS,
+            joints=chosen,
             kernel=kernel,
-            motion=motion,
+            motion=body_motion(task.model),
             start=task.start,
-            slides=_axes(task, k) if slide else None,
-            ends=(task.start[:k], task.goal[:k]),
+            slides=_axes(task, chosen) if slide else None,
+            ends=(task.start[chosen], task.goal[chosen]),
         )
 
     def measure(self, centres: Array, half: Array, rows: Indices, pairs: Indices) -> tuple[Array, Array]:
         q, change = np.tile(self.start, (len(centres), 1)), np.zeros((len(centres), len(self.start)))
-        q[:, : len(half)], change[:, : len(half)] = centres, half
+        q[:, self.joints], change[:, self.joints] = centres, half
         motion = self.motion.motion(q, change, rows, pairs)
         if self.slides is not None:  # the diagonal of a box is shorter than its edges together
             signs = np.array(list(itertools.product((-1.0, 1.0), repeat=len(half))))
@@ -112,14 +127,14 @@ class _FirstJoints(_Condition):
         return self.kernel.pair_distances(q[rows], pairs, np.maximum(self.least + motion + 1e-4, 0.0)), motion
 
     def reason(self, task: SeedTask, barrier: Barrier) -> str:
-        names = task.model.robot.joint_names[: len(self.low)]
+        names = [task.model.robot.joint_names[joint] for joint in self.joints]
         several = f"{', '.join(names[:-1])} and {names[-1]} within their limits"
         joints = several if len(names) > 1 else f"{names[0]} within its limits"
         q = np.tile((task.start, task.goal)[barrier.end], (len(barrier.pairs), 1))
         nearest = int(np.argmin(task.model.pair_distances(q, barrier.pairs)))
         first, second = task.model.pair_names[barrier.pairs[nearest]]
         contact = f"closer than the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else "into contact"
-        turns = task.model.robot.turns[: len(names)] & (self.high - self.low >= 2 * np.pi)
+        turns = task.model.robot.turns[self.joints] & (self.high - self.low >= 2 * np.pi)
         turned = "; Seeding(shifts='within-limits') tries goals a full turn away as well" if turns.any() else ""
         one = f"{first} and {second} {contact}"
         several = f"two bodies {contact}; at the {ENDS[barrier.end]} {first} and {second} are the nearest of them"
@@ -170,21 +185,20 @@ class _Centres(_Condition):
         )
 
 
-def _axes(task: SeedTask, k: int) -> Array:
-    """Axes (k, 3) of the first k joints in the world at the start."""
+def _axes(task: SeedTask, joints: Indices) -> Array:
+    """Axes (k, 3) of some sliding joints in the world at the start."""
     data = task.model.robot.model.createData()
-    return np.asarray(pin.computeJointJacobians(task.model.robot.model, data, task.start)[:3, :k].T)
+    return np.asarray(pin.computeJointJacobians(task.model.robot.model, data, task.start)[:3, joints].T)
 
 
 def _balls(task: SeedTask) -> Iterator[_Centres]:
     """The largest ball on each joint, those nearest to the tool first."""
-    model, objects = task.model, list(task.model.geometry.geometryObjects)
+    model, objects = task.model, task.model.objects
     still = [k for k, item in enumerate(objects) if item.parentJoint == 0]
     size = sum(item.geometry.num_tris for k, item in enumerate(objects) if k in still and _is_surface(item))
     if not still or size > MOST_TRIANGLES:
         return
-    known = {(pair.first, pair.second) for pair in model.geometry.collisionPairs}
-    known |= {(second, first) for first, second in known}
+    known = {pair for first, second in model.pairs.tolist() for pair in ((first, second), (second, first))}
     kernel = _point_kernel(model, still)
     if kernel is None:
         return
@@ -248,19 +262,16 @@ def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
 
 def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel | None:
     """Distances of a point, placed by three sliding joints, to the bodies `still`, one pair each."""
-    sliding, geometry, objects = pin.Model(), pin.GeometryModel(), model.geometry.geometryObjects
-    joint = 0
+    sliding, joint = pin.Model(), 0
     for name, kind in (("x", pin.JointModelPX), ("y", pin.JointModelPY), ("z", pin.JointModelPZ)):
         joint = sliding.addJoint(joint, kind(), pin.SE3.Identity(), name)
-    geometry.addGeometryObject(pin.GeometryObject("point", joint, 0, pin.SE3.Identity(), coal.Sphere(POINT)))
-    radii = np.zeros(1 + len(still))
-    for number, k in enumerate(still, start=1):
-        geometry.addGeometryObject(pin.GeometryObject(str(number), 0, 0, objects[k].placement, objects[k].geometry))
-        radii[number] = model.radii.get(k, 0.0)
-        geometry.addCollisionPair(pin.CollisionPair(0, number))
+    ball = pin.GeometryObject("point", joint, 0, pin.SE3.Identity(), coal.Sphere(POINT))
+    objects = [ball, *(model.objects[k] for k in still)]
+    radii = np.array([0.0, *(model.radii.get(k, 0.0) for k in still)])
+    pairs = np.array([(0, number) for number in range(1, len(objects))])
     endless = np.full(3, np.inf)
     limits = JointLimits(
         lower=-endless, upper=endless, velocity=endless, acceleration=endless, jerk=endless, effort=endless, sources={}
     )
-    point = Robot(name="point", model=sliding, geometry=geometry, tool="", limits=limits, neutral=np.zeros(3))
-    return find_kernel(point, geometry, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])
+    point = Robot(name="point", model=sliding, geometry=pin.GeometryModel(), tool="", limits=limits, neutral=np.zeros(3))
+    return find_kernel(point, objects, pairs, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])

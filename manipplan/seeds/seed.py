@@ -21,7 +21,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.sides import sides_of
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.paths.smooth import rounded
 from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, keeps_constraints, looks_free
@@ -35,6 +35,7 @@ from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.tolerances import SAME
 
 log = logging.getLogger("manipplan")
 
@@ -323,8 +324,8 @@ def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callab
 def check_apart(start: Array, goal: Array) -> None:
     """Raise InvalidInputError if start and goal coincide, or are so far apart that a path cannot be checked."""
     motion = np.abs(goal - start)
-    if motion.max() < SHORTEST:
-        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SHORTEST:g} or more")
+    if motion.max() < SAME:
+        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SAME:g} or more")
     if motion.max() > LONGEST:
         joint = int(motion.argmax())
         allowed = f"{start[joint] - LONGEST:g} to {start[joint] + LONGEST:g}: at most {LONGEST:g} rad or m from start"

@@ -19,7 +19,8 @@ OPTIMISING = (STAR, "RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
 #: The planner of OMPL that "auto" takes where our own cannot be compiled.
 AUTO = "RRTConnect"
-SHIFTS = ("none", "within-limits")
+#: Full turns of a goal: as given, the nearest to the start, or all inside the limits.
+AS_GIVEN, NEAREST, WITHIN_LIMITS = SHIFTS = ("none", "nearest", "within-limits")
 #: Maximum number of first paths per goal.
 MOST_SEEDS = 10_000
 
@@ -42,8 +43,10 @@ class Seeding:
         time_limit: time limit per first path [s], for finding and optimising it; `plan` and `optimize_path` take at most this
             times the number of first paths, without the time for what is built once per machine, process, robot or scene.
             `plan` times what was found by then.
-        shifts: "within-limits" also tries goals 2π away in each revolute joint, at most 3 to the power of n of them, and
-            returns the best path. Their pose is that of the goal. Not together with `initial`.
+        shifts: full turns of a goal that is a configuration, whose posture is the same. "none": as it is given. "nearest": the
+            short way, each revolute joint ends at the turn nearest to the start that its limits allow; of a joint without
+            limits any 2 π k counts. "within-limits": goals 2π away in each revolute joint are tried, too, at most 3 to the
+            power of n of them, and the best path is returned. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),
             such as a recorded motion. With a scene it must be collision-free. The descent starts from the fit to it, so
             optimising a result again returns it. None: the straight line, or with a scene a path of the planner.

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.tolerances import EXACT, POSE, QUATERNION
 
 Array = NDArray[np.float64]
 T = TypeVar("T")
 
-#: Tolerance on the entries of RᵀR - I for a rotation matrix R, and on the last row of a pose.
-ROTATION = 1e-6
+LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 #: Largest random seed; OMPL stores it in 32 bits.
 LARGEST_SEED = 2**31 - 1
 #: Bounds on every number and every whole number, on entries of configurations [rad or m], beyond which an angle has lost its
@@ -59,14 +59,69 @@ def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
 
 
 def pose_matrix(argument: str, value: Any) -> Array:
-    """A pose, (4, 4) or pin.SE3, as a read-only matrix (4, 4)."""
+    """A pose, (4, 4) or pin.SE3, as a read-only matrix (4, 4): the rigid transform nearest to it, at most `POSE` away."""
     matrix = finite_array(argument, getattr(value, "homogeneous", value), (4, 4))
-    rotation = matrix[:3, :3]
-    turned = np.abs(rotation.T @ rotation - np.eye(3)).max() < ROTATION and np.linalg.det(rotation) > 0
-    if not turned or np.abs(matrix[3] - [0.0, 0.0, 0.0, 1.0]).max() > ROTATION:
-        raise InvalidInputError(argument, matrix.tolist(), "a rotation and a translation: a (4, 4) matrix, or a pin.SE3")
+    wanted = "a rotation and a translation: a (4, 4) matrix, or a pin.SE3"
+    rotation, off = nearest_rotation(matrix[:3, :3])
+    if np.abs(matrix[3] - LAST_ROW).max() > POSE:
+        raise InvalidInputError(argument, matrix.tolist(), f"{wanted}; its last row has to be 0 0 0 1")
+    if off > POSE:
+        raise InvalidInputError(argument, matrix.tolist(), f"{wanted}; {_no_rotation(matrix[:3, :3], off)}")
     _within(argument, value, matrix[:3, 3], FARTHEST)
-    return matrix
+    if off == 0.0 and (matrix[3] == LAST_ROW).all():
+        return matrix
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = rotation, matrix[:3, 3]
+    pose.flags.writeable = False
+    return pose
+
+
+def rotation_matrix(argument: str, value: ArrayLike, wanted: str = "a rotation matrix (3, 3)") -> Array:
+    """A rotation as a read-only matrix (3, 3): the one nearest to `value`, at most `POSE` away."""
+    matrix = finite_array(argument, value, (3, 3))
+    rotation, off = nearest_rotation(matrix)
+    if off > POSE:
+        raise InvalidInputError(argument, matrix.tolist(), f"{wanted}; {_no_rotation(matrix, off)}")
+    rotation.flags.writeable = False
+    return rotation
+
+
+def unit_quaternion(argument: str, value: ArrayLike, order: str) -> Array:
+    """A quaternion (4,) of length 1, from one whose length differs from that by at most `QUATERNION`; `order`: "x, y, z, w"."""
+    wanted = f"a quaternion {order} of length 1"
+    quaternion = finite_array(argument, value, (4,))
+    if np.abs(quaternion).max() > 2.0:  # its square may overflow
+        raise InvalidInputError(argument, quaternion.tolist(), wanted)
+    length = float(np.linalg.norm(quaternion))
+    if abs(length - 1.0) > QUATERNION:
+        raise InvalidInputError(argument, quaternion.tolist(), f"{wanted}, not {length:.4g}")
+    return np.asarray(quaternion / length)
+
+
+def nearest_rotation(matrix: Array) -> tuple[Array, float]:
+    """The rotation nearest to a finite matrix (3, 3), and the largest difference of an entry.
+
+    A matrix that is a rotation up to `EXACT` is its own nearest one, with the difference 0.
+    """
+    if np.abs(matrix).max() <= 2.0 and np.abs(matrix.T @ matrix - np.eye(3)).max() <= EXACT and _volume(matrix) > 0:
+        return matrix, 0.0
+    left, _, right = np.linalg.svd(matrix)
+    left[:, 2] *= np.sign(_volume(left @ right))
+    return left @ right, float(np.abs(left @ right - matrix).max())
+
+
+def _volume(matrix: Array) -> float:
+    """The determinant of a matrix (3, 3)."""
+    return float(np.cross(matrix[0], matrix[1]) @ matrix[2])
+
+
+def _no_rotation(matrix: Array, off: float) -> str:
+    """Why a matrix (3, 3) is no rotation, where the nearest one is `off` away."""
+    if not matrix.any():
+        return "it is zero"
+    if _volume(matrix / np.abs(matrix).max()) < 0:
+        return "it mirrors: its determinant is negative"
+    return f"it differs by {off:.3g} from the nearest rotation, and at most {POSE:g} counts as rounding"
 
 
 def number(argument: str, value: Any, *, above: float = -np.inf, least: float = -np.inf, most: float = LARGEST) -> float:

@@ -4,6 +4,7 @@ import numpy as np
 
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+from manipplan.support.tolerances import SAME
 
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
 STANDSTILL = 1e-6
@@ -11,21 +12,31 @@ CORNER = 1e-4
 
 
 class MovingPath:
-    """A path without pieces that stand still, and the conversion between its parameter and that of the given path."""
+    """A path without pieces that stand still, and the conversion between its parameter and that of the given path.
+
+    A piece stands still where it stays within `SAME` of where the one kept before ends. The next one begins there.
+    """
 
     def __init__(self, path: JointPath) -> None:
         self._given = self._kept = np.array([0.0, 1.0])
         self.path = path
-        moving = np.abs(path.control - path.control[:, :1]).max(axis=(1, 2)) > 1e-12
-        if moving.all():
+        if (_extents(path.control, path.control[:, :1]) >= SAME).all():
             return
+        pieces: list[Array] = []
+        moving, at = np.zeros(len(path.control), dtype=bool), path.start
+        for k, piece in enumerate(path.control):
+            moving[k] = _extents(piece, at) >= SAME
+            if moving[k]:
+                pieces.append(_begun(piece, at))
+                at = piece[-1]
+        pieces[-1] = _begun(pieces[-1][::-1], path.goal)[::-1]
         widths = np.diff(path.breaks)
         gained = np.concatenate([[0.0], np.cumsum(np.where(moving, widths, 0.0))]) / widths[moving].sum()
         gained[-1] = 1.0
         self._given, self._kept = path.breaks, gained
         breaks = np.concatenate([[0.0], gained[1:][moving]])
         breaks[-1] = 1.0
-        self.path = JointPath(breaks=breaks, control=path.control[moving])
+        self.path = JointPath(breaks=breaks, control=np.array(pieces))
 
     def here(self, s: Array) -> Array:
         """The parameter on `path` for s on the given path."""
@@ -34,6 +45,19 @@ class MovingPath:
     def given(self, s: float) -> float:
         """The parameter on the given path for s on `path`."""
         return float(np.interp(s, self._kept, self._given))
+
+
+def _extents(control: Array, at: Array) -> Array:
+    """Largest distance (...) of control points (..., d + 1, n) from a point."""
+    return np.asarray(np.linalg.norm(control - at, axis=-1).max(axis=-1))
+
+
+def _begun(piece: Array, at: Array) -> Array:
+    """The control points (d + 1, n) of a piece that begins at a point close by, in the same direction if it is curved."""
+    moved = piece.copy()
+    moved[: 2 if len(piece) > 3 else 1] += at - piece[0]
+    moved[0] = at
+    return moved
 
 
 def turn_cosine(before: Array, after: Array) -> float:

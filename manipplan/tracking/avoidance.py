@@ -17,6 +17,7 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.tracking.bodies import Bodies, Body
 from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
+from manipplan.tracking.error import nearest_rotation
 
 #: Number of values per moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
 OBSTACLE_SIZE = 18
@@ -186,7 +187,8 @@ def _constant(obstacle: Obstacle) -> Placement:
 def _motion(symbols: ca.SX, k: int) -> tuple[Placement, ca.SX, ca.SX]:
     """Placement, linear and angular velocity of the k-th moving obstacle."""
     own = symbols[OBSTACLE_SIZE * k : OBSTACLE_SIZE * (k + 1)]
-    return Placement(rotation=ca.reshape(own[:9], 3, 3), origin=own[9:12]), own[12:15], own[15:18]
+    rotation, _ = nearest_rotation(ca.reshape(own[:9], 3, 3))
+    return Placement(rotation=rotation, origin=own[9:12]), own[12:15], own[15:18]
 
 
 def _velocity_at(motion: tuple[Placement, ca.SX, ca.SX], point: ca.SX) -> ca.SX:

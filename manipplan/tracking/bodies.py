@@ -7,12 +7,13 @@ from functools import cached_property
 import coal
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
-from manipplan.collision.build import TOUCHING, add_self_pairs
+from manipplan.collision.build import TOUCHING, self_pairs
 from manipplan.collision.covers.excess import capsule_excess
 from manipplan.collision.covers.stored_fits import find_or_cut, find_or_fit
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.primitives import core_of
 from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -93,7 +94,7 @@ class Bodies:
             if isinstance(item.geometry, coal.Halfspace | coal.Plane):  # such as the floor of an MJCF
                 log.warning("%s: a controller does not avoid %s; add a Plane to the scene", robot.name, item.name)
                 continue
-            fitted = _capsules(item.geometry)
+            fitted = _capsules(item.name, item.geometry)
             for name, (start, end, radius) in zip(number_names(item.name, len(fitted)), fitted, strict=True):
                 ends = [item.placement.act(point) for point in (start, end)]
                 link = robot.link_of(item)
@@ -102,15 +103,14 @@ class Bodies:
                 )
                 geometry.addGeometryObject(_as_coal(items[-1], item.parentFrame))
                 origins.append(origin)
-        dropped = add_self_pairs(robot, geometry, origins)
-        pairs = _that_can_meet(robot, geometry, dropped)
-        return cls(items=tuple(items), pairs=pairs, dropped=dropped)
+        pairs, dropped = self_pairs(robot, geometry, origins)
+        return cls(items=tuple(items), pairs=_that_can_meet(robot, geometry, pairs, dropped), dropped=dropped)
 
 
-def _capsules(shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]:
+def _capsules(name: str, shape: coal.CollisionGeometry) -> list[tuple[Array, Array, float]]:
     """Ends and radius of capsules that contain a shape, in its own frame."""
     if isinstance(shape, coal.BVHModelBase):  # around the convex pieces that a plan is checked with
-        corners = [piece.hull.corners for piece in find_or_cut(mesh_triangles(shape))]
+        corners = [piece.hull.corners for piece in find_or_cut(shape, name)]
     else:
         points, radius = core_of(shape)
         if len(points) <= 2:
@@ -136,14 +136,14 @@ def _as_coal(body: Body, frame: int) -> pin.GeometryObject:
 
 
 def _that_can_meet(
-    robot: Robot, geometry: pin.GeometryModel, dropped: dict[tuple[str, str], str]
+    robot: Robot, geometry: pin.GeometryModel, pairs: NDArray[np.int64], dropped: dict[tuple[str, str], str]
 ) -> tuple[tuple[int, int], ...]:
-    """Pairs apart in the neutral configuration that touch in some, but not too many, of the random configurations."""
-    model = CollisionModel(robot, geometry, {})
+    """Of pairs (k, 2), those apart in the neutral configuration that touch in some, but not too many, of the random ones."""
+    model = CollisionModel(robot, geometry, pairs, {})
     samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
     distances = model.distance_rows(np.array(samples), beyond=TOUCHING)
     kept = []
-    for k, pair in enumerate(geometry.collisionPairs):
+    for k, (first, second) in enumerate(pairs.tolist()):
         touching = np.count_nonzero(distances[1:, k] <= 0)
         if distances[0, k] <= 0:
             dropped[model.pair_names[k]] = "the capsules touch in the neutral configuration"
@@ -152,7 +152,7 @@ def _that_can_meet(
         elif touching == 0:
             dropped[model.pair_names[k]] = f"the capsules touch in none of {SAMPLES} random configurations"
         else:
-            kept.append((int(pair.first), int(pair.second)))
+            kept.append((first, second))
     return tuple(kept)
 
 

@@ -73,7 +73,8 @@ class Controller:
 
     From any state from which the arm can stop in time, every step keeps the position, velocity and acceleration limits
     exactly, and the jerk limits where they are finite. Values from sensors or planners never raise an error: if the target
-    is NaN, the arm brakes, and `report` says so.
+    is NaN or no pose, such as a matrix of zeros, the arm brakes, and `report` says so. A rounded target is taken to the nearest
+    pose.
 
     A controller is not thread-safe.
 

@@ -4,6 +4,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
 
@@ -17,6 +18,15 @@ def task_error(task: Task, tool: Placement, target: Placement) -> ca.SX:
     free = task.free_axis
     rotation = rotation_vector(target.rotation @ tool.rotation.T) if free is None else _aligning(tool, target, free)
     return task.rows_of(ca.vertcat(target.origin - tool.origin, rotation), tool.rotation)
+
+
+def nearest_rotation(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """The rotation nearest to a matrix (3, 3), and whether it differs from that by no more than rounding.
+
+    One Newton step of the polar decomposition, which leaves the square of a difference.
+    """
+    change = matrix @ (ca.SX.eye(3) - matrix.T @ matrix) / 2
+    return matrix + change, ca.logic_and(ca.mmax(ca.fabs(change)) <= POSE, ca.det(matrix) > 0.5)
 
 
 def rotation_vector(rotation: ca.SX) -> ca.SX:

@@ -18,13 +18,14 @@ import casadi as ca
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.tolerance import row_shares
 from manipplan.support.checks import Array
+from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
-from manipplan.tracking.avoidance import Avoidance, AvoidanceRows, avoidance_rows
+from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows, avoidance_rows
 from manipplan.tracking.bounds import velocity_bounds
 from manipplan.tracking.convex import convexified, gram
 from manipplan.tracking.derivatives import SymbolicMeasure
-from manipplan.tracking.error import task_error
+from manipplan.tracking.error import nearest_rotation, task_error
 from manipplan.tracking.formulations import Formulation
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
@@ -53,7 +54,7 @@ class StepStatus(IntEnum):
     SOLVED = 0
     #: The QP's solution did not pass its check, for example with a nonconvex cost and convexify=False: the arm brakes.
     NOT_SOLVED = 1
-    #: The target, stiffness, drive, tolerance or an obstacle is not finite or out of range: the arm brakes.
+    #: The target or an obstacle is not finite or no pose, or stiffness, drive or tolerance are out of range: the arm brakes.
     BAD_TARGET = 2
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 3
@@ -147,19 +148,30 @@ def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:
     """Whether the state is valid, and whether the target and the inputs given with it are."""
     q, qd, qdd, target, stiffness, drive, tolerance, obstacles, _ = inputs
     state = _all(ca.fabs(ca.vertcat(q, qd, qdd)) < HUGE)
-    given = ca.vertcat(ca.vec(target[:, :3]), stiffness, drive, obstacles)
-    return state, _all(ca.vertcat(ca.fabs(given) < HUGE, stiffness > 0, drive >= 0, tolerance >= 0))
+    given = ca.vertcat(ca.vec(target), stiffness, drive, obstacles)
+    turns = [target[:3, :3], *(ca.reshape(obstacles[at : at + 9], 3, 3) for at in range(0, obstacles.shape[0], OBSTACLE_SIZE))]
+    rigid = [nearest_rotation(turn)[1] for turn in turns]
+    last = ca.fabs(target[:, 3] - ca.DM([0, 0, 0, 1])) <= POSE
+    return state, _all(ca.vertcat(ca.fabs(given) < HUGE, stiffness > 0, drive >= 0, tolerance >= 0, last, *rigid))
+
+
+def _rigid(target: ca.SX) -> ca.SX:
+    """The rigid transform nearest to a target, both transposed (4, 4)."""
+    pose = ca.SX(target)
+    pose[:3, :3] = nearest_rotation(target[:3, :3])[0]
+    return pose
 
 
 def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, rows: AvoidanceRows | None) -> ca.Function:
     """The QP (where there is none the velocity instead), and the values that the report needs."""
-    q, qd, qdd, goal, stiffness, share, *_ = inputs
+    q, qd, qdd, target, stiffness, share, *_ = inputs
+    goal = _rigid(target)
     symbolic, formulation, dt = setup.kinematics.symbolic, setup.formulation, setup.dt
     jacobian = ca.densify(symbolic.posture.jacobian)
     good_state, good_target = _soundness(inputs)
     sound = ca.logic_and(good_state, good_target)
     error = ca.densify(task_error(symbolic.task, symbolic.chain.tool, _placement(goal)))
-    deviation = _deviation_before(setup, inputs, error)
+    deviation = _deviation_before(setup, inputs, goal, error)
     rate = (error - (1 - _correction(setup, deviation)) * deviation) / dt
     if setup.approach < ca.inf:
         rate *= ca.fmin(1, FASTEST / (ca.sqrt(ca.sumsqr(rate)) + 1e-300))
@@ -284,13 +296,13 @@ def _deviation(task: Task, left: ca.SX) -> tuple[ca.SX, ca.SX]:
     return ca.sqrt(ca.sumsqr(ca.vertcat(0, *position))), ca.sqrt(ca.sumsqr(ca.vertcat(0, *rotation)))
 
 
-def _deviation_before(setup: StepSetup, inputs: list[ca.SX], error: ca.SX) -> ca.SX:
+def _deviation_before(setup: StepSetup, inputs: list[ca.SX], goal: ca.SX, error: ca.SX) -> ca.SX:
     """Deviation of the tool from the target of the last step, (m, 1); the whole error if there was none."""
     if not setup.remembers:
         return error
     before, started = ca.reshape(inputs[8][-TARGET_MEMORY:-1], 4, 4), inputs[8][-1] > 0
     symbolic = setup.kinematics.symbolic
-    target = _placement(ca.if_else(started, before, inputs[3]))
+    target = _placement(ca.if_else(started, before, goal))
     return task_error(symbolic.task, symbolic.chain.tool, target)
 
 

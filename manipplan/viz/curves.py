@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.tolerances import SAME
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
 
@@ -105,7 +106,7 @@ def plot_manipulability(
     if flag("straight", straight):
         first = next(iter(curves.values()))
         colours["straight"] = style.STRAIGHT
-        if first.length >= SHORTEST:  # unless the arm stands still
+        if first.length >= SAME:  # unless the arm stands still
             curves["straight"] = JointPath.line(first.start, first.goal)
     s = np.linspace(0.0, 1.0, POINTS)
     drawn: list[tuple[Array, Any]] = []

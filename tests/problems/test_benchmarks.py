@@ -14,6 +14,8 @@ import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import against_01
+import against_revision
+import blends
 import check_trajectories
 import closed_meshes
 import cold_start
@@ -21,9 +23,11 @@ import control_step
 import demo_timing
 import energy_programs
 import energy_solvers
+import first_models
 import first_paths
 import first_plans
 import killed_saves
+import lead_ins
 import mesh_pairs
 import motionbenchmaker
 import motions
@@ -157,6 +161,28 @@ def test_figures_beside_an_older_version_count_g_and_time():
     assert cells[4] == "3 of 4 (75 %)"
     assert cells[5] == "1.0683, 1.200"
     assert cells[6] == "1, 0"
+
+
+def test_figures_beside_an_older_revision_are_of_problems_with_the_same_status():
+    def row(name, old, new, status="OPTIMAL"):
+        return {"name": name, "old": {"status": "OPTIMAL", "cpu": old}, "new": {"status": status, "cpu": new}}
+
+    rows = [row("a", 0.1, 0.1), row("b", 0.2, 0.3), row("c", 0.4, 0.2), row("d", 1.0, 9.0, "NO_PATH")]
+    assert against_revision.cells(rows) == ["4", "3", "200 ms", "200 ms", "1.000", "1.000", "1.50 (b)"]
+    assert against_revision.cells(rows[3:])[:2] == ["1", "0"]
+
+
+@pytest.mark.slow
+def test_each_set_beside_an_older_revision_has_problems_that_are_solved():
+    rows = [against_revision.planner_rows("ur5", 1)[0], against_revision.path_rows(0)[1], against_revision.program_rows(1)[0]]
+    assert [against_revision.answer(row)["status"] for row in rows] == ["OPTIMAL", "FOLLOWED", "SOLVED"]
+
+
+@pytest.mark.slow
+def test_a_later_process_finds_the_collision_model(tmp_path):
+    [found] = first_models.main(["--robots", "ur5", "--runs", "1", "--out", str(tmp_path / "table.md")])
+    assert found.first[1] > 5 * found.usual[1] > 0
+    assert "| ur5 | " in (tmp_path / "table.md").read_text()
 
 
 @pytest.fixture(scope="module")
@@ -374,6 +400,44 @@ def test_the_judge_of_two_arms_refuses_arms_that_touch_and_goals_that_are_missed
     assert not free.accepts(crossing, {})
     aside = mp.retime(mp.JointPath.line(robot.neutral, robot.neutral + 0.05), robot)
     assert free.accepts(aside, {})
+
+
+def test_the_judge_of_blends():
+    """Distances beyond a segment, a triangle and a tetrahedron that are known."""
+    segment = np.array([[0.0, 0, 0], [1, 0, 0], [0.5, 0, 0]])
+    assert blends.beyond_hull(segment, np.array([[0.3, 0, 0]])) == pytest.approx(0.0, abs=1e-12)
+    assert blends.beyond_hull(segment, np.array([[1.3, 0, 0.4]])) == pytest.approx(0.5)
+    triangle = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0]])
+    assert blends.beyond_hull(triangle, np.array([[0.2, 0.2, 0.1], [0.5, -0.2, 0]])) == pytest.approx(0.2)
+    corner = np.vstack([triangle, [[0, 0, 1.0]]])
+    assert blends.beyond_hull(corner, np.array([[0.1, 0.1, 0.1]])) == pytest.approx(0.0, abs=1e-12)
+    assert blends.beyond_hull(corner, np.array([[0.1, 0.1, -0.3]])) == pytest.approx(0.3)
+
+
+def test_the_judge_of_lead_ins():
+    """A motion through the singularity of the wrist and by a full turn too many; and one without either."""
+    robot = mp.load_robot("ur5")
+    judge = lead_ins.Judge(robot)
+    start = np.array([0.0, -1.4, 1.6, -1.77, -1.57, 0.0])
+    for goal, count, excess in (
+        (start + [0.5, 0, 0, 0, 0, 0], 0, 0.0),
+        (start + [0, 0, 0, 0, 3.0, 0], 1, 0.0),
+        (start + [6.0, 0, 0, 0, 0, 0], 0, 2 * (6.0 - np.pi)),
+    ):
+        lead_in = mp.retime(mp.JointPath.line(start, goal), robot)
+        assert judge.crossings(lead_in) == count
+        assert judge.excess(lead_in, lead_in.duration) == pytest.approx(excess, abs=1e-6)
+    assert judge.minimum(lead_in) == pytest.approx(robot.kinematics(mp.Task.pose(length=1.0)).manipulability(start), rel=1e-6)
+
+
+def test_lead_ins_and_blends_make_their_tables(tmp_path):
+    lead_ins.main(["--arms", "ur5", "--lines", "1", "--starts", "3", "--out", str(tmp_path / "lead_ins.md")])
+    rows = (tmp_path / "lead_ins.md").read_text().splitlines()
+    assert rows[2].startswith("| ur5 | `follow` | 3 | 3 | ") and rows[3].startswith("| ur5 | `MoveAlong` | 3 | 3 | ")
+    assert all(row.split("|")[8].strip() == "0" for row in rows[2:4])  # needless crossings
+    blends.main(["--arms", "ur5", "--corners", "4", "--out", str(tmp_path / "blends.md")])
+    cells = [row.split("|") for row in (tmp_path / "blends.md").read_text().splitlines()[2:6]]
+    assert len(cells) == 4 and all(float(each[8]) <= 0.1 for each in cells)
 
 
 @pytest.mark.slow

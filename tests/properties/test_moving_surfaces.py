@@ -61,14 +61,13 @@ def model_of(one, two, still=False):
         for k, kind in enumerate(() if number and still else axes):
             joint = model.addJoint(joint, kind(), pin.SE3.Identity(), f"{number}{k}")
         geometry.addGeometryObject(pin.GeometryObject(f"{number}", joint, 0, place, SHAPES[name]()))
-    geometry.addCollisionPair(pin.CollisionPair(0, 1))
     endless = np.full(model.nq, np.inf)
     limits = JointLimits(
         lower=-endless, upper=endless, velocity=endless, acceleration=endless, jerk=endless, effort=endless, sources={}
     )
     robot = Robot(name="two", model=model, geometry=geometry, tool="", limits=limits, neutral=np.zeros(model.nq))
     solids = [k for k, name in enumerate((one, two)) if name in SOLID]
-    return CollisionModel(robot, geometry, {}, bodies=2, solids=solids)
+    return CollisionModel(robot, geometry, np.array([[0, 1]]), {}, bodies=2, solids=solids)
 
 
 def by_coal(model):

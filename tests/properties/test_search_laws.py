@@ -13,7 +13,7 @@ from manipplan.search import max_min, sweep
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.guilamo import guilamo_search
 from manipplan.search.interruptions import fewest_interruptions
-from manipplan.search.max_min import max_min_search
+from manipplan.search.max_min import max_min_search, minimum_from_each
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
 
@@ -266,3 +266,22 @@ def test_all_places_for_an_interruption_are_offered_from_the_middle_out():
     found = fewest_interruptions(layers, 0.5)
     assert found.edges == (0, 4, 8) and found.minimum == 1.0
     assert set(found.others) == {(0, 3, 8), (0, 5, 8)}
+
+
+def test_the_minimum_from_each_first_candidate_is_that_of_brute_force():
+    rng = np.random.default_rng(11)
+    reached = lost = 0
+    for _ in range(GRAPHS // 5):
+        layers, epsilon = layered.random_layers(rng)
+        strict = bool(rng.random() < 0.5)
+        best = layers.m[-1]
+        for i in range(len(layers.q) - 2, -1, -1):
+            edges = layered.neighbours(layers, i, i + 1, epsilon, strict)
+            best = np.minimum(layers.m[i], np.where(edges, best, -np.inf).max(axis=1))
+        found = minimum_from_each(layers, epsilon, strict=strict)
+        np.testing.assert_array_equal(found, best)
+        cap = float(np.median(layers.m[0]))
+        np.testing.assert_array_equal(minimum_from_each(layers, epsilon, strict=strict, cap=cap), np.minimum(best, cap))
+        reached += np.isfinite(best).sum()
+        lost += np.isinf(best).sum()
+    assert reached > 100 and lost > 100

@@ -69,7 +69,7 @@ def test_robots_lists_and_prints(arm_file, capsys):
     ("changes", "code", "message"),
     [
         ({"start": ["0", "1"]}, 2, "start: got '0 1'; allowed: 3 numbers, one per joint (j0, j1, j2), not 2"),
-        ({"goal": ["0", "90", "0"]}, 2, "-4 to 4 rad; 90 degrees are 1.571 rad"),
+        ({"goal": ["0", "90", "0"]}, 2, "-4 to 4 rad; it is 86 rad above; 90 degrees are 1.571 rad"),
         ({"acceleration": ["-1"]}, 2, "acceleration"),
         ({"goal": ["9", "0", "0"]}, 2, "goal[0] (j0): got 9.0"),
         ({"goal": ["nan", "0", "0"]}, 2, "finite"),
@@ -315,7 +315,7 @@ def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
         ("x,y,z,qw,qx,qy,qz\n", "at least two poses"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0\n1,1.2,0,1,0,0,0\n", "row 2"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,nan,0,1,0,0,0\n", "row 3"),
-        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion of length 1"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion qw, qx, qy, qz of length 1"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "a pose that differs"),
         ("x,y,z,qw,qx,qy,qz\n9,9,0,1,0,0,0\n9,8,0,1,0,0,0\n", "a pose within reach and joint limits; the arm stays"),
     ],

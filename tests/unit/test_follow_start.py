@@ -6,7 +6,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.lead_in import APART, best_courses, choose_entry
+from manipplan.jobs.following.first_configurations import FirstConfigurations
+from manipplan.jobs.following.lead_in import choose_entry
 from manipplan.jobs.following.transit import Transit, TransitPlanner
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -178,24 +179,23 @@ def searched(panda, line):
 
 
 @pytest.mark.slow
-def test_first_configurations_are_the_best_of_those_left(searched):
+def test_what_the_first_configurations_allow(searched):
+    """The largest minimum of a path from each, by one pass backwards over all pairs; and the path itself."""
     finder, first = searched
-    found = list(best_courses(finder, first))
-    assert len(found) > 3
-    minima = [each.minimum for each in found]
-    assert minima == sorted(minima, reverse=True)
-    left = np.ones(len(finder.layers.q[0]), dtype=bool)
-    for each in found:
-        best = np.where(left, finder.layers.m[0], -np.inf)
-        last = finder.layers.q[0]
-        for q, values in zip(finder.layers.q[1:], finder.layers.m[1:], strict=True):
-            near = (np.abs(q[:, None] - last) < 0.6).all(axis=2)
-            best = np.minimum(values, np.where(near, best, -np.inf).max(axis=1))
-            last = q
-        assert each.minimum == pytest.approx(best.max(), rel=1e-12)
-        assert left[each.indices[0]]
-        np.testing.assert_array_equal(finder.layers.q[0][each.indices[0]], each.q[0])
-        left &= np.abs(finder.layers.q[0] - each.q[0]).max(axis=1) > APART
+    configurations = FirstConfigurations(finder=finder, best=first)
+    best, last = finder.layers.m[-1], finder.layers.q[-1]
+    for q, values in zip(finder.layers.q[-2::-1], finder.layers.m[-2::-1], strict=True):
+        near = (np.abs(q[:, None] - last) < 0.6).all(axis=2)
+        best = np.minimum(values, np.where(near, best, -np.inf).max(axis=1))
+        last = q
+    np.testing.assert_array_equal(configurations.minimum, best)
+    assert best.max() == first.minimum
+    for k in np.flatnonzero(np.isfinite(best))[::7]:
+        motion = configurations.motion(int(k))
+        assert motion.indices[0] == k and motion.minimum == best[k]
+        q = np.array([each[i] for each, i in zip(finder.layers.q, motion.indices, strict=True)])
+        np.testing.assert_array_equal(motion.q, q)
+        assert (np.abs(np.diff(q, axis=0)) < 0.6).all()
 
 
 class Lead:

@@ -24,10 +24,10 @@ from manipplan.constraints.tool_frame import tool_frame
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.jobs.goals.reach import beyond_links
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.problem import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.arms import arm_of, tool_reach
+from manipplan.robots.configuration import nearest_turns
 from manipplan.timing.steady.corner import most_acceleration
 from manipplan.tracking.avoidance import avoidance_rows
 from manipplan.viz.motions import skeleton
@@ -126,6 +126,7 @@ def test_limits_of_leaders_keep_those_of_followers(arms, caplog, tmp_path):
         assert ((full[:, None] & (whole.matrix != 0)).any(axis=0)).all()
         np.testing.assert_allclose(robot.limits.acceleration, robot.limits.velocity / 0.2)
     assert "j5: limits narrowed by j5b, which moves as -1.5 * j5 + 0.4: lower -1.2, upper 1.2, velocity 1.66667" in caplog.text
+    assert "j5b: its effort limit of" in caplog.text and "is not taken, as it moves as -1.5 * j5 + 0.4, by" in caplog.text
 
 
 def test_given_limits_stay_as_they_are(arms):

@@ -17,7 +17,8 @@ from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import read_goals
-from manipplan.jobs.goals.samples import nearest_turns, poses_inside, reaching
+from manipplan.jobs.goals.samples import poses_inside, reaching
+from manipplan.robots.configuration import nearest_turns
 from manipplan.support.deadline import Deadline
 
 GOAL = np.array([1.2, -0.3, 0.0, -2.2, 0.0, 2.0, 0.8])

@@ -9,12 +9,13 @@ import pytest
 
 import manipplan as mp
 from manipplan.ik import native
-from manipplan.ik.distinct import SAME, distinct
+from manipplan.ik.distinct import distinct
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.verify import are_poses, residuals
 from manipplan.support.compiling.llvm import compiled_by_llvm
 from manipplan.support.compiling.native import NativeCode, source_text
+from manipplan.support.tolerances import SAME
 
 
 @pytest.fixture(scope="module")

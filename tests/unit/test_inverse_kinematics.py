@@ -84,11 +84,15 @@ def recall(robot, q, held=None):
 
 
 def sound(robot, found, poses):
-    """Every answer reaches its pose by Pinocchio, lies inside the limits, and is there once."""
+    """Every answer reaches its pose by Pinocchio, lies inside the limits, and is there once.
+
+    One that a limit stops may miss the pose by what rounding of the pose takes beyond the limit.
+    """
     assert len(found.pose_index) == len(found.parameters) == len(found.residual) == len(found)
     assert (robot.limits.outside(found.q) <= 0).all()
     for k, q in enumerate(found.q):
-        assert np.abs(pose_of(robot, q) - poses[found.pose_index[k]]).max() <= 1e-10
+        stopped = (q == robot.limits.lower).any() or (q == robot.limits.upper).any()
+        assert np.abs(pose_of(robot, q) - poses[found.pose_index[k]]).max() <= (4e-7 if stopped else 1e-10)
     for k in range(len(poses)):
         rows = np.flatnonzero(found.pose_index == k)
         for i, row in enumerate(rows):

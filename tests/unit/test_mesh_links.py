@@ -1,11 +1,20 @@
 """Links whose meshes decide: closed ones are solid, and pieces are refined only where that is not enough."""
 
+import pickle
+
+import coal
 import numpy as np
 import pytest
 
 import manipplan as mp
 from manipplan.collision import build
+from manipplan.collision.covers import pieces
 from manipplan.collision.model import CollisionModel
+from manipplan.collision.primitives import mesh_key, mesh_triangles
+from manipplan.collision.surfaces import meshes
+from manipplan.robots.hulls import convex_hull
+from manipplan.robots.meshes.files import triangle_tree
+from manipplan.support.content import content_key
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'
 
@@ -148,3 +157,83 @@ def test_sleeves_with_a_gap_of_a_millimetre_are_decided_by_their_triangles(tmp_p
     assert not hits[bent < 0.0008].any() and hits[bent > 0.0018].all()
     copied = model.copy()
     np.testing.assert_array_equal(copied.in_collision_rows(q), hits)
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def sleeves(folder):
+    """An arm with a pair that is decided by triangles where `FINE` is empty."""
+    return wrist(folder, tube(0.041, 0.05, 0.2, 24), tube(0.03, 0.0395, 0.3, 24), 0.02)
+
+
+def measured(robot):
+    """All that a collision model says, and its distances."""
+    model = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(0.4, 0.1, 0.5), name="box")]).collision_model(robot)
+    q = robot.random_configuration(np.random.default_rng(1), size=50)
+    return model.distance_rows(q), (
+        model.pair_names,
+        dict(model.dropped),
+        model.contacts,
+        model.excess,
+        model.links,
+        model.solids,
+    )
+
+
+@pytest.mark.parametrize("fine", [(), (12, 24, 48)], ids=["triangles", "pieces"])
+def test_a_later_process_computes_nothing_again(tmp_path, cache, monkeypatch, fine):
+    monkeypatch.setattr(build, "FINE", fine)
+    distances, said = measured(sleeves(tmp_path))
+    assert sorted(each.name for each in cache.iterdir() if each.is_dir()) == ["choices", "parts", "pieces"]
+    for module, name in ((pieces, "convex_pieces"), (meshes, "mesh_parts"), (build, "_choose")):
+        monkeypatch.setattr(module, name, lambda *_, name=name: pytest.fail(f"{name} was called"))
+    again, same = measured(sleeves(tmp_path))
+    assert said == same
+    np.testing.assert_array_equal(distances, again)
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda content: b"",
+        lambda content: content[:-9],
+        lambda content: content[:40] + b"7" + content[41:],
+        lambda content: content[32:],
+    ],
+    ids=["empty", "cut off", "changed", "without digest"],
+)
+def test_spoilt_files_are_made_again(tmp_path, cache, monkeypatch, spoil):
+    monkeypatch.setattr(build, "FINE", ())
+    distances, said = measured(sleeves(tmp_path))
+    written = {file: file.read_bytes() for kind in ("choices", "parts", "pieces") for file in (cache / kind).iterdir()}
+    assert len(written) >= 5
+    for file, content in written.items():
+        file.write_bytes(spoil(content))
+    again, same = measured(sleeves(tmp_path))
+    assert said == same
+    np.testing.assert_array_equal(distances, again)
+    assert {file: file.read_bytes() for file in written} == written
+
+
+def test_a_mesh_and_its_copy_have_the_same_triangles_and_key():
+    corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    tree = triangle_tree(corners, faces)
+    copied, open_one = tree.clone(), triangle_tree(corners, faces[:3])
+    pickled = pickle.loads(pickle.dumps(tree))
+    assert not vars(copied) and not vars(pickled)
+    assert content_key(tree) == content_key(triangle_tree(corners, faces)) and mesh_key(tree) == mesh_key(pickled)
+    np.testing.assert_array_equal(mesh_triangles(tree), mesh_triangles(copied))
+    assert mesh_key(tree) == mesh_key(copied) != mesh_key(open_one)
+
+
+def test_a_hull_is_the_body_that_coal_makes_of_its_triangles(rng):
+    hull = convex_hull(rng.normal(size=(200, 3)))
+    points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+    points.extend(hull.corners)
+    triangles.extend(coal.Triangle(*each) for each in hull.faces.tolist())
+    assert hull.shape() == coal.Convex(points, triangles)

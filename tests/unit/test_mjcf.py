@@ -788,9 +788,67 @@ def test_a_part_inside_a_closed_mesh_touches(tmp_path):
         mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])
 
 
-def test_sites_that_move_with_the_tool_are_in_the_log(arm, caplog):
+@pytest.mark.parametrize(
+    ("sites", "tool"),
+    [
+        (("attachment_site",), "attachment_site"),
+        (("imu", "ee_site", "camera_tool"), "ee_site"),
+        (("pinch", "attachment_site"), "pinch"),
+        (("grasp_site", "tcp_site", "pinch"), "tcp_site"),
+        (("hand/pinch", "other"), "hand/pinch"),
+        (("pinch_site", "left/pinch"), None),
+        (("marker", "base_site"), None),
+    ],
+)
+def test_the_name_of_a_site_on_the_last_body_makes_it_the_tool(arm, caplog, sites, tool):
+    """Menagerie's arms have sites at the flange or between the fingers; the choice is in the log."""
+    tips = "".join(f'<site name="{name}" pos="0 {0.01 * k} .1"/>' for k, name in enumerate(sites))
+    body = mp.Robot.from_mjcf(arm(tip="")).tool
     with caplog.at_level(logging.INFO, "manipplan"):
-        robot = mp.Robot.from_mjcf(arm(tip='<site name="attachment_site" pos="0 0 .1"/>'))
-    assert f"the tool is the body {robot.tool}; sites that move with it: attachment_site" in caplog.text
+        robot = mp.Robot.from_mjcf(file := arm(tip=tips))
+    assert robot.tool == (tool or body)
+    what = f"site {tool} of the body {body}" if tool is not None else f"body {body}"
+    assert f"the tool is the {what}; sites that move with it: {', '.join(sites)}" in caplog.text
+    assert mp.Robot.from_mjcf(file, tool=body).tool == body
+    model = mujoco.MjModel.from_xml_path(str(file))
+    data = mujoco.MjData(model)
+    data.qpos[:] = q = robot.random_configuration(np.random.default_rng(0))
+    mujoco.mj_kinematics(model, data)
+    place = data.site(tool).xpos if tool is not None else data.body(body).xpos
+    np.testing.assert_allclose(robot.kinematics(compiled=False).pose(q)[:3, 3], place, atol=1e-12)
+
+
+def test_a_site_on_another_body_or_with_the_name_of_a_body_is_not_the_tool(arm):
+    plain = arm(tip="")
+    body = mp.Robot.from_mjcf(plain).tool
+    named = arm(tip='<site name="attachment_site" pos="0 0 .1"/><body name="tcp" pos="0 0 .2"><geom size=".01"/></body>')
+    assert mp.Robot.from_mjcf(named).tool == "tcp"
+    same = arm(tip=f'<site name="{body}" pos="0 0 .1"/>')
+    assert mp.Robot.from_mjcf(same).tool == body
+
+
+def test_limits_that_an_mjcf_file_does_not_give_have_no_source(arm):
+    robot = mp.Robot.from_mjcf(arm(tip=""))
     assert robot.limits.sources["velocity"] == "none in the MJCF; velocity= gives them"
     assert robot.limits.sources["acceleration"].startswith("none, as there are no velocity limits")
+
+
+@pytest.mark.parametrize(("mask", "dropped"), [("", True), ('contype="0" conaffinity="0"', False)])
+def test_bodies_that_always_touch_are_left_out_with_all_their_geoms(written, mask, dropped, rng):
+    """The hubs always overlap; fin and blade touch at some turns. Of a hub with masks of 0 the blade is checked alone."""
+    file = written(
+        f"""<mujoco><compiler angle="radian"/><worldbody><body name="base">
+        <body name="a"><joint name="j1" axis="0 0 1" range="-3 3"/><geom name="a_hub" size=".06"/>
+         <geom name="fin" type="box" size=".05 .02 .05" pos=".3 0 0"/>
+        <body name="b" pos="0 0 .01"><joint name="j2" axis="0 0 1" range="-3 3"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+        <body name="c" pos="0 0 .01"><joint name="j3" axis="0 0 1" range="-3 3"/><geom name="c_hub" size=".06" {mask}/>
+         <geom name="blade" type="box" size=".05 .02 .05" pos=".3 0 0"/></body></body></body></body></worldbody></mujoco>"""
+    )
+    robot = mp.Robot.from_mjcf(file, velocity=1.0)
+    left_out = {frozenset((pair.first, pair.second)): pair.reason for pair in robot.self_collisions.left_out}
+    assert ("touching at 201 of 201" in left_out.get(frozenset("ac"), "")) == dropped
+    q = robot.random_configuration(rng, size=300)
+    judge = Judge(file)
+    touching = [bool(judge.contacts(robot, each)[0]) for each in q]
+    assert all(touching) == dropped and any(touching)
+    np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), np.zeros(300) if dropped else touching)

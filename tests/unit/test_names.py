@@ -1,7 +1,10 @@
 """Robots by name: robot_descriptions, MuJoCo Menagerie, entry points, the catalogue, and the limits of data sheets."""
 
+import logging
+import os
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -70,12 +73,14 @@ def test_a_module_of_robot_descriptions(descriptions, tmp_path, capfd):
 def test_formats_and_options_of_robot_descriptions(descriptions):
     pytest.importorskip("xacro")
     repository = descriptions(
-        first_description='XACRO_PATH = PACKAGE_PATH + "/arm.urdf.xacro"\nXACRO_ARGS = {"n": "0.7"}',
+        first_description='XACRO_PATH = PACKAGE_PATH + "/arm.urdf.xacro"\nXACRO_ARGS = {"n": "0.7", "more": True}',
         second_mj_description='MJCF_PATH = PACKAGE_PATH + "/arm.xml"',
         third_description='URDF_PATH = PACKAGE_PATH + "/arm.urdf"\nSRDF_PATH = PACKAGE_PATH + "/arm.srdf"',
     )
     xacro = urdf(["a", "b"]).replace("<robot ", '<robot xmlns:xacro="http://ros.org/wiki/xacro" ')
-    (repository / "arm.urdf.xacro").write_text(xacro.replace('upper="3.0"', 'upper="$(arg n)"'))
+    arguments = '<xacro:arg name="more" default="false"/><xacro:unless value="$(arg more)"><link name="x"/></xacro:unless>'
+    text = xacro.replace('upper="3.0"', 'upper="$(arg n)"').replace("</robot>", f"{arguments}</robot>")
+    (repository / "arm.urdf.xacro").write_text(text)
     (repository / "arm.xml").write_text(MJCF)
     (repository / "arm.urdf").write_text(urdf(["a", "b", "c"]))
     (repository / "arm.srdf").write_text('<robot name="arm"><end_effector name="e" parent_link="link2" group="g"/></robot>')
@@ -103,6 +108,31 @@ raise GitCommandError("Cmd('git') failed")
     with pytest.raises(mp.RobotNotFetchedError, match="no space left"):
         mp.load_robot("broken_description")
     assert capfd.readouterr() == ("", "")
+
+
+def test_fetching_changes_nothing_in_this_process(descriptions):
+    text = """
+import logging, os, sys, warnings
+logging.disable(logging.CRITICAL)
+os.environ["GIT_TERMINAL_PROMPT"] = os.environ["ADDED"] = "1"
+sys.stdout = sys.stderr = None
+warnings.simplefilter("error")
+URDF_PATH = PACKAGE_PATH + "/arm.urdf"
+"""
+    (descriptions(own_description=text) / "arm.urdf").write_text(urdf(["a", "b", "c"]))
+    before = logging.root.manager.disable, dict(os.environ), sys.stdout, sys.stderr, list(warnings.filters)
+    assert mp.load_robot("own_description").n == 3
+    assert (logging.root.manager.disable, dict(os.environ), sys.stdout, sys.stderr, list(warnings.filters)) == before
+    assert "robot_descriptions.own_description" not in sys.modules
+
+
+def test_a_process_that_ends_without_an_answer(descriptions, monkeypatch):
+    descriptions(own_description="import os\nos._exit(3)", slow_description="import time\ntime.sleep(60)")
+    with pytest.raises(mp.RobotNotFetchedError, match="ended with code 3"):
+        mp.load_robot("own_description")
+    monkeypatch.setattr(collections, "TIME_LIMIT", 1.0)
+    with pytest.raises(mp.RobotNotFetchedError, match="takes more than 1 s"):
+        mp.load_robot("slow_description")
 
 
 def test_names_of_robot_descriptions(descriptions):

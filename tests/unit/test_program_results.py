@@ -67,7 +67,7 @@ def test_pictures_of_a_program(program, planar, tmp_path):
     assert main(["view", str(tmp_path / "made"), "--record", str(tmp_path / "motion.html")]) == 0
     assert (tmp_path / "motion.html").stat().st_size > 1e6
     rows = (tmp_path / "made" / "marks.csv").read_text().splitlines()
-    assert rows[0] == "step,name,begin,path_begin,tool_speed"
+    assert rows[0] == "step,name,begin,path_begin,tool_speed,blend,path_blend"
     begins = [row.split(",")[3] for row in rows[1:]]
     assert begins == ["" if mark.path_begin is None else str(mark.path_begin) for mark in program.marks] and any(begins)
     assert [row.split(",")[1] for row in rows[1:]] == [mark.name for mark in program.marks]

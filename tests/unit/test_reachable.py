@@ -167,6 +167,77 @@ def test_walls_that_two_joints_cannot_pass(planar):
     assert "every motion of joint1 and joint2 within their limits from start to goal brings two bodies" in found
 
 
+def shoulder(file, head):
+    """An arm as Sawyer's: joint `turn` carries a head of radius `head` and, by `lift` and `roll`, an upper arm beside it."""
+    links = {
+        "base": "",
+        "body": "",
+        "head": f'<origin xyz="0 0 0.4"/><geometry><sphere radius="{head}"/></geometry>',
+        "side": "",
+        "upper": '<origin xyz="0 0 0.25"/><geometry><cylinder radius="0.06" length="0.4"/></geometry>',
+        "fore": '<origin xyz="0 0 0.15"/><geometry><cylinder radius="0.04" length="0.2"/></geometry>',
+    }
+    joints = [
+        ("turn", "revolute", "base", "body", "0 0 0.3", "0 0 1", 3.0),
+        ("neck", "fixed", "body", "head", "0 0 0", "0 0 1", 0.0),
+        ("lift", "revolute", "body", "side", "0 0.15 0.1", "0 1 0", 2.9),
+        ("roll", "revolute", "side", "upper", "0 0 0", "0 0 1", 3.0),
+        ("elbow", "revolute", "upper", "fore", "0 0 0.5", "0 1 0", 2.0),
+    ]
+    bodies = [f'<link name="{name}">{text and f"<collision>{text}</collision>"}</link>' for name, text in links.items()]
+    for name, kind, parent, child, xyz, axis, limit in joints:
+        limits = f'<axis xyz="{axis}"/><limit lower="-{limit}" upper="{limit}" velocity="1" effort="1"/>' if limit else ""
+        bodies.append(
+            f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/><origin xyz="{xyz}"/>'
+            f"{limits}</joint>"
+        )
+    file.write_text(f'<robot name="shoulder">{"".join(bodies)}</robot>')
+    return mp.Robot.from_urdf(file, tool="fore")
+
+
+def test_an_upper_arm_that_cannot_pass_the_head(tmp_path):
+    """Of Sawyer's joints the second and third decide: its upper arm touches the head wherever it is lifted past it."""
+    start, goal = [0.3, -1.2, 0.4, 0.5], [-0.4, 1.3, 1.0, -0.5]
+    robot = shoulder(tmp_path / "arm.urdf", 0.2)
+    model = pin.buildModelFromUrdf(str(robot.source.file))
+    geometry = pin.buildGeomFromUrdf(model, str(robot.source.file), pin.GeometryType.COLLISION)
+    upper, head = (geometry.getGeometryId(name) for name in ("upper_0", "head_0"))
+    geometry.addCollisionPair(pin.CollisionPair(upper, head))
+    data, found = model.createData(), pin.GeometryData(geometry)
+    for roll in np.linspace(-3.0, 3.0, 61):
+        pin.updateGeometryPlacements(model, data, geometry, found, np.array([0.0, 0.0, roll, 0.0]))
+        assert pin.computeCollision(geometry, found, 0)
+    began = work_time()
+    with pytest.raises(
+        mp.PlanningError, match="every motion of lift and roll within their limits .* brings head_0 and upper_0"
+    ):
+        mp.seed_path(robot, start, goal)
+    assert work_time() - began < 3.0
+    low = shoulder(tmp_path / "low.urdf", 0.06)
+    assert why_unreachable(task(low, start, goal, mp.Scene())) is None
+    assert mp.seed_path(low, start, goal).n == 4
+
+
+@pytest.mark.slow
+def test_there_is_no_proof_of_joints_inside_the_arm_where_there_is_a_path(tmp_path, rng):
+    """Heads of random sizes: some goals are proven to be out of reach, and for none of these is a path found."""
+    proven = found = 0
+    for k in range(12):
+        arm = shoulder(tmp_path / f"{k}.urdf", rng.uniform(0.05, 0.25))
+        q = arm.random_configuration(rng, size=60)
+        free = q[~mp.Scene().in_collision(arm, q)]
+        for start, goal in zip(free[:6], free[6:12], strict=False):
+            is_proven = why_unreachable(task(arm, start, goal, mp.Scene())) is not None
+            proven += is_proven
+            try:
+                mp.seed_path(arm, start, goal, seeding=mp.Seeding(time_limit=0.1))
+                found += 1
+                assert not is_proven
+            except mp.PlanningError:
+                pass
+    assert proven >= 5 and found >= 20, (proven, found)
+
+
 def test_there_is_no_proof_where_there_is_a_path(rng):
     """Random posts around planar arms: some goals are proven to be out of reach, and for none of these is a path found."""
     proven = found = 0

@@ -329,7 +329,7 @@ class Broken(CartesianPath):
 
 def test_a_pose_with_nan_is_refused(planar):
     pose = np.array(planar.kinematics().pose(PLANAR_START))
-    with pytest.raises(mp.InvalidInputError, match="path, position 1 of 0 to 2.*a rotation and a translation"):
+    with pytest.raises(mp.InvalidInputError, match="path, position 1 of 0 to 2.*finite numbers"):
         mp.sample_layers(planar, Broken(pose), 3, samples=10)
     pose[0, 3] = np.nan
     with pytest.raises(mp.InvalidInputError, match="finite"):

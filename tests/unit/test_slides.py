@@ -8,7 +8,8 @@ import pytest
 from chains import chain_file
 
 import manipplan as mp
-from manipplan.ik.window import Bridge, span
+from manipplan.ik.bridge import Bridge
+from manipplan.ik.ranges import span
 
 #: Place of each joint of a seven-joint arm with a spherical shoulder, its turn and its limits.
 ARM = (
@@ -89,9 +90,7 @@ def test_poses_are_reached_however_long_the_slide_is(tmp_path, kind, length, nea
     for _ in range(10):
         pose = own_pose(file, near_or_far(robot, rng, near))
         found = mp.inverse_kinematics(robot, pose)
-        # with 1,000 km of slide in the middle, most of the turns before it leave bands that the samples can miss: it says so
-        lost = kind == "slide in the middle" and length > 1e5 and found.complete == "statistical" and found.missing == 1
-        assert len(found) or lost
+        assert len(found)
         sound(robot, file, found, pose)
         assert (found.complete == "statistical") == (found.missing > 0)
 

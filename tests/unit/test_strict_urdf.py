@@ -354,13 +354,21 @@ def test_limits_that_the_file_does_not_give_have_no_source(edited):
     ("options", "message"),
     [
         ({"tool": "base"}, "tool: got 'base'; allowed: a frame that a joint moves"),
-        ({"locked": {"j1": 0.0}}, r"locked\['j1'\]: got 0.0; allowed: joints that are not active; j1 moves the tool"),
-        ({"locked": {"j3": 0.0}}, "locked: got 'j3'; allowed: none: every joint of the robot is active"),
+        (
+            {"locked": {"j1": 0.0}},
+            r"locked\['j1'\]: got 0.0; allowed: joints that are not active; j1 is active, as it moves the tool: joints= without",
+        ),
+        ({"locked": {"j3": 0.0}}, "locked: got 'j3'; allowed: one of j1, j2"),
     ],
 )
 def test_joints_and_tools_that_cannot_be(edited, options, message):
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.load_robot(edited(), **options)
+
+
+def test_a_misspelt_locked_joint_is_the_nearest_of_all_joints():
+    with pytest.raises(mp.UnknownNameError, match=r"locked: got 'panda_jont1'; allowed: did you mean panda_joint1, .*\?"):
+        mp.load_robot("panda", locked={"panda_jont1": 0.0})
 
 
 @pytest.mark.parametrize("size", [(30.0, 0.1, 0.1), (0.1, 0.1, 200.0)])

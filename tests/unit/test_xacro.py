@@ -113,8 +113,53 @@ def test_arguments_and_packages(read, tmp_path):
         mp.FileFormatError, match=r"package 'hand_description' is not found; .*packages={'hand_description': folder}"
     ):
         read(arguments={"hand": True})
-    with pytest.raises(mp.FileFormatError, match="argument 'needed' has no value; give it in arguments="):
-        read('<link name="$(arg needed)"/>')
+
+
+@pytest.mark.parametrize(
+    "elements",
+    [
+        '<xacro:property name="z" value="$(arg needed)"/><link name="${z}"/>',
+        '<xacro:arg name="needed"/>',
+        '<xacro:arg name="needed"/><xacro:if value="$(arg needed)"/>',
+        '<xacro:include filename="$(arg needed).xacro"/>',
+        '<xacro:macro name="of" params="p"><link name="${p}$(arg needed)"/></xacro:macro><xacro:of p="l"/>',
+    ],
+)
+def test_an_argument_without_a_value_is_named(read, elements):
+    match = r"the argument 'needed' has no value; give it in arguments={'needed': \.\.\.}"
+    with pytest.raises(mp.FileFormatError, match=match):
+        read(elements)
+
+
+def test_all_arguments_without_a_value_are_named_at_once(read):
+    elements = '<xacro:arg name="kind"/><!-- $(arg no) --><frame name="$(arg kind)$(arg size)$(arg prefix)">$(arg load)</frame>'
+    match = r"the arguments 'kind', 'size', 'load' have no value; give it in arguments={'kind': \.\.\., 'size': \.\.\., 'load'"
+    with pytest.raises(mp.FileFormatError, match=match):
+        read(elements)
+    with pytest.raises(mp.FileFormatError, match="the arguments 'size', 'load' have no value"):
+        read(elements, arguments={"kind": "a"})
+    assert read(elements, arguments={"kind": "a", "size": 1, "load": 2.5}).n == 2
+
+
+def test_a_default_holds_before_its_line(arm):
+    """As in Universal Robots' files, whose first line is <robot name="$(arg name)">."""
+    file = arm('<xacro:arg name="name" default="ur"/>')
+    file.write_text(file.read_text().replace('name="two"', 'name="$(arg name)"', 1))
+    assert mp.Robot.from_urdf(file).name == "ur"
+    assert mp.Robot.from_urdf(file, arguments={"name": "other"}).name == "other"
+    file.write_text(file.read_text().replace('default="ur"', 'default="$(arg kind)"'))
+    with pytest.raises(mp.FileFormatError, match="the arguments 'name', 'kind' have no value"):
+        mp.Robot.from_urdf(file)
+
+
+def test_a_missing_file_named_by_an_argument(read):
+    """The default of Universal Robots' type, ur5x, stands for none of their arms."""
+    elements = '<xacro:arg name="ur_type" default="ur5x"/><xacro:arg name="unused" default="zz"/>'
+    elements += """<xacro:property name="z" value="${xacro.load_yaml('$(arg ur_type)/limits.yaml')}"/><link name="${z}"/>"""
+    match = r"ur5x/limits\.yaml.*; give other values in arguments= than .*ur_type='ur5x'"
+    with pytest.raises(mp.FileFormatError, match=match) as error:
+        read(elements)
+    assert "unused" not in str(error.value)
 
 
 @pytest.mark.slow

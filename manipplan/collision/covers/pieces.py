@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import Hull, convex_hull, has_hull, outer_hull
+from manipplan.robots.hulls import Hull, convex_hull, find_hull, outer_hull, sorted_rows
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -110,11 +110,13 @@ class _Part:
 
     def __init__(self, mesh: "_Mesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
         self.triangles, self.cuts = triangles, cuts
-        points = np.unique(np.concatenate([triangles.reshape(-1, 3), inner]), axis=0)
-        if not has_hull(points):
+        points = np.concatenate([triangles.reshape(-1, 3), inner])
+        points = points[sorted_rows(points)]
+        hull = find_hull(points)
+        if hull is None:
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T
-            points = (points[:, None] + box).reshape(-1, 3)
-        self.hull, self._mesh = convex_hull(points), mesh
+            hull = convex_hull((points[:, None] + box).reshape(-1, 3))
+        self.hull, self._mesh = hull, mesh
         self.excess, self._worst = mesh.excess(self.hull.triangles, cuts)
 
     def piece(self) -> Piece:
@@ -145,7 +147,9 @@ class _Part:
             for offset in [*(low + width * np.array(CUTS)), float(self._worst @ axis)]:
                 if not END * width < offset - low < (1 - END) * width:
                     continue
-                volume = _volume(points[along <= offset]) + _volume(points[along >= offset])
+                volume = 0.0
+                for side in sorted((points[along <= offset], points[along >= offset]), key=len, reverse=True):
+                    volume += _volume(side) if volume < least else 0.0
                 if volume < least:
                     best, least = (np.asarray(axis), float(offset)), volume
         return best
@@ -162,7 +166,8 @@ class _Mesh:
         self._surface.addTriangles(np.arange(3 * len(triangles)).reshape(-1, 3))
         self._surface.endModel()
         # a box, since coal's distance of a sphere from a degenerate triangle is wrong
-        self._point, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s()
+        self._point, self._place, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s(), coal.Transform3s()
+        self._request, self._result = coal.DistanceRequest(), coal.DistanceResult()
 
     def excess(self, faces: Array, cuts: Sequence[Plane]) -> tuple[float, Array]:
         """The largest distance of sampled points on `faces` (f, 3, 3) outside the mesh [m], and that point.
@@ -195,9 +200,9 @@ class _Mesh:
         return bool(abs(winding_number(self._triangles, point[None])[0]) > 0.5)
 
     def _distance(self, point: Array) -> float:
-        place = coal.Transform3s(np.eye(3), point)
-        result = coal.DistanceResult()
-        return float(coal.distance(self._point, place, self._surface, self._still, coal.DistanceRequest(), result))
+        self._place.setTranslation(point)
+        self._result.clear()
+        return float(coal.distance(self._point, self._place, self._surface, self._still, self._request, self._result))
 
 
 def _sampled(faces: Array) -> Array:

@@ -3,31 +3,64 @@
 import hashlib
 import json
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import coal
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.collision.covers import fitting, pieces
-from manipplan.collision.primitives import Primitive, mesh_triangles, outside
-from manipplan.collision.surfaces import shells
+from manipplan.collision.primitives import Primitive, mesh_key, mesh_triangles, outside
+from manipplan.collision.surfaces import meshes, shells
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
+from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
 
 log = logging.getLogger("manipplan")
 
-#: For two objects of a robot, by their numbers, how finely each is taken.
-Levels = dict[tuple[int, int], tuple[int, int]]
 #: Class of each stored shape, and its number of sizes.
 SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
+
+
+#: Corners (v, 3) and faces (f, 3) of a body, and two numbers that say more.
+_Stored = tuple[Array, NDArray[np.int64], float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """How a robot's own pairs are checked, as it takes long to find out.
+
+    Attributes:
+        levels: for two objects of the robot, by their numbers, how finely each is taken.
+        touching: at how many of the configurations at which that was tried two links touch, where they do at any.
+    """
+
+    levels: Mapping[tuple[int, int], tuple[int, int]]
+    touching: Mapping[frozenset[str], int]
+
+    def plain(self) -> bytes:
+        """The content of a file."""
+        levels = [[*pair, *levels] for pair, levels in self.levels.items()]
+        return json.dumps([levels, [[*sorted(links), count] for links, count in self.touching.items()]]).encode()
+
+    @classmethod
+    def of(cls, plain: bytes) -> "Choice":
+        """What `plain` made a file of."""
+        levels, touching = json.loads(plain)
+        return cls(
+            levels={(i, j): (first, second) for i, j, first, second in levels},
+            touching={frozenset((first, second)): count for first, second, count in touching},
+        )
 
 
 def find_or_fit(triangles: Array) -> list[Primitive]:
@@ -37,7 +70,7 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     `fit_capsules` does.
     """
     try:
-        file = private_folder() / "capsules" / f"{_key(triangles)}.json"
+        file = private_folder() / "capsules" / f"{_key(np.ascontiguousarray(triangles).data)}.json"
         file.parent.mkdir(mode=0o700, exist_ok=True)
         stored = _read(file)
     except OSError as error:
@@ -53,34 +86,37 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     return fitted
 
 
-def find_or_cut(triangles: Array, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
-    """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them."""
-    try:
-        own = "" if most == pieces.MOST_PIECES else f"_{most}"
-        file = private_folder() / "pieces" / f"{_key(triangles)}{own}"
-        file.parent.mkdir(mode=0o700, exist_ok=True)
-        stored = _read_pieces(file)
-    except OSError as error:
-        log.info("convex pieces are not kept on disk: %s", error)
-        return pieces.convex_pieces(triangles, most)
-    if stored is not None:
-        return stored
-    found = pieces.convex_pieces(triangles, most)
-    plain = b"".join(
-        np.array([len(each.hull.corners), len(each.hull.faces), each.excess]).tobytes()
-        + each.hull.corners.tobytes()
-        + each.hull.faces.astype(float).tobytes()
-        for each in found
-    )
-    try:
-        write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
-    except InvalidInputError as error:
-        log.info("convex pieces are not kept on disk: %s", error)
-    return found
+def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
+    """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them.
+
+    When it takes long, the log says that it is the mesh of `name`.
+    """
+
+    def cut() -> bytes:
+        with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
+            found = pieces.convex_pieces(mesh_triangles(mesh), most)
+        return _packed((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
+
+    own = "" if most == pieces.MOST_PIECES else f"_{most}"
+    stored = _unpacked(_find_or_make("pieces", f"{_key(mesh_key(mesh))}{own}", cut))
+    return [pieces.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
 
 
-def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -> Levels:
-    """How finely pairs of a robot's objects are taken, from the cache folder if an earlier process has chosen them.
+def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
+    """The parts of the mesh of `name`, by `mesh_parts`, read from the cache folder if an earlier process stored them."""
+
+    def split() -> bytes:
+        found = meshes.mesh_parts(name, mesh_triangles(mesh))
+        return _packed((part.corners, part.faces, float(part.closed), float(part.convex)) for part in found)
+
+    return [
+        meshes.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
+        for corners, faces, closed, convex in _unpacked(_find_or_make("parts", _key(mesh_key(mesh)), split))
+    ]
+
+
+def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -> Choice:
+    """How a robot's own pairs are checked, from the cache folder if an earlier process has chosen it.
 
     Args:
         robot: the arm.
@@ -88,70 +124,77 @@ def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Levels]) -
         choose: makes the choice.
     """
     bodies = [
-        (item.name, item.parentJoint, item.placement.homogeneous, _content(item.geometry))
+        (item.name, robot.link_of(item), item.parentJoint, item.placement.homogeneous, _content(item.geometry))
         for item in robot.geometry.geometryObjects
     ]
     parts = [_choice_sources(), robot.tree, samples, bodies, dict(robot.unchecked), robot.disabled_pairs]
-    try:
-        file = private_folder() / "levels" / f"{content_key(parts)[:32]}.json"
-        file.parent.mkdir(mode=0o700, exist_ok=True)
-        pairs = json.loads(file.read_text())
-        return {(int(i), int(j)): (int(a), int(b)) for i, j, a, b in pairs}
-    except FileNotFoundError:
-        found = choose()
-    except (OSError, ValueError, TypeError) as error:
-        log.info("the choice of pieces is made again: %s", error)
-        return choose()
-    try:
-        write_text(file, json.dumps([[*pair, *levels] for pair, levels in found.items()]))
-    except InvalidInputError as error:
-        log.info("the choice of pieces is not kept on disk: %s", error)
-    return found
+    plain = _find_or_make("choices", content_key(parts)[:32], lambda: choose().plain())
+    return Choice.of(plain)
 
 
 def _content(shape: coal.CollisionGeometry) -> object:
     """What a shape is, for a key: the triangles of a mesh, since coal pickles far more of it."""
-    return mesh_triangles(shape) if isinstance(shape, coal.BVHModelBase) else shape
+    return mesh_key(shape) if isinstance(shape, coal.BVHModelBase) else shape
 
 
 @cache
 def _choice_sources() -> bytes:
-    """The sources that a choice depends on."""
+    """Digest of the sources that a choice depends on."""
     folder = Path(__file__).parents[1]
-    files = (folder / "build.py", folder / "described.py", folder / "distances.c", folder / "surfaces" / "meshes.py")
-    return b"".join([_sources(), np.__version__.encode(), *(file.read_bytes() for file in files)])
+    files = (folder / "build.py", folder / "described.py", folder / "distances.c")
+    return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 
-def _read_pieces(file: Path) -> list[pieces.Piece] | None:
-    """The pieces of a file; None if there is no file, or it is not as it was written."""
+def _find_or_make(folder: str, name: str, make: Callable[[], bytes]) -> bytes:
+    """What a file of the cache folder holds; where there is none, or it is not as it was written, it is made and stored."""
     try:
-        stored = file.read_bytes()
-    except FileNotFoundError:
-        return None
-    if hashlib.sha256(stored[32:]).digest() != stored[:32]:
-        log.debug("%s is made again", file)
-        return None
-    numbers, found = np.frombuffer(stored[32:]), []
+        file = private_folder() / folder / name
+        file.parent.mkdir(mode=0o700, exist_ok=True)
+        content = file.read_bytes() if file.exists() else b""
+    except OSError as error:
+        log.info("%s are not kept on disk: %s", folder, error)
+        return make()
+    if hashlib.sha256(content[32:]).digest() == content[:32]:
+        return content[32:]
+    plain = make()
+    try:
+        write_bytes(file, lambda stream: stream.write(hashlib.sha256(plain).digest() + plain))
+    except InvalidInputError as error:
+        log.info("%s are not kept on disk: %s", folder, error)
+    return plain
+
+
+def _packed(bodies: Iterable[_Stored]) -> bytes:
+    """Bodies as the bytes of a file."""
+    return b"".join(
+        np.array([len(corners), len(faces), *values]).tobytes() + corners.tobytes() + faces.astype(float).tobytes()
+        for corners, faces, *values in bodies
+    )
+
+
+def _unpacked(content: bytes) -> list[_Stored]:
+    """The bodies of a file."""
+    found, numbers = [], np.frombuffer(content)
     while len(numbers):
-        corners, faces, excess = int(numbers[0]), int(numbers[1]), float(numbers[2])
-        ends = np.cumsum([3, 3 * corners, 3 * faces])
-        hull = hulls.Hull(
-            corners=numbers[ends[0] : ends[1]].reshape(-1, 3), faces=numbers[ends[1] : ends[2]].reshape(-1, 3).astype(np.int64)
-        )
-        found.append(pieces.Piece(hull=hull, excess=excess))
+        ends = np.cumsum([4, 3 * int(numbers[0]), 3 * int(numbers[1])])
+        corners, faces = (numbers[start:end].reshape(-1, 3) for start, end in pairwise(ends))
+        found.append((corners, faces.astype(np.int64), float(numbers[2]), float(numbers[3])))
         numbers = numbers[ends[2] :]
     return found
 
 
-def _key(triangles: Array) -> str:
-    """Hash of the triangles, of the sources of the fits and of the version of NumPy."""
-    parts = [_sources(), np.__version__.encode()]
-    return hashlib.sha256(b"\0".join([*parts, np.ascontiguousarray(triangles).tobytes()])).hexdigest()[:32]
+def _key(content: bytes | memoryview) -> str:
+    """Hash of some content, of the sources of the fits and of the version of NumPy."""
+    digest = hashlib.sha256(_sources())
+    digest.update(content)
+    return digest.hexdigest()[:32]
 
 
 @cache
 def _sources() -> bytes:
-    return b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, shells, hulls))
+    """Digest of the sources of the fits and of the version of NumPy."""
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, meshes, shells, hulls))
+    return hashlib.sha256(np.__version__.encode() + sources).digest()
 
 
 def _read(file: Path) -> list[Primitive] | None:

@@ -7,12 +7,8 @@ import pinocchio as pin
 
 from manipplan.collision.shapes import Plane
 from manipplan.robots.hulls import FARTHEST
-from manipplan.support.checks import Array, finite_array
+from manipplan.support.checks import Array, finite_array, unit_quaternion
 from manipplan.support.errors import InvalidInputError
-
-#: Maximum difference of a quaternion's length from 1.
-UNIT = 0.01
-
 
 log = logging.getLogger("manipplan")
 
@@ -20,13 +16,10 @@ log = logging.getLogger("manipplan")
 def pose_of(argument: str, position: Array, quaternion: Array) -> pin.SE3:
     """The pose of a position (3,) [m] and a quaternion x, y, z, w; zeros mean no rotation, as in MoveIt."""
     finite_array("position", position, (3,), most=FARTHEST)
-    size = np.linalg.norm(finite_array(argument, quaternion, (4,), most=1.0 + UNIT))
-    if size == 0:
+    if not np.any(quaternion):
         log.warning("%s is 0 0 0 0, which is no rotation: taken as none, as in MoveIt", argument)
         return pin.SE3(np.eye(3), position)
-    if abs(size - 1.0) > UNIT:
-        raise InvalidInputError(argument, quaternion.tolist(), "a quaternion x, y, z, w of length 1")
-    return pin.SE3(pin.Quaternion(quaternion / size).matrix(), position)
+    return pin.SE3(pin.Quaternion(unit_quaternion(argument, quaternion, "x, y, z, w")).matrix(), position)
 
 
 def half_space(argument: str, coefficients: Array) -> Plane:

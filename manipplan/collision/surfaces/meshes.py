@@ -1,13 +1,15 @@
 """Meshes of the world as coal shapes: the solids and surfaces that their triangles are, or the hulls of their parts."""
 
 import logging
+from dataclasses import dataclass
 from pathlib import Path
 
 import coal
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.surfaces.shells import Shell, connected_parts, merged_corners, shells
-from manipplan.robots.hulls import FARTHEST, convex_hull, has_hull
+from manipplan.robots.hulls import FARTHEST, Hull, find_hull
 from manipplan.robots.meshes.files import read_mesh, triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -49,12 +51,38 @@ def placed_triangles(argument: str, triangles: Array, scale: float, up: str) -> 
     return np.asarray(placed)
 
 
-def mesh_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeometry, bool]]:
-    """The parts of triangles (t, 3, 3) [m], and whether each of them is solid.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MeshPart:
+    """A part of a mesh.
 
-    A convex part is a hull; another is a tree of triangles.
+    Attributes:
+        corners: (v, 3) [m].
+        faces: (f, 3) indices of the corners of each triangle.
+        closed: whether the triangles enclose a solid.
+        convex: whether that is convex, and a hull that coal takes.
     """
-    parts = [(_solid(shell) or triangle_tree(*merged_corners(shell.triangles)), shell.closed) for shell in shells(triangles)]
+
+    corners: Array
+    faces: NDArray[np.int64]
+    closed: bool
+    convex: bool
+
+    @classmethod
+    def of_hull(cls, hull: Hull) -> "MeshPart":
+        """A hull."""
+        return cls(corners=hull.corners, faces=hull.faces, closed=True, convex=hull.fits_coal)
+
+    def shape(self) -> coal.CollisionGeometry:
+        """A hull where it is convex, otherwise a tree of triangles."""
+        return (Hull(corners=self.corners, faces=self.faces).shape if self.convex else self._tree)()
+
+    def _tree(self) -> coal.CollisionGeometry:
+        return triangle_tree(self.corners, self.faces)
+
+
+def mesh_parts(argument: str, triangles: Array) -> list[MeshPart]:
+    """The parts of triangles (t, 3, 3) [m]."""
+    parts = [_part(shell) for shell in shells(triangles)]
     if not parts:
         raise InvalidInputError(
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
@@ -62,17 +90,16 @@ def mesh_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
     return parts
 
 
-def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeometry, bool]]:
+def hull_parts(argument: str, triangles: Array) -> list[MeshPart]:
     """Convex hulls of the connected parts of triangles (t, 3, 3) [m]; raises InvalidInputError when one has no volume."""
-    parts = connected_parts(triangles)
-    hulls: list[tuple[coal.CollisionGeometry, bool]] = []
-    for part in parts:
+    hulls = []
+    for part in connected_parts(triangles):
         corners = np.unique(part.reshape(-1, 3), axis=0)
-        if not has_hull(corners):
+        hull = find_hull(corners)
+        if hull is None:
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
-        hull = convex_hull(corners)
-        hulls.append((hull.shape() if hull.fits_coal else triangle_tree(hull.corners, hull.faces), True))
+        hulls.append(MeshPart.of_hull(hull))
     if not hulls:
         raise InvalidInputError(
             argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
@@ -80,12 +107,21 @@ def hull_parts(argument: str, triangles: Array) -> list[tuple[coal.CollisionGeom
     return hulls
 
 
-def _solid(shell: Shell) -> coal.CollisionGeometry | None:
+def _part(shell: Shell) -> MeshPart:
+    hull = _solid(shell)
+    if hull is not None:
+        return MeshPart.of_hull(hull)
+    corners, faces = merged_corners(shell.triangles)
+    return MeshPart(corners=corners, faces=faces, closed=shell.closed, convex=False)
+
+
+def _solid(shell: Shell) -> Hull | None:
     """The hull of a closed part that is convex, where coal takes it; otherwise None."""
     if not shell.closed:
         return None
     corners, _ = merged_corners(shell.triangles)
-    if _is_clearly_concave(shell.triangles, corners) or not has_hull(corners):
+    outer = None if _is_clearly_concave(shell.triangles, corners) else find_hull(corners)
+    if outer is None or not outer.fits_coal:
         return None
     from scipy.spatial import ConvexHull
 
@@ -102,8 +138,7 @@ def _solid(shell: Shell) -> coal.CollisionGeometry | None:
         heights = middles[at : at + step] @ hull.equations[:, :3].T + hull.equations[:, 3]
         if heights.max(axis=1).min() < -dent:
             return None
-    outer = convex_hull(corners)
-    return outer.shape() if outer.fits_coal else None
+    return outer
 
 
 def _is_clearly_concave(triangles: Array, corners: Array) -> bool:

@@ -182,6 +182,7 @@ def carry(
         result,
         model,
         joint.goal,
+        taken=request.taken,
         clearance=request.clearance,
         torque=torque,
         jerk=True,

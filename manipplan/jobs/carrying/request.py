@@ -18,6 +18,7 @@ from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import known_tool, own_joints
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.positions import check_positions, choose_positions
 from manipplan.search.steps import check_epsilon
@@ -42,6 +43,7 @@ class Request:
         grasps: (4, 4) of both tools in the object.
         start: (n,) where the motion begins; None: where the best one does.
         still: (n,) where the joints are that do not move along.
+        taken: the joints of start or posture that were taken to a limit.
         positions: s (L,); None: chosen for a stride.
         integral: of the objective.
         epsilon: (n,) maximum step between positions [rad or m].
@@ -56,6 +58,7 @@ class Request:
     grasps: Mapping[str, Array]
     start: Array | None
     still: Array
+    taken: tuple[TakenToLimit, ...]
     positions: Array | None
     integral: PathIntegral
     epsilon: Array
@@ -110,14 +113,17 @@ class Request:
             whole_number("samples", each, least=1)
         check_timing_limits(robot.limits)
         still, begin = robot.neutral, None
+        taken: tuple[TakenToLimit, ...] = ()
         if start is not None:
             if posture is not None:
                 raise InvalidInputError("posture", posture, "None with a start, where the joints that stand still are")
             free = named_configuration("start", start, robot)
             still = begin = scene.collision_model(robot).free_configuration("start", free, clearance)
+            taken = taken_to_limits(robot, "start", free)
             _check_start(robot, begin, path, held, own)
         elif posture is not None:
-            still = robot.configuration("posture", named_configuration("posture", posture, robot))
+            given = named_configuration("posture", posture, robot)
+            still, taken = robot.configuration("posture", given), taken_to_limits(robot, "posture", given)
         return cls(
             robot=robot,
             scene=scene,
@@ -125,6 +131,7 @@ class Request:
             grasps=held,
             start=begin,
             still=still,
+            taken=taken,
             positions=None if positions is None else check_positions(positions, closed=False),
             integral=objective.integral(robot),
             epsilon=check_epsilon(epsilon, robot.endless),

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.cost.crossings import is_singular
 from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
@@ -20,10 +21,10 @@ from manipplan.jobs.following.transit import TransitPlanner
 from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
-from manipplan.paths.cartesian import APART, CartesianPath
-from manipplan.paths.joint import SHORTEST
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
+from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
@@ -36,6 +37,7 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import ALONG, Status
+from manipplan.support.tolerances import SAME
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits
 from manipplan.timing.steady.speed import check_tool_speed
@@ -199,7 +201,7 @@ def follow(
     epsilon = check_epsilon(epsilon, robot.endless)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    q_start = None if start is None else named_configuration("start", start, robot)
+    given = None if start is None else named_configuration("start", start, robot)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
     interruptions = whole_number("interruptions", interruptions, least=0)
@@ -208,8 +210,11 @@ def follow(
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
     compile_ahead(*SOURCES)
-    if q_start is not None:
-        q_start = scene.collision_model(robot).free_configuration("start", q_start, clearance)
+    q_start = None
+    taken: tuple[TakenToLimit, ...] = ()
+    if given is not None:
+        q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
+        taken = taken_to_limits(robot, "start", given)
 
     def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> CourseFinder:
         layers = sample_layers(
@@ -274,8 +279,8 @@ def follow(
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
-    still = all(each.course.path.length < SHORTEST for each in motion.parts)
-    if still and np.ptp(path.sample(PLACES), axis=0).max() > APART:
+    still = all(each.course.path.length < SAME for each in motion.parts)
+    if still and np.ptp(path.sample(PLACES), axis=0).max() > SAME:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.measured(integral, scene, clearance)
@@ -290,10 +295,13 @@ def follow(
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     tell(0.97, "checking the result")
     made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
+    made = replace(made, report=replace(made.report, taken_to_limits=taken))
     if made.status not in ALONG:
         return failed(made, throw, fault)
     if fault:
         return check_failed(made, throw, fault)
+    if is_singular(result.path, integral, integral.cost(result.path)):
+        made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR.value))
     tell(1.0, "done")
     return made
 

@@ -15,15 +15,16 @@ from manipplan.ik.nearest import millimetres_hint
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import NearestToGoal, nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import Reaching, beyond_limits, nearest_turns, reaching, refined
+from manipplan.jobs.goals.samples import Reaching, beyond_limits, reaching, refined
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.goals.tool_goals import reaching_tools
-from manipplan.paths.joint import SHORTEST
 from manipplan.robots.arms import has_few_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.tolerances import SAME
 
 #: Two minima of m count as equal when they differ by less than this share; then g decides.
 TIE = 1e-6
@@ -255,7 +256,7 @@ def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, co
     for k in np.flatnonzero(np.abs(q - start)[:, constraints.held].max(axis=1, initial=0.0) > 0):
         moved = constraints.moved(start, q[k])
         reasons[k] = f"left out: {moved}" if moved else reasons[k]
-    for k in np.flatnonzero(np.abs(q - start).max(axis=1) < SHORTEST):
+    for k in np.flatnonzero(np.abs(q - start).max(axis=1) < SAME):
         reasons[k] = "left out: it is the start itself"
     return reasons
 

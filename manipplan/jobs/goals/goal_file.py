@@ -11,7 +11,7 @@ from manipplan.jobs.goals.pose_goal import OneGoal, PoseGoal
 from manipplan.jobs.goals.read import read_goal
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, existing_file, finite_array
+from manipplan.support.checks import Array, existing_file, finite_array, rotation_matrix, unit_quaternion
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.yaml_files import read_yaml
 
@@ -19,8 +19,6 @@ from manipplan.support.yaml_files import read_yaml
 POSE_KEYS, ALONE = ("position", "rotation", "free_axis", "tolerance", "of"), ("q", "state")
 #: Key of an entry with poses of several tools, by their names.
 TOOLS = "tools"
-#: Length up to which a quaternion may differ from 1.
-UNIT = 1e-3
 
 
 def goals_from_yaml(file: str | Path, robot: Robot) -> list[OneGoal]:
@@ -105,13 +103,9 @@ def _pose(argument: str, position: Array, rotation: Any) -> Array:
     if not isinstance(rotation, list | tuple | np.ndarray):
         raise InvalidInputError(argument, rotation, "roll, pitch, yaw (3,), a quaternion x, y, z, w (4,) or a matrix (3, 3)")
     if len(rotation) == 4:
-        quaternion = finite_array(argument, rotation, (4,))
-        length = float(np.linalg.norm(quaternion))
-        if abs(length - 1) > UNIT:
-            raise InvalidInputError(argument, rotation, f"a quaternion x, y, z, w of length 1, not {length:.4g}")
-        pose[:3, :3] = pin.Quaternion(quaternion / length).toRotationMatrix()
+        pose[:3, :3] = pin.Quaternion(unit_quaternion(argument, rotation, "x, y, z, w")).toRotationMatrix()
     elif isinstance(rotation[0] if len(rotation) else None, list | tuple):
-        pose[:3, :3] = finite_array(argument, rotation, (3, 3))
+        pose[:3, :3] = rotation_matrix(argument, rotation)
     else:
         pose[:3, :3] = pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,)))
     return pose

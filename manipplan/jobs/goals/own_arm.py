@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import nearest
-from manipplan.jobs.goals.samples import nearest_turns, reaching
+from manipplan.jobs.goals.samples import reaching
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

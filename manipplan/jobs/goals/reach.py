@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from manipplan.ik.descend import descend
 from manipplan.ik.nearest import Nearest, descend_to_best, stopped_at
-from manipplan.ik.window import random_near
+from manipplan.ik.starts import random_near
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import tool_reach

@@ -2,17 +2,19 @@
 
 import numbers
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from manipplan.jobs.goals.pose_goal import REACHED, OneGoal, PoseGoal
+from manipplan.jobs.goals.pose_goal import OneGoal, PoseGoal
 from manipplan.robots.arms import known_tool
 from manipplan.robots.attached import check_in_hand
+from manipplan.robots.configuration import TakenToLimit, nearest_turns, taken_to_limits, to_limits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import ROTATION, Array, configurations
+from manipplan.support.checks import Array, configurations, pose_matrix
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.tolerances import SAME
 
 #: The forms of a goal, for messages.
 FORMS = (
@@ -27,21 +29,37 @@ class Target:
 
     Attributes:
         argument: what messages call it, such as goal[3].
-        q: (n,) [rad or m], perhaps outside the limits; None for a pose.
+        q: (n,) [rad or m], outside the limits only by more than the robot's tolerance; None for a pose.
         pose: the pose of an arm with one tool; None otherwise.
         tools: the pose of each tool that has one, of a robot with several; None otherwise.
+        given: (n,) the configuration as it was given; None for a pose.
+        taken: the joints that were taken to a limit.
+        turns: whether full turns of a configuration reach the goal as well, also of joints with limits.
     """
 
     argument: str
     q: Array | None = None
     pose: PoseGoal | None = None
     tools: Mapping[str, PoseGoal] | None = None
+    given: Array | None = None
+    taken: tuple[TakenToLimit, ...] = ()
+    turns: bool = False
+
+    @classmethod
+    def of_configuration(cls, argument: str, q: Array, robot: Robot) -> "Target":
+        """The goal of a configuration (n,), taken to the limits."""
+        taken = taken_to_limits(robot, argument, q)
+        return cls(argument=argument, q=to_limits(robot, argument, q), given=q, taken=taken)
+
+    def nearest(self, robot: Robot, start: Array) -> "Target":
+        """The same goal; each joint of a configuration is turned to the nearest to start (n,) inside the limits."""
+        return self if self.q is None else replace(self, q=nearest_turns(robot, self.q[None], start)[0])
 
     @property
     def goal(self) -> OneGoal:
         """The goal as a user may give it."""
-        if self.q is not None:
-            return self.q
+        if self.given is not None:
+            return self.given
         return self.pose if self.pose is not None else dict(self.tools or {})
 
     def of_tool(self, robot: Robot) -> "Target":
@@ -68,9 +86,9 @@ class Target:
             return "; ".join(filter(None, (pose.missed_by(robot, q, tool) for tool, pose in self.tools.items())))
         assert self.q is not None
         off = q - self.q
-        off = np.abs(np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+        off = np.abs(np.where(robot.turns if self.turns else robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
         joint = int(off.argmax())
-        return "" if off[joint] <= REACHED else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
+        return "" if off[joint] <= SAME else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 
 
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
@@ -93,7 +111,7 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
     if isinstance(goal, Mapping):
         return _read_tools(argument, goal, robot)
     if isinstance(goal, str):
-        return Target(argument=argument, q=named_configuration(argument, goal, robot))
+        return Target.of_configuration(argument, named_configuration(argument, goal, robot), robot)
     pose = _read_pose(argument, goal, robot)
     if pose is not None:
         if len(robot.tools) > 1:
@@ -106,7 +124,7 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
         as_pose = "a pose of the tool as a (4, 4) matrix or pin.SE3"
         wanted = f"one value per joint, shape ({robot.n},), or {as_pose}, not {len(goal)} numbers"
         raise InvalidInputError(argument, goal, wanted)
-    return Target(argument=argument, q=_one_configuration(argument, goal, robot))
+    return Target.of_configuration(argument, _one_configuration(argument, goal, robot), robot)
 
 
 def _read_tools(argument: str, goal: Mapping[Any, Any], robot: Robot) -> Target:
@@ -177,9 +195,11 @@ def _is_pose(goal: Sequence[Any], n: int) -> bool:
         return False
     if n != 4:
         return True
-    matrix = np.asarray(goal, dtype=float)
-    turned = np.abs(matrix[:3, :3].T @ matrix[:3, :3] - np.eye(3)).max() < ROTATION
-    return bool(turned and np.array_equal(matrix[3], [0.0, 0.0, 0.0, 1.0]))
+    try:
+        pose_matrix("goal", goal)
+    except InvalidInputError:
+        return False
+    return True
 
 
 def _has_shape(goal: Any) -> bool:

@@ -10,6 +10,7 @@ from manipplan.ik.distinct import distinct
 from manipplan.ik.enumeration import Enumeration
 from manipplan.ik.solver import Solver
 from manipplan.jobs.goals.pose_goal import PoseGoal
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -175,18 +176,6 @@ def poses_inside(goal: PoseGoal, count: int) -> Array:
     turns = Rotation.from_rotvec(SHARE * rotation * _ball(u[:, 3:]))
     poses[1:, :3, :3] = goal.matrix[:3, :3] @ turns.as_matrix()
     return poses
-
-
-def nearest_turns(robot: Robot, q: Array, near: Array, *, kept: bool = True) -> Array:
-    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
-    turn = np.where(robot.turns, 2 * np.pi, np.inf)
-    if not kept:
-        turns = np.round((near - q) / turn)
-        return q + np.where(np.isinf(turn), 0.0, turn) * turns
-    most = np.floor((robot.limits.upper - q) / turn)
-    least = np.ceil((robot.limits.lower - q) / turn)
-    turns = np.clip(np.round((near - q) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
-    return np.where(turns == 0, q, q + np.where(np.isinf(turn), 0.0, turn) * turns)
 
 
 def _spread(count: int, dimensions: int) -> Array:

@@ -12,9 +12,9 @@ from manipplan.jobs.goals.own_arm import OfTool, own_arms, solutions
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.ranking import Ranking
 from manipplan.jobs.goals.reach import beyond_links, nearest
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.torsos import meeting, torso_grid
 from manipplan.robots.arms import shared_joints
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
@@ -144,8 +144,8 @@ def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> N
     """Whether the arm of one tool touches itself or what stands still, whatever the others do, at q (k, n); (k,)."""
     tree, own = model.robot.tree, set(model.robot.joints_of(tool))
     joints = {joint for joint in range(len(tree.carries)) if own.issuperset(tree.carriers(joint))}
-    objects, pairs = model.geometry.geometryObjects, model.geometry.collisionPairs
-    alone = np.array([{objects[p.first].parentJoint, objects[p.second].parentJoint} <= joints for p in pairs], dtype=bool)
+    of_tool = np.array([item.parentJoint in joints for item in model.objects], dtype=bool)
+    alone = np.asarray(of_tool[model.pairs].all(axis=1))
     near = model.near_pairs(q, max(clearance, TOUCHING))
     touching = np.zeros(len(q), dtype=bool)
     touching[near.rows[alone[near.pairs] & ~(near.distances > clearance)]] = True

@@ -9,14 +9,15 @@ import numpy as np
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.figures import ConstraintFigure, figures
 from manipplan.constraints.proof import prove
+from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.programs.blend import Blend, blend_of, is_corner, unblended, with_blends
+from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
 from manipplan.jobs.programs.courses import Motion, Stop
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
-from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
-from manipplan.jobs.programs.timed import Timing, times_of
+from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
+from manipplan.jobs.programs.timed import TIMES, Timing, times_of
 from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
@@ -32,8 +33,8 @@ from manipplan.timing.steady.speed import SteadySpeed
 IN_THE_AIR = 5e-3
 #: The same where a part is taken up: a hand closes around it [m].
 OUT_OF_HAND = 5e-2
-#: Number of places at which a motion is compared with the path of the tool.
-PLACES = 800
+#: Number of places at which a motion is compared with the path of the tool, and a blend with what it replaces.
+PLACES, BLEND_PLACES = 800, 200
 
 
 def assemble(
@@ -73,14 +74,22 @@ def assemble(
                 pieces.append(Trajectory(t=np.array([0.0, group.seconds]), q=still, qd=np.zeros_like(still), joint_names=names))
                 clock += group.seconds
             continue
-        blends = [_between(one, other, blend, clearance, legs) for one, other in pairwise(group)]
-        part, begins, speeds, corners = _part(group, blends, clock, legs, goals, objective, clearance, torque)
-        for motion, begin, speed in zip(group, begins, speeds, strict=True):
+        corners = _corners(group, steps, blend)
+        blends = _blends(group, corners, clearance, legs)
+        warnings += _smaller(group, corners, blends)
+        made = [each if isinstance(each, Blend) else None for each in blends]
+        part, begins, speeds, standing = _part(group, made, clock, legs, goals, objective, clearance, torque)
+        for k, (motion, begin, speed) in enumerate(zip(group, begins, speeds, strict=True)):
             if not marks or marks[-1].step != motion.step:
                 marks.append(Mark(step=motion.step, name=type(steps[motion.step]).__name__, begin=begin))
             if motion.workspace_path is not None:
                 marks[-1] = replace(marks[-1], path_begin=begin, tool_speed=speed)
-        stops += corners
+            if k + 1 < len(group) and corners[k] is not None:
+                blended = made[k]
+                radius = 0.0 if blended is None else blended.radius
+                inner = group[k + 1].step == motion.step
+                marks[-1] = replace(marks[-1], path_blend=radius) if inner else replace(marks[-1], blend=radius)
+        stops += standing
         parts.append(part)
         clocks.append(clock)
         pieces.append(part.trajectory)
@@ -113,12 +122,42 @@ def _groups(items: Sequence[Motion | Stop]) -> list[list[Motion] | Stop]:
     return groups
 
 
-def _between(one: Motion, other: Motion, blend: float, clearance: float, legs: Mapping[int, Leg]) -> Blend | None:
-    """The blend of two motions; None where the arm stops between them, or goes straight on."""
-    if blend == 0.0 or not is_corner(one.path, other.path):
-        return None
-    kept = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
-    return blend_of(one, other, blend, clearance, kept)
+def _corners(group: list[Motion], steps: Sequence[ProgramStep], blend: float) -> list[float | None]:
+    """The radius asked for at each corner between motions; None where the arm goes straight on."""
+    asked: list[float | None] = []
+    for one, other in pairwise(group):
+        step = steps[one.step]
+        own = step.blend if isinstance(step, MoveTo | MoveAlong) else None
+        asked.append((blend if own is None else own) if is_corner(one.path, other.path) else None)
+    return asked
+
+
+def _blends(
+    group: list[Motion], corners: list[float | None], clearance: float, legs: Mapping[int, Leg]
+) -> list[Blend | str | None]:
+    """The blends of motions, or why there is none; None where none is asked for."""
+    made: list[Blend | str | None] = []
+    for k, ((one, other), asked) in enumerate(zip(pairwise(group), corners, strict=True)):
+        if not asked:
+            made.append(None)
+            continue
+        kept = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
+        alone = k == 0 or not corners[k - 1], k + 1 == len(corners) or not corners[k + 1]
+        made.append(blend_of(one, other, asked, clearance, kept, alone=alone))
+    return made
+
+
+def _smaller(group: list[Motion], corners: list[float | None], blends: list[Blend | str | None]) -> list[str]:
+    """A warning for each blend that is smaller than asked for, or replaced by a stop."""
+    warnings = []
+    for (one, other), asked, made in zip(pairwise(group), corners, blends, strict=True):
+        if made is None or asked is None or (isinstance(made, Blend) and not made.note):
+            continue
+        where = "where its path begins" if one.step == other.step else f"at the corner before steps[{other.step}]"
+        used = f"a blend of {1e3 * made.radius:.3g} mm" if isinstance(made, Blend) else "a stop"
+        why = made.note if isinstance(made, Blend) else made
+        warnings.append(f"steps[{one.step}]: {used} {where}, instead of a blend of {1e3 * asked:.3g} mm: {why}")
+    return warnings
 
 
 def _part(
@@ -144,10 +183,11 @@ def _part(
     trajectory = timed.trajectory
     integral = objective.integral(robot)
     sharp, _ = with_blends(group, [None] * len(blends))
+    cost = integral.cost(path)
     result = make_result(
         path,
         integral,
-        cost=integral.cost(path),
+        cost=cost,
         seed=sharp if any(blends) else path,
         seed_cost=integral.cost(sharp),
         model=model,
@@ -163,10 +203,20 @@ def _part(
         *broken,
         *(f"steps[{group[k].step}]: the tool speed is not constant: {v}" for k, v in timed.speeds.items() if not v.is_steady),
         *_off_paths(group, blends, own, trajectory, path),
+        *_off_hulls(group, blends, own, trajectory, path),
         *_missed(group, blends, goals, legs, trajectory),
     )
-    status = Status.CHECK_FAILED if faults else Status.COMPOSED
-    report = replace(report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept))
+    status = Status.SINGULAR if is_singular(path, integral, cost) else Status.COMPOSED
+    status = Status.CHECK_FAILED if faults else status
+    taken = tuple(
+        each
+        for motion in group
+        if motion.workspace_path is None and motion.step in goals
+        for each in legs[motion.step].targets[goals[motion.step]].taken
+    )
+    report = replace(
+        report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept), taken_to_limits=taken
+    )
     part = Plan(
         robot=robot,
         scene=state.scene,
@@ -224,6 +274,23 @@ def _off_paths(
     return faults
 
 
+def _off_hulls(
+    group: list[Motion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
+) -> list[str]:
+    """At which blends the tool leaves the convex hull of the pieces that the blend replaces."""
+    faults = []
+    for motion, blend, (before, after) in zip(group[:-1], blends, pairwise(own), strict=True):
+        if blend is not None:
+            step = trajectory.duration / TIMES  # of the times that are compared
+            begin, end = times_of(trajectory, path, [before[1], after[0]])
+            if begin + step >= end - step:
+                continue
+            beyond = blend.beyond(trajectory(np.linspace(begin + step, end - step, BLEND_PLACES)))
+            if beyond > HULL:
+                faults.append(f"steps[{motion.step}]: at its end the tool is {1e3 * beyond:.3g} mm outside of the corner")
+    return faults
+
+
 def _missed(
     group: list[Motion], blends: list[Blend | None], goals: Mapping[int, int], legs: Mapping[int, Leg], trajectory: Trajectory
 ) -> list[str]:
@@ -244,8 +311,7 @@ def _far_away(step: ProgramStep, stop: Stop) -> list[str]:
     """A warning where a part is taken up far from the hand, or let go far from every body that could hold it."""
     robot, scene = stop.state.robot, stop.state.scene
     model = scene.collision_model(robot)
-    bodies = model.geometry.geometryObjects
-    pairs = [(bodies[each.first], bodies[each.second]) for each in model.geometry.collisionPairs]
+    pairs = [(model.objects[i], model.objects[j]) for i, j in model.pairs.tolist()]
     if isinstance(step, Detach):
         name, what, most, where = step.name, "let go in the air", IN_THE_AIR, "the nearest body"
         own = set(robot.carried[name].bodies)

@@ -1,6 +1,10 @@
-"""Blends: rounded corners between motions, so that the arm need not stop there."""
+"""Blends: rounded corners between motions, so that the arm need not stop there.
 
-from collections.abc import Callable
+A blend is a curve in joint space that has the tangents and curvatures of the two motions at its ends. Its inner control points
+are moved until each tool stays in the convex hull of the two pieces of its way that the blend replaces.
+"""
+
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,53 +13,125 @@ from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.proof import prove
 from manipplan.jobs.programs.courses import Motion
-from manipplan.paths.joint import JointPath, cut
+from manipplan.jobs.programs.hull import Hull
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.paths.curves import bernstein
+from manipplan.paths.joint import JointPath, cut, raised
 from manipplan.support.checks import Array
 from manipplan.timing.stops import CORNER, turn_cosine
 
-#: Number of places of a motion at which the tool's distance from a corner is measured, and of a blend.
-PLACES, ALONG_BLEND = 400, 100
-#: Largest share of a motion that a blend takes at either end, and number of halvings of a blend that is not free.
-MOST, HALVINGS = 0.45, 4
+#: Number of places of a motion at which the tool's distance from a corner is measured, of a blend, and of a piece it replaces.
+PLACES, ALONG_BLEND, OF_PIECE = 400, 100, 50
+#: Largest share of a free motion that a blend takes at either end, and of the tool's way along a path that all its blends take.
+MOST, OF_PATH = 0.45, 0.5
+#: Number of halvings of a blend that is not allowed.
+HALVINGS = 4
 #: Cosine of a turn below which a motion goes straight back.
 BACK = -0.98
+#: Largest distance of the tool from the convex hull [m], and share of it at which a blend is found.
+HULL, ENOUGH = 1e-4, 0.5
+#: Degree of a blend, number of times its control points are moved, and largest distance that is mended, as share of its size.
+DEGREE, ROUNDS, MENDED = 9, 12, 0.5
+#: Weight of the control points in the distances that are minimised [m per rad or m].
+DAMPING = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Blend:
-    """A rounded corner: the s at which it leaves the motion before and joins that after, and its path."""
+    """A rounded corner.
+
+    Attributes:
+        leaves, joins: the s at which it leaves the motion before and joins that after.
+        path: the curve between.
+        radius: the tool stays within it from the corner [m].
+        note: why it is smaller than asked for; "" if it is not.
+        tools, hulls: how the arm moves each tool, and the convex hull of the pieces of its way that the blend replaces.
+    """
 
     leaves: float
     joins: float
     path: JointPath
+    radius: float
+    note: str
+    tools: Sequence["ToolWay"]
+    hulls: Sequence[Hull]
+
+    def beyond(self, q: Array) -> float:
+        """Largest distance of a tool from its hull at configurations (k, n) [m]."""
+        off = [hull.beyond(tool.places(q)) for hull, tool in zip(self.hulls, self.tools, strict=True)]
+        return float(np.linalg.norm(off, axis=2).max())
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ToolWay:
+    """How a motion moves one of the arm's tools.
+
+    Attributes:
+        kinematics: of the tool's arm.
+        joints: those of the robot that move it.
+    """
+
+    kinematics: Kinematics
+    joints: Sequence[int]
+
+    def places(self, q: Array) -> Array:
+        """Positions (k, 3) of the tool at q (k, n)."""
+        return np.asarray(self.kinematics.pose(q[:, self.joints])[:, :3, 3])
+
+    def jacobians(self, q: Array) -> Array:
+        """Derivatives (k, 3, n) of these positions."""
+        made = np.zeros((len(q), 3, q.shape[1]))
+        made[:, :, self.joints] = self.kinematics.jacobian(q[:, self.joints])[:, :3]
+        return made
 
 
 def blend_of(
-    before: Motion, after: Motion, distance: float, clearance: float, constraints: tuple[ConstraintSet, ...]
-) -> Blend | None:
-    """The widest blend of two motions whose tool stays within a distance [m] of their corner and that is proven free.
+    before: Motion,
+    after: Motion,
+    asked: float,
+    clearance: float,
+    constraints: tuple[ConstraintSet, ...],
+    *,
+    alone: tuple[bool, bool] = (False, False),
+) -> Blend | str:
+    """The widest blend of two motions whose tool stays within the radius asked for [m] of their corner and that is proven free.
 
-    None where no blend is free, or the second motion goes straight back: then the arm stops there.
+    `alone`: whether it is the only blend of the motion before, and of that after. A text tells why there is none: then the arm
+    stops at the corner.
     """
     if _turn(before.path, after.path) < BACK:
-        return None
+        return "the second motion goes straight back"
+    distance = asked
+    for motion, only in zip((before, after), alone, strict=True):
+        if motion.workspace_path is not None and motion.workspace_path.length > 0:
+            distance = min(distance, OF_PATH * (1.0 if only else 0.5) * motion.workspace_path.length)
     robot, corner = before.state.robot, before.path.goal[None]
-    tools = [(robot.arm(tool).kinematics(), list(robot.joints_of(tool))) for tool in robot.tools]
+    tools = [ToolWay(kinematics=robot.arm(tool).kinematics(), joints=list(robot.joints_of(tool))) for tool in robot.tools]
 
     def away(path: JointPath, s: Array) -> Array:
         """Distances (k,) of the tool from the corner; of several the largest."""
         q = np.concatenate([corner, path(s)])
-        places = [kinematics.pose(q[:, joints])[:, :3, 3] for kinematics, joints in tools]
+        places = [each.places(q) for each in tools]
         return np.asarray(np.max([np.linalg.norm(each[1:] - each[0], axis=1) for each in places], axis=0))
 
+    refused = "half of each path along which the tool moves is left" if distance < asked else ""
     for _ in range(HALVINGS + 1):
         leaves = 1 - _reach(lambda s: away(before.path, 1 - s), distance)
         joins = _reach(lambda s: away(after.path, s), distance)
-        path = _quintic(before.path, leaves, after.path, joins)
-        if _is_allowed(path, before, clearance, constraints) and away(path, _evenly(ALONG_BLEND)).max() <= distance:
-            return Blend(leaves=leaves, joins=joins, path=path)
+        replaced = np.concatenate([before.path(_between(leaves, 1.0)), after.path(_between(0.0, joins))])
+        hulls = [Hull.of(each.places(replaced)) for each in tools]
+        path = _inside(_quintic(before.path, leaves, after.path, joins), hulls, tools, distance)
+        if path is None:
+            reason = "it would leave the convex hull of the pieces that it replaces"
+        elif away(path, _evenly(ALONG_BLEND)).max() > distance:
+            reason = "it would leave the neighbourhood of the corner"
+        else:
+            reason = _forbidden(path, before, clearance, constraints)
+        if path is not None and not reason:
+            return Blend(leaves=leaves, joins=joins, path=path, radius=distance, note=refused, tools=tools, hulls=hulls)
+        refused = reason
         distance /= 2
-    return None
+    return refused
 
 
 def is_corner(before: JointPath, after: JointPath) -> bool:
@@ -100,6 +176,35 @@ def _evenly(count: int) -> Array:
     return np.linspace(0.0, 1.0, count + 1)
 
 
+def _between(begin: float, end: float) -> Array:
+    return np.linspace(begin, end, OF_PIECE + 1)
+
+
+def _inside(path: JointPath, hulls: Sequence[Hull], tools: Sequence[ToolWay], size: float) -> JointPath | None:
+    """A path with the same ends on which each tool stays in its hull, found from one of degree 5; None where none was found.
+
+    The places where a tool is outside are moved to the nearest of the hull, by Gauss-Newton steps of the control points that do
+    not change the ends, their tangents and their curvatures.
+    """
+    control = raised(path.control, DEGREE)[0]
+    basis = bernstein(DEGREE, _evenly(ALONG_BLEND))
+    inner = basis[:, 3:-3]
+    for _ in range(ROUNDS):
+        q = basis @ control
+        off = np.array([hull.beyond(tool.places(q)) for hull, tool in zip(hulls, tools, strict=True)])
+        worst = float(np.linalg.norm(off, axis=2).max())
+        if worst <= ENOUGH * HULL:
+            return JointPath(breaks=path.breaks, control=control[None])
+        if worst > MENDED * size:
+            return None
+        jacobians = np.array([tool.jacobians(q) for tool in tools])
+        rows = np.einsum("ki,tkcj->tkcij", inner, jacobians).reshape(off.size, -1)
+        rows = np.concatenate([rows, DAMPING * np.eye(rows.shape[1])])
+        wanted = np.concatenate([-off.ravel(), np.zeros(rows.shape[1])])
+        control[3:-3] += np.linalg.lstsq(rows, wanted, rcond=None)[0].reshape(inner.shape[1], -1)
+    return None
+
+
 def _quintic(before: JointPath, leaves: float, after: JointPath, joins: float) -> JointPath:
     """The curve between two paths that has their tangents and curvatures at its ends."""
     (p, u, a), (q, v, b) = (_arc(before, leaves), _arc(after, joins))
@@ -117,10 +222,13 @@ def _arc(path: JointPath, s: float) -> tuple[Array, Array, Array]:
     return at, tangent, (second - (second @ tangent) * tangent) / speed**2
 
 
-def _is_allowed(path: JointPath, motion: Motion, clearance: float, constraints: tuple[ConstraintSet, ...]) -> bool:
+def _forbidden(path: JointPath, motion: Motion, clearance: float, constraints: tuple[ConstraintSet, ...]) -> str:
+    """What a path violates; "" for nothing."""
     if (motion.state.robot.limits.outside(np.array(path.bounds())) > 0).any():
-        return False
+        return "it would leave the joint limits"
     if not all(prove(each, path).kept for each in constraints if each.constraints):
-        return False
+        return "it would break a constraint"
     model = motion.state.scene.collision_model(motion.state.robot)
-    return not model.pair_names or path_clearance(model, path, clearance=clearance, tolerance=None).proven
+    if model.pair_names and not path_clearance(model, path, clearance=clearance, tolerance=None).proven:
+        return "it would come too near to a body"
+    return ""

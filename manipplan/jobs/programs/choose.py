@@ -2,8 +2,8 @@
 
 Each leg has nodes, the configurations in which it reaches its goal. A free motion leads from a node of one leg to a node of
 the next. The manipulability at a node, and the minimum that a planned motion keeps, are upper bounds on the minimum
-manipulability of each program through them. The search finds the program with the largest bound exactly. It is repeated with
-what the planned motions keep, until no other program could be better.
+manipulability of each program through them. The search begins with the program whose motions keep most on straight lines, and
+goes on with those of larger bounds. It is repeated with what the planned motions keep, until no other program could be better.
 """
 
 from collections.abc import Callable
@@ -15,7 +15,6 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.samples import nearest_turns
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.jobs.programs.courses import Course, Finders, Motion, NoCourse, course_of
 from manipplan.jobs.programs.legs import Leg
@@ -23,11 +22,13 @@ from manipplan.jobs.programs.nodes import Node
 from manipplan.jobs.programs.places import rounded
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.result import Plan
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
+from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress
+from manipplan.support.tolerances import SAME
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01
@@ -91,7 +92,7 @@ class ProgramSearch:
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
         edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
-        self._between, self._lengths = [each[0] for each in edges], [each[1] for each in edges]
+        self._between, self._lengths, self._likely = ([each[k] for each in edges] for k in range(3))
         pose = self.state.robot.kinematics().pose
         several = len(self.state.robot.tools) > 1
         keys = [[rounded(each.q if several else pose(each.q)) for each in nodes] for nodes in [[first], *self.nodes]]
@@ -121,22 +122,25 @@ class ProgramSearch:
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.
 
-        Without `reached`, the minimum of the best program so far, it is the program with that bound; of those that tie, the one
-        with the smallest g. Otherwise it is one that could be better, with a bound in the upper half between both minima: of
-        those the one with the fewest motions that are not planned yet.
+        Without `reached`, the minimum of the best program so far, it is the one that is likely to have the largest minimum, as
+        its motions have on straight lines; of those that tie, the one with the smallest g. Otherwise it is one that could be
+        better, with a bound in the upper half between both minima: of those the one with the fewest motions that are not
+        planned yet.
         """
-        most = np.full(1, np.inf)
-        for at, between in zip(self._at, self._between, strict=True):
-            most = np.minimum(np.minimum(most[:, None], between).max(axis=0), at)
-        bound = float(most.max())
+        bound = self._largest(self._between)
         if bound == -np.inf:
             return None, bound
-        least = bound * (1 - GAIN) if bound > 0 else bound
-        if reached is not None:
+        edges = self._between
+        if reached is None:
+            edges = [np.minimum(between, likely) for between, likely in zip(self._between, self._likely, strict=True)]
+            most = self._largest(edges)
+            least = most * (1 - GAIN) if most > 0 else most
+        else:
+            least = bound * (1 - GAIN) if bound > 0 else bound
             least = max(min(least, (bound + reached) / 2), np.nextafter(reached * (1 + GAIN), np.inf))
         cost, back = np.zeros(1), []
-        for at, between, lengths, planned in zip(self._at, self._between, self._lengths, self._planned, strict=True):
-            allowed = (between >= least) & (at >= least)
+        for at, edge, lengths, planned in zip(self._at, edges, self._lengths, self._planned, strict=True):
+            allowed = (edge >= least) & (at >= least)
             more = lengths if reached is None else lengths + UNPLANNED * ~planned
             total = np.where(allowed, cost[:, None] + more, np.inf)
             back.append(total.argmin(axis=0))
@@ -146,6 +150,13 @@ class ProgramSearch:
         for before in reversed(back[1:]):
             chain.append(int(before[chain[-1]]))
         return tuple(reversed(chain)), bound
+
+    def _largest(self, edges: list[Array]) -> float:
+        """The largest of the minima over all chains of nodes, of the figures of their nodes and edges."""
+        most = np.full(1, np.inf)
+        for at, edge in zip(self._at, edges, strict=True):
+            most = np.minimum(np.minimum(most[:, None], edge).max(axis=0), at)
+        return float(most.max())
 
     def _made(self, nodes: tuple[int, ...], least: float, tell: Progress) -> Chosen | None:
         """The program through some nodes; None where a motion fails, or as soon as one keeps no more than `least`.
@@ -171,11 +182,12 @@ class ProgramSearch:
             if not self.nodes[k][node].is_given:
                 course = _turned(course, q, state)
             plan = None
-            if leg.is_free and np.abs(course.entry - q).max() >= SHORTEST:
+            if leg.is_free and np.abs(course.entry - q).max() >= SAME:
                 made = self._motion(k, before, node, q, course.entry, state)
                 self._planned[k][before, node] = True
                 kept = -np.inf if isinstance(made, str) else made.report.min_manipulability
                 self._between[k][before, node] = min(self._between[k][before, node], kept)
+                self._likely[k][before, node] = kept
                 if isinstance(made, str):
                     self.failures.append(f"steps[{leg.number}]: {made}")
                     return None
@@ -204,23 +216,31 @@ class ProgramSearch:
             self._free[key] = self.planner(self.legs[k], q, entry, state)
         return self._free[key]
 
-    def _lines(self, one: list[Node], other: list[Node]) -> tuple[Array, Array]:
-        """A bound on m between each of `one` and of `other` (a, b), 0 across singularities, and g of the straight lines.
+    def _lines(self, one: list[Node], other: list[Node]) -> tuple[Array, Array, Array]:
+        """A bound on m between each of `one` and of `other` (a, b), and g and the smallest m of the straight lines.
 
-        The bound is -inf where the parts are elsewhere after the one than before the other.
+        Across singularities the bound is minus their number, so that the search takes few. It is -inf where the parts are
+        elsewhere after the one than before the other.
         """
         robot = self.state.robot
         integral = self.objective.integral(robot)
         bounds, lengths = np.full((len(one), len(other)), -np.inf), np.full((len(one), len(other)), np.inf)
+        likely = np.zeros((len(one), len(other)))
         ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
         given = np.array([each.is_given for each in other])
         for k, begin in enumerate(one):
             fits = [j for j, key in enumerate(keys) if key == begin.after.key]
             if fits:
                 near = np.where(given[fits, None], ends[fits], nearest_turns(robot, ends[fits], begin.q))
+                for row, j in enumerate(fits):
+                    turned = other[j].turned
+                    if turned is not None:
+                        near[row] = turned[np.linalg.norm(turned - begin.q, axis=1).argmin()]
                 lines = straight_lines(begin.q, near, integral)
-                bounds[k, fits], lengths[k, fits] = lines.bound, lines.g
-        return bounds, lengths
+                crossings = np.array([each or 0 for each in lines.crossings])
+                bounds[k, fits], lengths[k, fits] = np.where(crossings > 0, -crossings, lines.bound), lines.g
+                likely[k, fits] = lines.m.min(axis=1)
+        return bounds, lengths, likely
 
 
 def reached(target: Target, q: Array, robot: Robot) -> Array | str:
@@ -243,18 +263,20 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
 
 
 def _turned(course: Course, q: Array, state: State) -> Course:
-    """The course with its joints turned to the configurations nearest to q (n,), where the limits allow that everywhere."""
-    turn = nearest_turns(state.robot, course.entry[None], q)[0] - course.entry
-    if not np.abs(turn).max() > 0:
+    """The course with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
+    robot = state.robot
+    bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, Motion)])
+    low, high = (course.entry, course.entry) if not len(bounds) else (bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0))
+    turn = np.where(robot.turns, 2 * np.pi, np.inf)
+    least, most = np.ceil((robot.limits.lower - low) / turn), np.floor((robot.limits.upper - high) / turn)
+    turns = np.clip(np.round((q - course.entry) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
+    shift = np.where(turns == 0, 0.0, np.where(robot.turns, turn, 0.0) * turns)
+    if not shift.any():
         return course
     items = tuple(
-        replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + turn))
+        replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + shift))
         if isinstance(each, Motion)
-        else replace(each, q=each.q + turn)
+        else replace(each, q=each.q + shift)
         for each in course.items
     )
-    limits = state.robot.limits
-    for each in items:
-        if isinstance(each, Motion) and (limits.outside(np.array(each.path.bounds())) > 0).any():
-            return course
-    return Course(entry=course.entry + turn, items=items, exit=course.exit + turn, state=course.state, minimum=course.minimum)
+    return Course(entry=course.entry + shift, items=items, exit=course.exit + shift, state=course.state, minimum=course.minimum)

@@ -6,6 +6,7 @@ import numpy as np
 
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.first_configurations import FirstConfigurations
 from manipplan.jobs.following.straight import (
     STRAIGHT_EPSILON,
     motion_from,
@@ -22,7 +23,6 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.search.candidates.positions import STRIDE, choose_positions
 from manipplan.search.candidates.sampling import sample_layers
-from manipplan.search.max_min import SearchResult
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import silent
@@ -152,11 +152,11 @@ class Finders:
 
 
 def course_of(
-    leg: Leg, q: Array, state: State, finders: Finders, found: tuple[CourseFinder, SearchResult] | None
+    leg: Leg, q: Array, state: State, finders: Finders, found: tuple[FirstConfigurations, int] | None
 ) -> Course | NoCourse:
     """The course of a leg whose goal is reached at q (n,), or why there is none.
 
-    `found`: for a leg that begins on a path, the finder of its first path, and a motion along it that begins at q.
+    `found`: for a leg that begins on a path, the configurations in which it can begin, and the index of q among them.
     """
     items: list[Motion | Stop] = []
     entry = q
@@ -228,11 +228,11 @@ def has_several_parameters(finder: CourseFinder) -> bool:
     return finder.layers.sampler is not None and len(finder.layers.sampler.solver.names) > 1
 
 
-def _found(number: int, step: MoveAlong, finder: CourseFinder, search: SearchResult, state: State) -> Motion | NoCourse:
-    """A motion along a path that was found already."""
-    path = finder.along(search, silent, hold_start=True).path
+def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> Motion | NoCourse:
+    """The best motion along a path from the k-th of the configurations in which it can begin."""
+    path = configurations.finder.along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
-    return NoCourse(message=outside) if outside else _motion(number, step, finder.path, path, state)
+    return NoCourse(message=outside) if outside else _motion(number, step, configurations.finder.path, path, state)
 
 
 def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> Motion:

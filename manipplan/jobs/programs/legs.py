@@ -16,11 +16,9 @@ from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.tolerances import SAME
 from manipplan.timing.steady.corner import check_corners
 from manipplan.timing.steady.speed import check_tool_speed
-
-#: Distance [m] and angle [rad] up to which the tool counts as standing at the first pose of a path.
-STANDS = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,8 +48,12 @@ class Leg:
         return first if isinstance(first, MoveAlong) and self.is_free else None
 
 
-def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0) -> list[Leg]:
+def read_steps(
+    steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0, turns: bool = False
+) -> list[Leg]:
     """The legs of a program that begins at start (n,) and has blends of a size [m].
+
+    With `turns`, full turns of configurations reach a goal as well.
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
     """
@@ -66,7 +68,7 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blen
     at: Array | None = kinematics.pose(start)  # the tool's pose where it is known
     for k, step in enumerate(steps):
         if isinstance(step, MoveTo):
-            targets, at = _targets(k, step, robot), None
+            targets, at = _targets(k, step, robot, turns), None
             only = targets[0] if len(targets) == 1 else None
             if only is not None and only.q is not None:
                 at = kinematics.pose(only.q)
@@ -80,8 +82,10 @@ def read_steps(steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blen
             _check_tool(k, robot)
         if isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath):
             if step.tool_speed is not None:
-                _check_speed(k, step, robot, blend)
-            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > STANDS:
+                before = steps[k - 1] if k else step
+                radii = [each.blend for each in (before, step) if isinstance(each, MoveTo | MoveAlong)]
+                _check_speed(k, step, robot, max(blend if each is None else each for each in radii))
+            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > SAME:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
         elif isinstance(step, MoveAlong) and at is not None:
@@ -108,7 +112,7 @@ def _check_speed(k: int, step: MoveAlong, robot: Robot, blend: float) -> None:
         raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 
 
-def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
+def _targets(k: int, step: MoveTo, robot: Robot, turns: bool) -> tuple[Target, ...]:
     targets, _ = read_goals(f"steps[{k}].goal", step.goal, robot)
     for each in targets:
         if each.q is not None:
@@ -116,4 +120,4 @@ def _targets(k: int, step: MoveTo, robot: Robot) -> tuple[Target, ...]:
         if step.approach is not None and each.pose is None:
             given = sorted(each.tools) if each.q is None and each.tools else np.array(each.q).tolist()
             raise InvalidInputError(each.argument, given, "a pose of the tool, since there is an approach")
-    return targets
+    return tuple(replace(each, turns=turns) for each in targets)

@@ -8,8 +8,7 @@ from itertools import zip_longest
 import numpy as np
 
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.following.course import CourseFinder
-from manipplan.jobs.following.lead_in import best_courses
+from manipplan.jobs.following.first_configurations import FirstConfigurations
 from manipplan.jobs.goals.candidates import find_candidates
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.programs.courses import EPSILON, Finders, has_closer
@@ -17,7 +16,7 @@ from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.places import NOWHERE, Places, different, rounded
 from manipplan.jobs.programs.states import State
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.max_min import max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 
@@ -35,7 +34,8 @@ class Node:
         q: (n,) [rad or m].
         goal_index: index of the goal in its list.
         bound: no motion through it has a larger minimum manipulability.
-        found: for a leg that begins on a path: its finder, and the best motion along the path from q.
+        found: for a leg that begins on a path: the configurations in which it can begin, and the index of this one.
+        turned: (t, n) those of them that differ from q by full turns; None for other legs.
         is_given: whether the goal is this configuration, so that its joints may not be turned by full turns.
         before, after: where the parts are before and after its leg, as far as later goals depend on that.
     """
@@ -43,7 +43,8 @@ class Node:
     q: Array
     goal_index: int
     bound: float
-    found: tuple[CourseFinder, SearchResult] | None = None
+    found: tuple[FirstConfigurations, int] | None = None
+    turned: Array | None = None
     is_given: bool = False
     before: Places = NOWHERE
     after: Places = NOWHERE
@@ -98,7 +99,7 @@ def _at_targets(
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
-        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=True, before=before)
+        Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=not each.turns, before=before)
         for k, each in enumerate(leg.targets)
         if each.q is not None
         for before in places
@@ -174,8 +175,15 @@ def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
-    for found in best_courses(finder, first):
-        yield Node(q=found.q[0], goal_index=0, bound=found.minimum, found=(finder, found))
+    configurations = FirstConfigurations(finder=finder, best=first)
+    for k in configurations.different(state.robot, MOST_NODES):
+        yield Node(
+            q=finder.layers.q[0][k],
+            goal_index=0,
+            bound=float(configurations.minimum[k]),
+            found=(configurations, k),
+            turned=configurations.turned(state.robot, k),
+        )
 
 
 def _different_bounds(nodes: list[Node], most: int) -> list[Node]:

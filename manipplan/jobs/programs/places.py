@@ -17,9 +17,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-
-#: Poses that differ by less than this are the same [m, rad].
-SAME = 1e-6
+from manipplan.support.tolerances import SAME
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

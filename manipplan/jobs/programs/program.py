@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 #: Columns of marks.csv.
-COLUMNS = ("step", "name", "begin", "path_begin", "tool_speed")
+COLUMNS = ("step", "name", "begin", "path_begin", "tool_speed", "blend", "path_blend")
 
 
 @one_line
@@ -36,6 +36,8 @@ class Mark:
         begin: when it begins [s]; the step before ends then.
         path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; None without.
         tool_speed: of a MoveAlong with a tool speed: the speed of the tool, measured on the motion; None for others.
+        blend: radius of the blend with the step after it [m]; 0 where the arm stops at the corner; None without a corner.
+        path_blend: the same where the tool comes onto its path or straight way.
     """
 
     step: int
@@ -43,19 +45,23 @@ class Mark:
     begin: float
     path_begin: float | None = None
     tool_speed: SteadySpeed | None = None
+    blend: float | None = None
+    path_blend: float | None = None
 
     @property
     def row(self) -> str:
         """The row of marks.csv; empty cells for None, and the constant speed asked for."""
         speed = None if self.tool_speed is None else self.tool_speed.asked
-        return ",".join(
-            "" if each is None else str(each) for each in (self.step, self.name, self.begin, self.path_begin, speed)
-        )
+        cells = (self.step, self.name, self.begin, self.path_begin, speed, self.blend, self.path_blend)
+        return ",".join("" if each is None else str(each) for each in cells)
 
     def lines(self) -> list[str]:
         """Lines of a report."""
         speed = [f"  tool speed   {self.tool_speed}"] if self.tool_speed is not None else []
-        return [f"  {self.begin:8.3f} s  steps[{self.step}] {self.name}", *speed]
+        radii = ((self.path_blend, "where its path begins"), (self.blend, "at its end"))
+        blends = [f"{1e3 * radius:.3g} mm {where}" for radius, where in radii if radius]
+        blend = [f"  blend        {', '.join(blends)}"] if blends else []
+        return [f"  {self.begin:8.3f} s  steps[{self.step}] {self.name}", *blend, *speed]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -72,7 +78,7 @@ class Program(Pictured):
         trajectory: the whole motion; the arm stands still while it waits.
         goals: for each MoveTo with several goals, by the index of the step: the index of the one that was chosen.
         stops: times at which the arm stands still although nothing is taken up, put down or waited for [s].
-        warnings: what may not be meant, such as a part that is let go in the air.
+        warnings: what may not be meant, such as a part that is let go in the air, or a blend that is smaller than asked for.
     """
 
     robot: Robot
@@ -142,9 +148,9 @@ class Program(Pictured):
     def save(self, folder: str | Path) -> list[Path]:
         """Write trajectory.csv, .json and .yaml (ROS), marks.csv, report.txt, program.png and what `load` reads.
 
-        marks.csv has a row for each mark, with times in s and the tool speed in m/s. `load` reads program.json and one file for
-        each part. All files of a plan or program that was saved there before are replaced in one step. Raises InvalidInputError
-        when the folder cannot be written.
+        marks.csv has a row for each mark, with times in s, the tool speed in m/s and the radii of blends in m. `load` reads
+        program.json and one file for each part. All files of a plan or program that was saved there before are replaced in one
+        step. Raises InvalidInputError when the folder cannot be written.
         """
         from manipplan.jobs.programs.stored import write_program
         from manipplan.viz.programs.figure import save_program

@@ -20,8 +20,8 @@ from manipplan.symbolic.task import Task
 
 #: Keys of the file, and of a move along a path.
 KEYS = ("robot", "locked", "scene", "start", "steps", "blend", "clearance")
-MOVE_KEYS = ("goal", "approach", "constraints")
-ALONG_KEYS = ("way", "file", "tool_speed", "tolerance", "pointing", "positions")
+MOVE_KEYS = ("goal", "approach", "constraints", "blend")
+ALONG_KEYS = ("way", "file", "tool_speed", "tolerance", "pointing", "positions", "blend")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,9 +52,9 @@ class ProgramFile:
         """Read a program: ``{robot: panda, scene: scene.yaml, start: ready, blend: 0.05, steps: [...]}``.
 
         Names of files are relative to it. ``locked: {name: value}`` holds joints of the description. Steps are
-        ``{move_to: {goal: ..., approach: 0.1, constraints: [...]}}``, with one goal or a list of them as in `goals_from_yaml`
-        and constraints as in `constraints_from_yaml`; ``{move_along: {way: [0, 0, -0.1]}}`` or
-        ``{move_along: {file: poses.csv, tool_speed: 0.02}}``; ``{attach: name}``, with several tools
+        ``{move_to: {goal: ..., approach: 0.1, constraints: [...], blend: 0.02}}``, with one goal or a list of them as in
+        `goals_from_yaml` and constraints as in `constraints_from_yaml`; ``{move_along: {way: [0, 0, -0.1]}}`` or
+        ``{move_along: {file: poses.csv, tool_speed: 0.02, blend: 0.01}}``; ``{attach: name}``, with several tools
         ``{attach: {part: name, tool: left_gripper}}``; ``{detach: name}`` and ``{wait: 0.5}``.
 
         Raises FileFormatError, which names the entry and the key.
@@ -120,7 +120,7 @@ class ProgramFile:
         if not isinstance(value, Mapping) or not set(value) <= set(ALONG_KEYS) or ("way" in value) == ("file" in value):
             raise InvalidInputError("path", value, f"a mapping with either way or file, and of {', '.join(ALONG_KEYS[2:])}")
         path = value["way"] if "way" in value else CartesianPath.from_csv(self.path.parent / str(value["file"]))
-        options = {key: value[key] for key in ("tool_speed", "positions") if key in value}
+        options = {key: value[key] for key in ("tool_speed", "positions", "blend") if key in value}
         if "tolerance" in value:
             tolerance = value["tolerance"]
             if not isinstance(tolerance, Mapping) or not set(tolerance) <= {"position", "rotation"}:
@@ -143,7 +143,7 @@ def _attach(value: Any) -> Attach:
 
 def _move_to(argument: str, value: Any, robot: Robot, path: Path) -> MoveTo:
     if not isinstance(value, Mapping) or "goal" not in value:
-        raise InvalidInputError("goal", value, "a mapping with goal and, where wanted, approach and constraints")
+        raise InvalidInputError("goal", value, "a mapping with goal and, where wanted, approach, constraints and blend")
     for key in value:
         if key not in MOVE_KEYS:
             raise InvalidInputError(str(key), value[key], UnknownNameError("key", str(key), MOVE_KEYS).allowed)
@@ -158,4 +158,4 @@ def _move_to(argument: str, value: Any, robot: Robot, path: Path) -> MoveTo:
         else goal_of_entry(where, entries, robot)
     )
     kept = [constraint_of_entry(f"{argument}.move_to.constraints[{k}]", each, path) for k, each in enumerate(constraints)]
-    return MoveTo(goal, approach=value.get("approach"), constraints=kept)
+    return MoveTo(goal, approach=value.get("approach"), constraints=kept, blend=value.get("blend"))

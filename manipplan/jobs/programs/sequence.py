@@ -21,8 +21,9 @@ from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
+from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -64,10 +65,14 @@ def sequence(
         steps: `MoveTo`, `MoveAlong`, `Attach`, `Detach` and `Wait`, in their order.
         scene: obstacles at the beginning; None: none.
         blend: largest distance of the tool from a corner between two moves where the arm goes around it without a stop [m];
-            0: it stops at each corner. A blend that would touch something, or leave the limits or constraints, is halved, and
-            at last the arm stops. Paths of the tool are left near their ends by that much.
+            0: it stops at each corner. It holds for moves that have no `blend` of their own. Paths of the tool are left near
+            their ends by that much, and at least half of each is left. On a blend the tool stays in the convex hull of the
+            two pieces of its way that the blend replaces, to 0.1 mm. A blend that would leave it, touch something, or leave
+            the limits or constraints, is halved, and at last the arm stops. The marks have the radii, and a warning says
+            where one is smaller than asked for.
         objective: as for `plan`, for all moves.
-        shape, seeding: as for `plan`, for free motions; `time_limit` holds for each of them.
+        shape, seeding: as for `plan`, for free motions; `time_limit` holds for each of them. With shifts="nearest" the joints
+            go the short way to every goal that is a configuration.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         torque: keep the joints' effort limits as well.
         progress: called with the fraction done in [0, 1] and a text.
@@ -83,6 +88,8 @@ def sequence(
     """
     instance("robot", robot, Robot)
     check_options(objective, shape, seeding)
+    if seeding.shifts == WITHIN_LIMITS:
+        raise InvalidInputError("seeding.shifts", seeding.shifts, f"{AS_GIVEN!r}, or {NEAREST!r} for the short way")
     if seeding.initial is not None:
         raise InvalidInputError("seeding.initial", seeding.initial, "None: a program has several free motions")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
@@ -90,8 +97,9 @@ def sequence(
     flag("torque", torque)
     tell = teller(progress)
     check_timing_limits(robot.limits)
-    q_start = scene.collision_model(robot).free_configuration("start", named_configuration("start", start, robot), clearance)
-    legs = read_steps(steps, robot, q_start, blend=blend)
+    given = named_configuration("start", start, robot)
+    q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
+    legs = read_steps(steps, robot, q_start, blend=blend, turns=seeding.shifts == NEAREST)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
     first = State(robot=robot, scene=scene)
     nodes: list[list[Node]] = []
@@ -109,7 +117,7 @@ def sequence(
         state=first,
         objective=objective,
         clearance=clearance,
-        planner=_planner(objective, shape, seeding, clearance, torque),
+        planner=_planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque),
         deadline=work_time() + seeding.time_limit * max(free, 1),
     )
     chosen = search.best(part(tell, 0.2, 0.9))
@@ -132,6 +140,10 @@ def sequence(
         clearance=clearance,
         torque=torque,
     )
+    first_part, *others = program.parts
+    taken = (*taken_to_limits(robot, "start", given), *first_part.report.taken_to_limits)
+    first_part = replace(first_part, report=replace(first_part.report, taken_to_limits=taken))
+    program = replace(program, parts=(first_part, *others))
     if not program.passed:
         raise PlanningError(f"the program did not pass its check\n{program}", program)
     tell(1.0, "done")

@@ -32,16 +32,20 @@ class MoveTo(ProgramStep):
         approach: straight way of the tool by which the motion ends [m]: a distance along the tool's z-axis, or a vector (3,) in
             the tool frame. Its goals are poses.
         constraints: what the motion keeps, as for `plan`; an approach does not count.
+        blend: radius within which the arm goes around the corners of the move, at the approach and at its end, without a stop
+            [m]; 0: it stops there; None: that of the program.
     """
 
     goal: Goal
     approach: float | ArrayLike | None = field(default=None, kw_only=True)
     constraints: Sequence[Constraint] = field(default=(), kw_only=True)
+    blend: float | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if self.approach is not None:
             object.__setattr__(self, "approach", _way("approach", self.approach))
         object.__setattr__(self, "constraints", constraint_tuple(self.constraints))
+        _check_blend(self)
 
 
 @one_line
@@ -56,6 +60,8 @@ class MoveAlong(ProgramStep):
         tolerance: largest deviation from the path, as for `follow`.
         task: what of the path's poses the tool follows, as for `follow`; None: Task.pose(), of a planar arm Task.planar().
         positions: number of positions at which configurations are enumerated; None: as for `follow`. A vector has its own.
+        blend: as for `MoveTo`, at the first pose, where a free motion leads there, and at the end. At least half of the path
+            is left.
     """
 
     path: CartesianPath | ArrayLike
@@ -63,6 +69,7 @@ class MoveAlong(ProgramStep):
     tolerance: Tolerance | None = field(default=None, kw_only=True)
     task: Task | None = field(default=None, kw_only=True)
     positions: int | None = field(default=None, kw_only=True)
+    blend: float | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if not isinstance(self.path, CartesianPath):
@@ -74,6 +81,7 @@ class MoveAlong(ProgramStep):
                 instance(name, getattr(self, name), kind)
         if self.positions is not None:
             whole_number("positions", self.positions, least=2)
+        _check_blend(self)
 
 
 @one_line
@@ -131,6 +139,11 @@ class Wait(ProgramStep):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "seconds", number("seconds", self.seconds, above=0.0))
+
+
+def _check_blend(step: MoveTo | MoveAlong) -> None:
+    if step.blend is not None:
+        object.__setattr__(step, "blend", number("blend", step.blend, least=0.0))
 
 
 def _way(argument: str, value: float | ArrayLike) -> tuple[float, float, float]:

@@ -10,6 +10,8 @@ from manipplan.paths.export import READERS, from_csv, read_trajectory
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tables import Table
 from manipplan.paths.trajectory import Trajectory
+from manipplan.paths.turns import JUMP, TOO_FAST, unwrapped
+from manipplan.robots.configuration import NO_DEGREES, TakenToLimit, limits_missed
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag
 from manipplan.support.errors import InvalidInputError
@@ -17,8 +19,8 @@ from manipplan.timing.retime import retime
 
 #: Largest distance outside a joint limit that counts as noise [rad or m].
 OUTSIDE = 0.01
-#: A joint does not move further than this between two samples [rad or m] at this multiple of its largest speed.
-JUMP, TOO_FAST = 0.05, 5.0
+#: Multiple of its largest speed at which an arm was driven.
+DRIVEN = 1.0
 #: How much slower than the limits allow a path is timed: at the limits there is no room for smoother motions.
 SLOWER = 1.25
 #: Smallest motion of a joint [rad or m].
@@ -33,11 +35,16 @@ def read_motion(
     joints: Sequence[str] | None,
     degrees: bool,
     columns: Mapping[str, str] | None,
+    fastest: float = TOO_FAST,
 ) -> Trajectory:
-    """A motion, or the file of one, with its columns in the robot's order, in rad and m.
+    """A motion, or the file of one, with its columns in the robot's order, in rad and m, without jumps by full turns.
 
-    `joints`, `columns`: as for `Trajectory.from_csv`. With `degrees` the angles of all revolute joints are converted.
+    `joints`, `columns`: as for `Trajectory.from_csv`; `fastest`: as for `unwrapped`. With `degrees` the angles of all revolute
+    joints are converted.
     """
+    places = Places(
+        argument=argument, file=Path(given) if isinstance(given, str | Path) else None, degrees=degrees, robot=robot
+    )
     is_csv = isinstance(given, str | Path) and Path(given).suffix.lower() == ".csv"
     if columns is not None and not is_csv:
         raise InvalidInputError("columns", columns, "None but for a CSV file")
@@ -53,7 +60,11 @@ def read_motion(
     if flag("degrees", degrees):
         scale = np.where([kind == "prismatic" for kind in robot.joint_types], 1.0, np.pi / 180)
         motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
-    return motion
+
+    def place(row: int, joint: int) -> tuple[str, float]:
+        return places.name(row, joint), places.value(float(motion.q[row, joint]), joint)
+
+    return unwrapped(robot, motion, place, fastest=fastest)
 
 
 def read_recording(
@@ -73,53 +84,59 @@ def read_recording(
                 "recorded", f"a path of {recorded.n} joints", f"a path of the {robot.n} joints of {robot.name}"
             )
         recorded = retime(recorded, robot).slower(SLOWER)
-    motion = read_motion(robot, "recorded", recorded, joints=robot.joint_names, degrees=degrees, columns=columns)
-    if robot.endless.any():
-        q = motion.q.copy()
-        q[:, robot.endless] = np.unwrap(q[:, robot.endless], axis=0)
-        motion = replace(motion, q=q)
-    _check(robot, motion, _Places(file=file, degrees=degrees, robot=robot))
+    motion = read_motion(
+        robot, "recorded", recorded, joints=robot.joint_names, degrees=degrees, columns=columns, fastest=DRIVEN
+    )
+    _check(robot, motion, Places(argument="recorded", file=file, degrees=degrees, robot=robot))
     return motion
 
 
-class _Places:
-    """Names and values of single numbers of a recording, as its user gave them."""
+def noise_beyond_limits(robot: Robot, motion: Trajectory) -> tuple[TakenToLimit, ...]:
+    """The joints of a recording that are outside a limit, where they are farthest."""
+    outside = robot.limits.outside(motion.q)
+    rows = outside.argmax(axis=0)
+    return tuple(
+        TakenToLimit.of(robot, f"recorded.q[{rows[joint]}, {joint}]", joint, float(motion.q[rows[joint], joint]))
+        for joint in np.flatnonzero(outside.max(axis=0) > 0).tolist()
+    )
 
-    def __init__(self, *, file: Path | None, degrees: bool, robot: Robot) -> None:
-        self.file, self.robot = file, robot
+
+class Places:
+    """Names and values of single numbers of a motion, as its user gave them."""
+
+    def __init__(self, *, argument: str, file: Path | None, degrees: bool, robot: Robot) -> None:
+        self.argument, self.file, self.robot = argument, file, robot
         self.degrees = np.array([degrees and kind != "prismatic" for kind in robot.joint_types])
 
     def name(self, row: int, joint: int) -> str:
         """Name of a position."""
         name = self.robot.joint_names[joint]
         if self.file is None or self.file.suffix.lower() != ".csv":
-            return f"recorded.q[{row}, {joint}] ({name})"
-        return f"recorded: {self.file}, row {Table.read(self.file).rows[row][0]}, {name}"
+            return f"{self.argument}.q[{row}, {joint}] ({name})"
+        return f"{self.argument}: {self.file}, row {Table.read(self.file).rows[row][0]}, {name}"
 
     def value(self, q: float, joint: int) -> float:
         """A position in the unit of the recording."""
         return float(np.rad2deg(q)) if self.degrees[joint] else float(q)
 
 
-def _check(robot: Robot, motion: Trajectory, places: _Places) -> None:
+def _check(robot: Robot, motion: Trajectory, places: Places) -> None:
     """Raise InvalidInputError for positions that the robot cannot have had, or that do not change."""
     limits, names = robot.limits, robot.joint_names
-    outside = limits.outside(motion.q)
-    if (outside > OUTSIDE).any():
-        row, joint = (int(k) for k in np.argwhere(outside > OUTSIDE)[0])
+    outside, allowed = limits.outside(motion.q), max(OUTSIDE, robot.limit_tolerance)
+    if (outside > allowed).any():
+        row, joint = (int(k) for k in np.argwhere(outside > allowed)[0])
+        far = bool((outside > NO_DEGREES).any())
         prismatic = robot.joint_types[joint] == "prismatic"
         unit = "m" if prismatic else "rad"
         hint = ""
         if places.degrees[joint] and not limits.outside(np.rad2deg(motion.q)).any():
             hint = "; all positions are inside the limits if they are in radians: leave degrees=True (--degrees) out"
-        if not prismatic and not places.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
+        if far and not prismatic and not places.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
             hint = "; all positions are inside the limits if they are in degrees: say degrees=True (--degrees)"
-        raise InvalidInputError(
-            places.name(row, joint),
-            places.value(motion.q[row, joint], joint),
-            f"positions inside the limits {places.value(limits.lower[joint], joint):g} to "
-            f"{places.value(limits.upper[joint], joint):g} {'°' if places.degrees[joint] else unit}{hint}",
-        )
+        value, low, high = (places.value(each[joint], joint) for each in (motion.q[row], limits.lower, limits.upper))
+        missed = limits_missed(low, high, value, "°" if places.degrees[joint] else unit)
+        raise InvalidInputError(places.name(row, joint), value, f"positions inside the limits {missed}{hint}")
     step = np.abs(np.diff(motion.q, axis=0))
     jumps = (step > JUMP) & (step > TOO_FAST * limits.velocity * np.diff(motion.t)[:, None])
     if jumps.any():

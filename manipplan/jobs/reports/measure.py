@@ -22,13 +22,14 @@ from manipplan.jobs.reports.tools import tool_figures
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import Deviation
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.checks import Array
 from manipplan.support.status import ALONG, Status
+from manipplan.support.tolerances import SAME
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: Excess of a limit [rad, m], or share of it, up to which the limit counts as kept.
@@ -80,7 +81,10 @@ def measure(
     for name, wanted, got in (("start", start, trajectory.q[0]), ("goal", goal, trajectory.q[-1])):
         if wanted is None:
             continue
-        off = np.abs(got - wanted)
+        off = got - wanted
+        if name == "goal":  # full turns of joints without limits are the same posture
+            off = np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
+        off = np.abs(off)
         errors[name] = float(off.max())
         if off.max() > TOLERANCE:
             joint = robot.joint_names[int(off.argmax())]
@@ -162,7 +166,7 @@ def measure_plan(
         jerk=jerk,
     )
     first, last = trajectory.q[0], trajectory.q[-1]
-    line = JointPath.line(first, last) if np.linalg.norm(last - first) >= SHORTEST else None
+    line = JointPath.line(first, last) if np.linalg.norm(last - first) >= SAME else None
     straight = integral.cost(line).min_manipulability if line is not None else float(kinematics.manipulability(first))
     common = {each.name: getattr(found, each.name) for each in fields(found)}
     return PlanReport(

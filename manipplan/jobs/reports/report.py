@@ -13,6 +13,7 @@ from manipplan.jobs.reports.tools import ToolFigure
 from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.configuration import TakenToLimit
 from manipplan.support.checks import existing_file
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
@@ -51,13 +52,16 @@ class Report:
         position_unit: "rad" or "m", of the joint that comes closest to a position limit.
         start_error, goal_error: largest distance of the first sample from the start, and of the last one from the goal [rad or
             m]; None where none was given.
-        deviation: largest distances of the tool from the workspace path, at shares of the duration; None without a path.
+        deviation: largest distances of the tool from the workspace path or, where they are larger, from the neighbourhood of
+            the polygon of the poses that it was laid through, at shares of the duration; None without a path.
         missed: largest distances of the poses of the workspace path from where the tool comes past, at s of the path. Its first
             and last pose are compared with those of the motion.
         tolerance: what was allowed of both; None without a path.
         constraints: how the motion keeps each constraint, at shares of the duration.
         along: for `follow`: the part of the motion along the workspace path, or the parts, in their order.
         tools: for a robot with several tools, the figures of each.
+        taken_to_limits: joints of start, goal or recording that were given outside a position limit, by at most
+            `robot.limit_tolerance` (of a recording: its noise), and were taken to it.
         faults: one sentence for each check that did not pass.
         passed: whether all checks passed: limits, collisions and, where they were given, start, goal, constraints and workspace
             path.
@@ -94,6 +98,7 @@ class Report:
     constraints: tuple[ConstraintFigure, ...] = ()
     along: tuple[PathPart, ...] = ()
     tools: tuple[ToolFigure, ...] = ()
+    taken_to_limits: tuple[TakenToLimit, ...] = ()
     faults: tuple[str, ...] = ()
 
     def __str__(self) -> str:
@@ -141,7 +146,7 @@ class Report:
 
     def _measured(self) -> list[str]:
         """Lines on singularities, clearance, constraints and limits."""
-        lines = []
+        lines = [f"  limit        {each}" for each in self.taken_to_limits]
         if self.crossing_note:
             lines.append(f"  singularity  {self.crossing_note}")
         if self.below_floor > 0:

@@ -7,7 +7,7 @@ import numpy as np
 from manipplan.jobs.reports.along import PathPart
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation, deviations, distances_between, distances_from
+from manipplan.paths.deviation import Deviation, beyond_polygon, deviations, distances_between, distances_from
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 
@@ -23,6 +23,8 @@ def tool_distances(
 
     `..._at` is s of the joint path, and s of the workspace path. The first and the last pose of each part are compared with
     those of the motion: a tool that stops early, or goes backwards, misses one. What the task leaves free does not count.
+    Where the path was laid through given poses, the tool is compared with these, too: it must not leave the neighbourhood of
+    their polygon, and come past each of them.
 
     Args:
         path: the motion over its time, in shares of the duration [s].
@@ -31,11 +33,12 @@ def tool_distances(
     """
     free, fine = kinematics.free_motion, path.fine_samples(STEP)
     parts = along or (PathPart(begin=0.0, end=duration),)
-    left, missed = [], []
+    left, missed, ways = [], [], []
     for part in parts:
         begin, end = part.begin / duration, min(part.end / duration, 1.0)
         s = np.union1d(np.linspace(begin, end, LEAST // len(parts)), fine[(fine > begin) & (fine < end)])
         way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
+        ways.append(way)
         left.append((s, *deviations(stretch, way, free)))
         places = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
         poses = stretch(places)
@@ -43,6 +46,10 @@ def tool_distances(
         ends = [0, -1]
         position[ends], rotation[ends] = distances_between(way[ends], poses[ends], free)
         missed.append((part.s_begin + places * (part.s_end - part.s_begin), position, rotation))
+    if workspace_path.given is not None:
+        whole = np.concatenate(ways)
+        left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free)))
+        missed.append((workspace_path.knots, *distances_from(whole, workspace_path.given, free)))
     return _largest(left), _largest(missed)
 
 

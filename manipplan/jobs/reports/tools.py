@@ -7,10 +7,11 @@ import numpy as np
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.paths.joint import SHORTEST, JointPath
+from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
+from manipplan.support.tolerances import SAME
 
 
 @one_line
@@ -60,7 +61,7 @@ def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, .
             continue
         one = robot.arm(tool).kinematics(task, measure=measure, compiled=kinematics.compiled, threads=1)
         own = JointPath(breaks=path.breaks, control=path.control[:, :, joints])
-        if own.length < SHORTEST:
+        if own.length < SAME:
             found.append(ToolFigure(tool=tool, min_manipulability=float(one.manipulability(own.start)), min_at=0.0))
             continue
         cost = replace(integral, kinematics=one, metric=None).cost(own)

@@ -30,7 +30,8 @@ STEPS, FREE_STEPS = 100, 300
 #: First, largest and smallest radius of the trust region: the maximum change of each unknown [rad or m].
 RADIUS, LARGEST_RADIUS, SMALLEST_RADIUS = 0.1, 0.8, 1e-8
 #: The descent ends when the model predicts that the merit function falls by less than this share of g: with collision checks,
-#: and without.
+#: and without. Between ends less than 1 rad or m apart the first falls with their squared distance: a gradient per radian that
+#: the certificate does not accept lowers g by that share only.
 TOLERANCE, FREE_TOLERANCE = 5e-7, 1e-9
 #: Before it ends, the radius is set back to its first value for at most this number of steps. At a saddle of g the gradient is
 #: zero, and only a long step along negative curvature lowers g. A descent with a larger tolerance than this ends at once:
@@ -187,7 +188,7 @@ def descend(
         program: what is minimised.
         z: first unknowns (f, n).
         tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
-            TOLERANCE, or FREE_TOLERANCE without collision checks.
+            TOLERANCE, for short paths less, or FREE_TOLERANCE without collision checks.
         steps: maximum number of steps; default: STEPS, or FREE_STEPS without collision checks.
         first_radius: first radius of the trust region [rad or m].
         least_penalty: first and smallest penalty parameter ν.
@@ -195,7 +196,11 @@ def descend(
         deadline: no step is begun after it.
     """
     is_unchecked = program.surroundings is None
-    usual_steps, usual_tolerance = (FREE_STEPS, FREE_TOLERANCE) if is_unchecked else (STEPS, TOLERANCE)
+    usual_steps, usual_tolerance = FREE_STEPS, FREE_TOLERANCE
+    if not is_unchecked:
+        curves = program.length.curves
+        apart = float(np.linalg.norm(curves.goal - curves.start))
+        usual_steps, usual_tolerance = STEPS, TOLERANCE * min(1.0, apart) ** 2
     steps = usual_steps if steps is None else steps
     tolerance = usual_tolerance if tolerance is None else tolerance
     radius, penalty = first_radius, least_penalty

@@ -8,6 +8,7 @@ The process runs with an empty package `manipplan`: this module and what it impo
 """
 
 import os
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from manipplan.support.processes.commands import request_in, set_limits, write_a
 
 #: Maximum number of files that include one another in a row.
 DEEPEST = 50
+#: Use of an argument; the beginning of an expression; number of arguments that a message lists.
+USE, EXPRESSION, SHOWN = re.compile(r"\$\(arg\s+([^\s()]+)\s*\)"), "$", 8
 #: Largest memory of this process [bytes].
 MEMORY = 2 * 2**30
 #: Largest URDF [characters], and largest file that may be written, with a URDF or with messages [bytes].
@@ -34,16 +37,50 @@ PROBE_FILE = "${xacro.load_yaml('/')}"
 
 
 class Arguments(dict[str, str]):
-    """Values of the arguments by name, and the names for which the files ask."""
+    """Values of the arguments by name, the names for which the files ask, and what the files say about them.
+
+    An argument that is used before the line with its default, as in the name of the robot, has that default.
+    """
 
     def __init__(self, given: Mapping[str, str]) -> None:
         super().__init__(given)
         self.known: set[str] = set()
+        self.defaults: dict[str, str] = {}
+        self.used: dict[str, None] = {}
 
     def __getitem__(self, name: str) -> str:
+        if name not in self and EXPRESSION not in (default := self.defaults.get(name, EXPRESSION)):
+            self[name] = default
         value = super().__getitem__(name)
         self.known.add(name)
         return value
+
+    def read(self, document: Any) -> None:
+        """Note the arguments of a file; one without a default is needed where it is reached, also if nothing uses it."""
+        for each in document.getElementsByTagName("xacro:arg"):
+            name = each.getAttribute("name")
+            self.known.add(name)
+            if each.hasAttribute("default"):
+                self.defaults.setdefault(name, each.getAttribute("default"))
+            else:
+                each.setAttribute("default", f"$(arg {name})")
+        for element in document.getElementsByTagName("*"):
+            texts = [value for _, value in element.attributes.items()]
+            texts += [node.data for node in element.childNodes if node.nodeType == node.TEXT_NODE]
+            self.used |= dict.fromkeys(name for text in texts for name in USE.findall(text))
+
+    def without_value(self, name: str) -> str:
+        """The error for an argument without a value; it names the others to which the same applies."""
+        names = [name, *(each for each in self.used if each not in self and each not in self.defaults and each != name)]
+        shown = ", ".join(map(repr, names[:SHOWN]))
+        call = ", ".join(f"{each!r}: ..." for each in names[:SHOWN])
+        what = f"arguments {shown} have" if len(names) > 1 else f"argument {shown} has"
+        return f"the {what} no value; give it in arguments={{{call}}}"
+
+    def in_path(self, path: str) -> str:
+        """The plain defaults of which the name of a missing file may be made, as text."""
+        plain = [name for name, text in self.defaults.items() if EXPRESSION not in text and self.get(name) == text]
+        return ", ".join(f"{name}={self[name]!r}" for name in plain if self[name] in path)
 
 
 def main(folder: str) -> None:
@@ -68,6 +105,10 @@ def expanded(request: Mapping[str, Any]) -> dict[str, Any]:
         return {"error": "a macro or an include that calls itself without end", "where": _where(xacro)}
     except Exception as error:
         reason, cause = _reason(error)
+        if type(cause).__name__ == "ArgException":
+            reason = arguments.without_value(str(cause))
+        elif isinstance(cause, FileNotFoundError) and (values := arguments.in_path(str(cause.filename))):
+            reason += f"; give other values in arguments= than {values}"
         if isinstance(cause, RecursionError):
             reason = "an expression that is nested too deeply, or calls itself"
         if isinstance(cause, MemoryError):
@@ -93,7 +134,7 @@ def _replace(folders: PackageFolders, arguments: Arguments, *, trust: bool) -> N
             xacro.filestack[2:] = []
             raise RecursionError
         document = parse(text, filename)
-        arguments.known |= {each.getAttribute("name") for each in document.getElementsByTagName("xacro:arg")}
+        arguments.read(document)
         return document
 
     def find(name: str) -> str:
@@ -149,8 +190,6 @@ def _reason(error: BaseException) -> tuple[str, BaseException]:
     text = str(error) or type(error).__name__
     if isinstance(error, KeyError):
         text = f"there is no {text}"
-    if type(error).__name__ == "ArgException":
-        text = f"the argument {text!r} has no value; give it in arguments="
     return " ".join(f"{text} {suffix}".split()), error
 
 

@@ -120,13 +120,17 @@ def welded(triangles: Array) -> tuple[Array, Faces]:
 
 
 def triangle_tree(corners: Array, faces: Faces) -> coal.BVHModelOBBRSS:
-    """A tree over triangles, each three indices of corners (v, 3) [m]."""
+    """A tree over triangles, each three indices of corners (v, 3) [m].
+
+    Its attribute `arrays` has both, as coal gives triangles back only one by one. Copies by C++ or pickle do not have it.
+    """
     tree = coal.BVHModelOBBRSS()
     tree.beginModel(len(faces), len(corners))
     tree.addVertices(np.ascontiguousarray(corners))
     tree.addTriangles(np.ascontiguousarray(faces))
     tree.endModel()
     tree.computeLocalAABB()
+    vars(tree).update(arrays=(corners, faces), __getstate_manages_dict__=True)  # without the second, it could not be pickled
     return tree
 
 

@@ -5,6 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import angles_between
+from manipplan.paths.distinct import distinct
 from manipplan.support.checks import Array, finite_array, whole_number
 from manipplan.support.errors import InvalidInputError
 
@@ -17,6 +18,8 @@ MOST_POSITIONS = 100_000
 CORNER = np.deg2rad(30.0)
 #: Number of places at which the tool's way is measured.
 PLACES = 2001
+#: Way between two poses of a path below which they share a position [m]: half of the default tolerance.
+SHARED = 5e-5
 
 
 def choose_positions(path: CartesianPath, *, stride: float = STRIDE, closed: bool = False) -> Array:
@@ -32,6 +35,8 @@ def choose_positions(path: CartesianPath, *, stride: float = STRIDE, closed: boo
     steps += RADIAN * angles_between(poses[:-1, :3, :3], poses[1:, :3, :3])
     way = np.concatenate([[0.0], np.cumsum(steps)])
     at = np.interp(knots, places, way)
+    own = distinct(len(knots), lambda i, j: np.abs(at[i] - at[j]), SHARED)
+    knots, at = knots[own], at[own]
     stride = min(stride, way[-1] / (FEWEST - 1))
     corners = set(_corners(path(knots)[:, :3, 3]))
     chosen, last = [0.0], 0

@@ -22,7 +22,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
-from manipplan.support.checks import Array, finite_array, flag, instance, number
+from manipplan.support.checks import Array, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
@@ -126,7 +126,6 @@ def sample_layers(
             estimated before the work starts.
         OutOfReachError: no configuration reaches a position; `nearest` is the one that comes nearest, with its error.
     """
-    from manipplan.ik.verify import are_poses
     from manipplan.search.candidates.sampler import CandidateSampler
 
     instance("robot", robot, Robot)
@@ -157,10 +156,7 @@ def sample_layers(
     usual = usual_samples(sampler.solver)
     _check_grid(sampler, n, samples, usual, allowed)
     s = check_positions(positions, closed=closed)
-    poses = path(s)
-    if not are_poses(poses):
-        k = next(k for k in range(n) if not are_poses(poses[k : k + 1]))
-        raise InvalidInputError(f"path, position {k} of 0 to {n - 1}", poses[k].tolist(), "a rotation and a translation")
+    poses = np.array([pose_matrix(f"path, position {k} of 0 to {n - 1}", pose) for k, pose in enumerate(path(s))])
     values = sampler.solver.grid(samples, usual, poses)
     share = _share_found(sampler, poses, values, allowed)
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:

@@ -60,6 +60,7 @@ def program_figure(program: "Program", figure: Any = None) -> Any:
         else:
             ax = left.add_subplot(projection="3d")
             plot_arm(robot, program.trajectory, program.scene, places=POSTURES, ax=ax)
+            _write_blends(ax, program)
             for part in moved:
                 _draw_part(ax, program, part)
         top, bottom = right.subplots(2, 1)
@@ -83,6 +84,18 @@ def draw_marks(program: "Program", ax: Any, *, names: bool) -> None:
     for begin, texts in near.items() if names else ():
         at = {"xycoords": ("data", "axes fraction"), "xytext": (2, 2), "textcoords": "offset points"}
         ax.annotate(", ".join(texts), (begin, 0.0), **at, fontsize=7, color=style.ARM, rotation=90, va="bottom", ha="left")
+
+
+def _write_blends(ax: Any, program: "Program") -> None:
+    """The radius of each blend, at its corner."""
+    following = [mark.begin for mark in program.marks[1:]]
+    for mark, end in zip(program.marks, [*following, program.duration], strict=True):
+        for radius, t in ((mark.path_blend, mark.path_begin), (mark.blend, end)):
+            if radius and t is not None:
+                q = program.trajectory(t)
+                for tool in program.robot.tools:
+                    place = program.robot.arm(tool).kinematics().pose(q[list(program.robot.joints_of(tool))])[:3, 3]
+                    write(ax, place, f"{1e3 * radius:.3g} mm", style.ARM)
 
 
 def _plot_measure(program: "Program", ax: Any) -> None:

@@ -72,7 +72,7 @@ def convex_bodies(robot: Robot) -> list[Body]:
     """The bodies of the collision model; neighbouring ones differ in colour."""
     model = Scene().collision_model(robot)
     found = []
-    for item, colour in zip(list(model.geometry.geometryObjects)[: model.bodies], cycle(style.PIECES), strict=False):
+    for item, colour in zip(model.objects[: model.bodies], cycle(style.PIECES), strict=False):
         found += _drawn(item.name, item.parentJoint, item.placement, item.geometry, (*rgb(colour), 1.0))
     return found
 

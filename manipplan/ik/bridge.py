@@ -18,13 +18,11 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
-from manipplan.robots.arms import lengths_to, tool_reach
+from manipplan.ik.ranges import joints_moved, line, span
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner
 
-#: Revolute joints whose limits span more full turns than this are enumerated in one turn, like those without limits.
-TURNS = 8
 #: Number of boxes for random values and for the window of slides.
 BOXES = 256
 #: Weight of the angle of a swept joint beside the travel that it causes, as a share of the length that the others bridge.
@@ -185,7 +183,8 @@ class Bridge:
         for k, group in enumerate(self._between):
             point, own = self._carried(group, 1.0, self._points[k + 1], middle, half)
             sides[:, k] = np.linalg.norm(point - self._points[k], axis=1)
-            levers = levers + own
+            other = self._carried(group[::-1], -1.0, self._points[k], middle, half)[1]
+            levers = levers + np.minimum(own, other)  # to turn one end of the side is to turn the other end back
         targets = poses[:, :3, 3]
         if self._whole:
             behind, own = self._carried(self._trailing[::-1], -1.0, self._points[-1], middle, half)
@@ -224,136 +223,6 @@ class Bridge:
         return place, levers
 
 
-def span(robot: Robot) -> tuple[Array, Array]:
-    """Limits (n,) in which each joint is enumerated: one turn of a revolute joint with no limits or with more than `TURNS`."""
-    lower, upper = robot.limits.lower, robot.limits.upper
-    around = spans_turn(robot)
-    inside = around & (lower <= -np.pi) & (upper >= np.pi)
-    low = np.where(inside | np.isinf(lower), -np.pi, lower)
-    return low, np.where(around, low + 2 * np.pi, upper)
-
-
-def spans_turn(robot: Robot) -> NDArray[np.bool_]:
-    """Whether each joint (n,) is enumerated in one turn only, which brings the arm back to the same posture."""
-    return np.asarray(robot.turns & (robot.limits.upper - robot.limits.lower > 2 * np.pi * TURNS))
-
-
-def in_turn(robot: Robot, q: Array) -> Array:
-    """Configurations (k, n) with the joints that are enumerated in one turn brought into it."""
-    low = span(robot)[0]
-    return np.where(spans_turn(robot), low + (q - low) % (2 * np.pi), q)
-
-
-def line(lower: float, upper: float, count: int) -> Array:
-    """Evenly spaced values between two limits, with both; one alone in their middle."""
-    return np.linspace(lower, upper, count) if count > 1 else np.array([(lower + upper) / 2])
-
-
-def slides_of(robot: Robot) -> tuple[int, ...]:
-    """Indices of the prismatic joints."""
-    return tuple(k for k, kind in enumerate(robot.joint_types) if kind == "prismatic")
-
-
-def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
-    """Limits lower and upper (n,), in which slides are confined to where one of poses (k, 4, 4) may be reached."""
-    (lower, upper), slides = span(robot), list(slides_of(robot))
-    if slides:
-        lower[slides], upper[slides] = bridge(robot, tuple(slides), True).window(poses)
-    return lower, upper
-
-
-def within_reach(robot: Robot) -> tuple[Array, Array]:
-    """Limits (n,) as of `span`, with slides no farther out than the other links are long."""
-    (lower, upper), slides = span(robot), list(slides_of(robot))
-    if slides:
-        still = robot.with_limits(
-            lower=np.where(np.isin(np.arange(robot.n), slides), -1e-9, robot.limits.lower),
-            upper=np.where(np.isin(np.arange(robot.n), slides), 1e-9, robot.limits.upper),
-        )
-        length = max(each for _, each in lengths_to(still, robot.tool))
-        middle = np.clip(0.0, lower[slides], upper[slides])
-        lower[slides], upper[slides] = np.maximum(lower[slides], middle - length), np.minimum(upper[slides], middle + length)
-    return lower, upper
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Starts:
-    """Where random starts for a pose lie: between limits (n,), with the joints `slides` in one of boxes (k, g)."""
-
-    limits: tuple[Array, Array]
-    slides: tuple[int, ...]
-    boxes: tuple[Array, Array]
-
-    @classmethod
-    def near(cls, robot: Robot, pose: Array, *, whole_pose: bool) -> "Starts":
-        """Those for a pose (4, 4), or for its position alone."""
-        slides = slides_of(robot)
-        none = np.zeros((1, 0))
-        boxes = bridge(robot, slides, whole_pose).around(pose) if slides else (none, none)
-        return cls(limits=span(robot), slides=slides, boxes=boxes)
-
-    def random(self, rng: np.random.Generator, count: int) -> Array:
-        """Random configurations (count, n)."""
-        q = rng.uniform(*self.limits, (count, len(self.limits[0])))
-        if self.slides:
-            chosen = rng.integers(len(self.boxes[0]), size=count)
-            q[:, list(self.slides)] = rng.uniform(self.boxes[0][chosen], self.boxes[1][chosen])
-        return q
-
-
-class StartsOfPoses:
-    """The `Starts` of poses, kept for the pose asked for last, as samples of one pose follow each other."""
-
-    def __init__(self, robot: Robot, *, whole_pose: bool) -> None:
-        self._robot, self._whole = robot, whole_pose
-        self._pose: Array = np.zeros(0)
-        self._starts: Starts | None = None
-
-    def of(self, pose: Array) -> Starts:
-        """Those of a pose (4, 4)."""
-        if self._starts is None or not np.array_equal(pose, self._pose):
-            self._pose, self._starts = pose.copy(), Starts.near(self._robot, pose, whole_pose=self._whole)
-        return self._starts
-
-    def random(self, poses: Array, rng: np.random.Generator) -> Array:
-        """A random configuration (k, n) for each of poses (k, 4, 4)."""
-        changes = np.flatnonzero(np.abs(np.diff(poses, axis=0)).max(axis=(1, 2), initial=0.0)) + 1
-        edges = [0, *changes.tolist(), len(poses)]
-        if not slides_of(self._robot):
-            edges = [0, len(poses)]
-        return np.concatenate([self.of(poses[a]).random(rng, b - a) for a, b in pairwise(edges)])
-
-
-def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int, *, whole_pose: bool = True) -> Array:
-    """Random configurations (count, n), with slides where a pose (4, 4), or its position alone, may be reached."""
-    return Starts.near(robot, pose, whole_pose=whole_pose).random(rng, count)
-
-
-def reach_in(robot: Robot, limits: tuple[Array, Array]) -> tuple[Array, float]:
-    """A ball that holds every place of the tool with slides inside limits (n,): centre (3,) and radius [m]."""
-    screws = Screws.of(robot)
-    slides, (lower, upper) = list(slides_of(robot)), limits
-    low, high = robot.limits.lower.copy(), robot.limits.upper.copy()
-    low[slides], high[slides] = lower[slides], upper[slides]
-    if screws.follow is not None:
-        return tool_reach(robot.with_limits(lower=low, upper=high), robot.tool)
-    leading = int(np.argmin(np.append(screws.slides, False)))
-    middle = np.zeros(robot.n)
-    middle[:leading] = (lower + upper)[:leading] / 2
-    data = robot.model.createData()
-    pin.forwardKinematics(robot.model, data, middle)
-    radius = float(np.abs((upper - lower)[:leading] / 2).sum())
-    if leading == robot.n:
-        return screws.home[:3, 3] + middle @ screws.axes, radius
-    length = lengths_to(robot.with_limits(lower=low, upper=high), robot.tool)[leading][1]
-    return data.oMi[_joints(robot)[leading]].translation.copy(), radius + length
-
-
-def _joints(robot: Robot) -> list[int]:
-    """For each entry of q the joint of the model that it moves, where it moves only one between base and tool."""
-    return [joint for joint, _ in lengths_to(robot, robot.tool)] if robot.followers else list(range(1, robot.n + 1))
-
-
 @once_per_owner
 def bridge(robot: Robot, swept: tuple[int, ...], whole_pose: bool) -> Bridge:
     """The `Bridge` of an arm; built once."""
@@ -364,7 +233,7 @@ def _points_on_axes(robot: Robot, screws: Screws, joints: list[int]) -> Array:
     """A point (j, 3) on the axis of each joint, near those on the axes before and behind it."""
     data = robot.model.createData()
     pin.forwardKinematics(robot.model, data, pin.neutral(robot.model))
-    carriers = _joints(robot)
+    carriers = joints_moved(robot)
     points = np.array([data.oMi[carriers[joint]].translation for joint in joints]).reshape(-1, 3)
     for _ in range(20 if len(joints) > 1 else 0):
         for k, joint in enumerate(joints):
