@@ -2,7 +2,7 @@
 
 On a line q = q_0 + t l with a unit tangent t every limit of a joint is one of l: the motion is that of a single axis. It
 accelerates with the largest jerk, acceleration and speed, and brakes in the same way. Jerk is constant in each of at most seven
-phases, so that eight samples of a cubic trajectory are the whole motion.
+phases, so that few samples of a cubic trajectory are the whole motion.
 """
 
 from collections.abc import Sequence
@@ -19,6 +19,8 @@ from manipplan.timing.segment import Bounds
 STRAIGHT = 1e-12
 #: Shortest phase: time [s] and share of the motion, but at most one part in the last number. Rounding shows in shorter ones.
 SHORTEST, SHARE, MOST_PHASES = 1e-4, 1e-5, 200
+#: Largest time between samples [s], unless that makes more samples than the number.
+SPACING, MOST_SAMPLES = 0.02, 300
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,7 +69,10 @@ class StraightMotion:
         return 4 * self.rise + 2 * self.hold + self.steady
 
     def sampled(self, names: Sequence[str], factor: float) -> Trajectory:
-        """The cubic trajectory, `factor` times slower, with a sample where each phase begins or ends."""
+        """The cubic trajectory, `factor` times slower, with samples where phases begin or end, and some between.
+
+        Those between serve controllers that interpolate samples otherwise.
+        """
         rise, hold, steady = (_rounded_up(each * factor) for each in (self.rise, self.hold, self.steady))
         parts = np.array([rise, hold, rise, steady, rise, hold, rise])
         # the way is jerk · rise (rise + hold) (2 rise + hold + steady); shares of it are used as unit of length
@@ -76,16 +81,20 @@ class StraightMotion:
         rate = peak / rise if rise else 0.0
         jerk = np.array([rate, 0.0, -rate, 0.0, -rate, 0.0, rate])
         begins = np.array([0.0, peak, peak, 0.0, 0.0, -peak, -peak])
-        speeds = np.append(0.0, np.cumsum(parts * (begins + parts * jerk / 2)))
-        travelled = np.cumsum(parts * (speeds[:-1] + parts * (begins / 2 + parts * jerk / 6)))
-        kept = parts > 0
-        share, pace = np.append(0.0, travelled[kept]), np.append(0.0, speeds[1:][kept])
-        share[-1], pace[-1] = 1.0, 0.0
+        speeds = np.append(0.0, np.cumsum(parts * (begins + parts * jerk / 2))[:-1])
+        shares = np.append(0.0, np.cumsum(parts * (speeds + parts * (begins / 2 + parts * jerk / 6)))[:-1])
+        ends = np.round(np.append(0.0, np.cumsum(parts)), 9)
+        counts = np.ceil(parts / max(SPACING, ends[-1] / MOST_SAMPLES)).astype(int)
+        phase = np.repeat(np.arange(len(parts)), counts)
+        step = np.arange(len(phase)) - np.repeat(np.cumsum(counts) - counts, counts)
+        t = np.round(ends[phase] + parts[phase] * step / counts[phase], 9)
+        u = t - ends[phase]
+        share = shares[phase] + u * (speeds[phase] + u * (begins[phase] / 2 + u * jerk[phase] / 6))
+        pace = speeds[phase] + u * (begins[phase] + u * jerk[phase] / 2)
         way = self.goal - self.start
-        q = self.start + share[:, None] * way
-        q[-1] = self.goal
-        t = np.round(np.append(0.0, np.cumsum(parts[kept])), 9)
-        return Trajectory(t=t, q=q, qd=pace[:, None] * way, joint_names=tuple(names))
+        q = np.vstack([self.start + share[:, None] * way, self.goal])
+        qd = np.append(pace, 0.0)[:, None] * way
+        return Trajectory(t=np.append(t, ends[-1]), q=q, qd=qd, joint_names=tuple(names))
 
 
 def _phases(length: float, v: float, a: float, j: float) -> tuple[float, float]:

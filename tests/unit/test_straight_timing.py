@@ -47,7 +47,7 @@ def test_one_joint_without_limited_jerk(way, v, a):
     assert motion.duration == pytest.approx(bang_bang(way, v, a), rel=1e-4, abs=2e-4)
     use = limit_use(motion, arm.limits)
     assert use["velocity"].ratio <= 1 + 1e-12 and use["acceleration"].ratio <= 1 + 1e-12
-    assert len(motion.t) <= 4
+    assert len(motion.t) <= min(3 + motion.duration / 0.02, 303) + 1
 
 
 @examples(300)
@@ -59,7 +59,7 @@ def test_one_joint_with_limited_jerk(way, v, a, j):
     use = limit_use(motion, arm.limits)
     assert use["velocity"].ratio <= 1 + 1e-12 and use["acceleration"].ratio <= 1 + 1e-12
     assert jerk_use(motion, arm.limits).ratio <= 1 + 1e-9
-    assert len(motion.t) <= 8
+    assert len(motion.t) <= min(7 + motion.duration / 0.02, 307) + 1
     np.testing.assert_array_equal(motion.q[[0, -1]], [[0.0, 0.0], [0.0, way]])
     np.testing.assert_array_equal(motion.qd[[0, -1]], 0.0)
 
@@ -95,7 +95,7 @@ def test_no_slower_than_the_general_solver(jerk):
     line = mp.retime(mp.JointPath.line([0.0, 0.0], [3.0, 1.0]), arm)
     control = np.array([[[0.0, 0.0], [1.0, 1 / 3 + 1e-9], [2.0, 2 / 3], [3.0, 1.0]]])
     bent = mp.retime(mp.JointPath(breaks=[0.0, 1.0], control=control), arm)
-    assert len(bent.t) > 20 > len(line.t)
+    assert len(bent.t) > 300 > len(line.t)
     assert line.duration <= bent.duration * (1 + 1e-9)
     assert bent.duration <= line.duration * 1.003
 
@@ -115,7 +115,7 @@ def test_a_line_that_goes_back_stops_where_it_turns():
 def test_limits_that_change_along_a_line_take_the_general_solver(options):
     arm = limited(2.0, 4.0).with_limits(effort=1e3)
     motion = mp.retime(mp.JointPath.line([0.0, 0.0], [2.0, 1.0]), arm, **options)
-    assert len(motion.t) > 20
+    assert len(motion.t) > 300
 
 
 @pytest.mark.parametrize("jerk", [np.inf, 50.0])
@@ -136,7 +136,7 @@ def test_chords_of_a_circle_take_time_in_proportion(jerk):
             for x in unit.max(axis=1)
         )
         assert motion.duration == pytest.approx(ideal, rel=1e-5)
-        assert len(motion.t) <= 7 * count + 1
+        assert len(motion.t) <= 7 * count + 1 + motion.duration / 0.02
     assert seconds[1] < 8 * seconds[0]
 
 
