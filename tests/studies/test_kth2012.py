@@ -64,7 +64,7 @@ def test_paths_among_posts_are_measured_anew(case):
         away = post - joints[:, :-1]
         along = np.clip((away * links).sum(axis=-1) / (links**2).sum(axis=-1), 0.0, 1.0)
         distance = np.linalg.norm(away - along[..., None] * links, axis=-1).min() - config.POST_RADIUS - 0.05
-        assert config.CLEARANCE <= distance
+        assert distance >= config.CLEARANCE
     lever = joints[:, -1:] - joints[:, :-1]
     jacobian = np.stack([-lever[..., 1], lever[..., 0]], axis=1)
     m = np.sqrt(np.linalg.det(jacobian @ jacobian.swapaxes(1, 2)))
