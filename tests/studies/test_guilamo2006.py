@@ -1,8 +1,11 @@
 """The figures of the study are those of expected.csv, and of its page."""
 
 import csv
+from pathlib import Path
 
+import example_robot_data
 import numpy as np
+import pinocchio as pin
 import pytest
 
 import manipplan as mp
@@ -52,6 +55,35 @@ def test_the_line_ends_where_reach_does():
     _, second = courses.second_courses()
     assert courses.furthest(second, config.SECOND_SIDE, config.SECOND_SAMPLES) == config.SECOND_LINE_END
     assert second.path.length == pytest.approx(config.LENGTH * courses.second_scale(second.robot))
+
+
+@pytest.mark.slow
+def test_self_collisions_are_those_of_pinocchio_and_coal():
+    """Candidates of the circle among TALOS' own meshes, with the pairs that its SRDF leaves, but for neighbours."""
+    circle, _ = courses.courses()
+    every, free = (
+        np.concatenate(runs.Runs().sampled(circle, config.COARSE, collisions=each).layers.q) for each in (False, True)
+    )
+    kept = {each.tobytes() for each in np.round(free, 9)}
+    talos = example_robot_data.load("talos")
+    model, urdf = talos.model, Path(talos.urdf)
+    bodies = pin.buildGeomFromUrdf(model, str(urdf), pin.GeometryType.COLLISION, package_dirs=[str(urdf.parents[4])])
+    bodies.addAllCollisionPairs()
+    pin.removeCollisionPairs(model, bodies, str(urdf.parents[1] / "srdf" / "talos.srdf"), False)
+    joints = [[bodies.geometryObjects[k].parentJoint for k in (pair.first, pair.second)] for pair in bodies.collisionPairs]
+    apart = [k for k, (a, b) in enumerate(joints) if a != b and model.parents[a] != b and model.parents[b] != a]
+    moved = {model.getJointId(name) for name in circle.robot.joint_names}
+    apart = [k for k in apart if any(set(model.supports[joint]) & moved for joint in joints[k])]
+    q = talos.q0.copy()
+    for name, value in circle.robot.locked.items():
+        q[model.joints[model.getJointId(name)].idx_q] = value
+    active = [model.joints[model.getJointId(name)].idx_q for name in circle.robot.joint_names]
+    data, placed = model.createData(), pin.GeometryData(bodies)
+    for candidate in np.random.default_rng(1).permutation(every)[:150]:
+        q[active] = candidate
+        pin.updateGeometryPlacements(model, data, bodies, placed, q)
+        nearest = min(pin.computeDistance(bodies, placed, k).min_distance for k in apart)
+        assert (nearest > 0) == (np.round(candidate, 9).tobytes() in kept)
 
 
 def test_the_circle_is_that_of_the_paper():
