@@ -222,7 +222,7 @@ class Solver:
             q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
             allowed, ratio = float(_allowed(target[None])[0]), share
             q, miss = arm.search(q, target, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
-            q = q[miss <= max(allowed, NEARLY)]
+            q = q[miss <= allowed]
             if not len(q):
                 break
         return in_turn(self.robot, q)
@@ -318,7 +318,8 @@ class Solver:
         rows, q = self.with_turns(found.q)
         source, residual = found.source[rows], found.residual[rows]
         turning = self._turning
-        stopped = (q[:, turning] == self.robot.limits.upper[turning]).any(axis=1)  # the turn may end just before the pose
+        limits = self.robot.limits  # where a turn may end just before the pose
+        stopped = ((q[:, turning] == limits.lower[turning]) | (q[:, turning] == limits.upper[turning])).any(axis=1)
         if stopped.any():
             targets, at = self._targets(poses, owners[order], samples[order], source[stopped])
             residual[stopped] = self._residual(q[stopped], targets, at)
@@ -338,12 +339,13 @@ class Solver:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
         rows = np.arange(len(q))
         for joint in self._turning:
-            upper = self.robot.limits.upper[joint]
-            counts = ((upper - q[:, joint] + NEARLY) // (2 * np.pi)).astype(np.int64) + 1
+            lower, upper = self.robot.limits.lower[joint], self.robot.limits.upper[joint]
+            first = q[:, joint] - np.where(q[:, joint] - 2 * np.pi >= lower - NEARLY, 2 * np.pi, 0.0)
+            counts = ((upper - first + NEARLY) // (2 * np.pi)).astype(np.int64) + 1
             again = np.repeat(np.arange(len(q)), counts)
             turns = np.arange(len(again)) - np.repeat(np.cumsum(counts) - counts, counts)
             q, rows = q[again], rows[again]
-            q[:, joint] = np.minimum(q[:, joint] + 2 * np.pi * turns, upper)
+            q[:, joint] = np.clip(first[again] + 2 * np.pi * turns, lower, upper)
         return rows, q
 
     @property

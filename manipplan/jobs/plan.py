@@ -213,7 +213,7 @@ def plan(
 
     integral = objective.integral(robot)
     start_taken = taken_to_limits(robot, "start", given)
-    there = next((k for k, each in enumerate(targets) if not each.missed_by(robot, q_start)), None)
+    there = next((k for k, each in enumerate(targets) if not each.of_tool(robot).missed_by(robot, q_start)), None)
     if there is not None and not shape.has_slopes:
         scene.collision_model(robot).free_configuration("start", q_start, number("clearance", clearance, least=0.0))
         taken = (*start_taken, *targets[there].taken)

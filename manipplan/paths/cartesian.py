@@ -12,7 +12,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike
 
 from manipplan.paths.distinct import distinct
-from manipplan.paths.pose_curve import PoseCurve, rotation_vectors
+from manipplan.paths.pose_curve import PoseCurve, PoseSpline, curve_through, rotation_vectors
 from manipplan.paths.tables import Table
 from manipplan.support.checks import (
     Array,
@@ -226,8 +226,8 @@ class Spline(CartesianPath):
         return self.poses
 
     @cached_property
-    def _curve(self) -> PoseCurve:
-        return PoseCurve(self.s, self.poses)
+    def _curve(self) -> PoseSpline | PoseCurve:
+        return curve_through(self.s, self.poses)
 
     def _at(self, s: Array) -> tuple[Array, Array]:
         return self._curve(s)

@@ -1,4 +1,6 @@
-"""PoseCurve: poses through given ones, twice continuously differentiable, that stay near the polygon of the given ones.
+"""Curves through given poses, twice continuously differentiable, that stay near the polygon of the given ones.
+
+That is the cubic spline through them where it does so. Elsewhere, as at poses that are nearly repeated, it is a PoseCurve.
 
 Between two given poses the tool moves on the straight piece of the polygon, p + u Δp and R exp(u Δω), plus a small shift δ(u)
 of its own, a quintic polynomial (3,) that is zero at both ends. Its slopes there follow from the velocity m that the curve has
@@ -16,6 +18,10 @@ from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array
 
+#: Distance from the polygon that counts as near, as a share of the longest of a piece and its two neighbours.
+NEAR = 1 / 8
+#: Samples of a spline on each piece, the share of the distance that they may use, and its largest length over the polygon's.
+INSIDE, CERTAIN, LONGEST = 12, 0.9, 1.01
 #: Largest slope of the curve across a piece of the polygon, as a share of its slope along it: as on a circle through poses
 #: every 22°. It is larger on the shorter of two pieces, which adds less to the length, and smaller at turns beyond 90°.
 ACROSS = 0.19
@@ -27,6 +33,52 @@ MUCH_SHORTER = 40
 LONGER = 1.25
 #: What a ratio to zero counts as.
 LARGE = 1e100
+
+
+class PoseSpline:
+    """The cubic splines of positions and rotations through poses (k, 4, 4) at increasing s (k,); k >= 2."""
+
+    def __init__(self, s: Array, poses: Array) -> None:
+        from scipy.interpolate import CubicSpline
+        from scipy.spatial.transform import Rotation, RotationSpline
+
+        self.s, self.poses = s, poses
+        self._positions = CubicSpline(s, poses[:, :3, 3])
+        self._rotations = RotationSpline(s, Rotation.from_matrix(poses[:, :3, :3]))
+
+    def __call__(self, s: Array) -> tuple[Array, Array]:
+        """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
+        return np.asarray(self._positions(s)), np.asarray(self._rotations(s).as_matrix()).reshape(-1, 3, 3)
+
+    @property
+    def stays_near(self) -> bool:
+        """Whether each piece stays within `NEAR` of that of the polygon, and the length within `LONGEST`, at samples."""
+        begins = np.arange(len(self.s) - 1)
+        u = np.linspace(0.0, 1.0, INSIDE + 1)[1:-1]
+        positions, rotations = self((self.s[:-1, None] + np.diff(self.s)[:, None] * u).ravel())
+        turns = rotation_vectors(np.swapaxes(self.poses[:-1, :3, :3], 1, 2) @ self.poses[1:, :3, :3])
+        turned = rotation_vectors(np.swapaxes(np.repeat(self.poses[:-1, :3, :3], len(u), axis=0), 1, 2) @ rotations)
+        moved = positions - np.repeat(self.poses[:-1, :3, 3], len(u), axis=0)
+        for chords, along in ((np.diff(self.poses[:, :3, 3], axis=0), moved), (turns, turned)):
+            sizes = _norms(chords)[:, 0]
+            wide = np.pad(sizes, 1)
+            room = NEAR * np.maximum(np.maximum(wide[:-2], wide[1:-1]), wide[2:])
+            whole = np.repeat(chords, len(u), axis=0)
+            share = np.clip(_ratio((along * whole).sum(axis=1, keepdims=True), _norms(whole) ** 2), 0.0, 1.0)
+            off = _norms(along - share * whole).reshape(len(begins), len(u)).max(axis=1)
+            points = np.concatenate(
+                [np.zeros((len(begins), 1, 3)), along.reshape(len(begins), len(u), 3), chords[:, None]], axis=1
+            )
+            length = float(np.linalg.norm(np.diff(points, axis=1), axis=2).sum())
+            if (off > CERTAIN * room + 1e-12).any() or length > LONGEST * sizes.sum() + 1e-12:
+                return False
+        return True
+
+
+def curve_through(s: Array, poses: Array) -> "PoseSpline | PoseCurve":
+    """The spline through poses where that stays near their polygon, since it needs less acceleration; else the PoseCurve."""
+    spline = PoseSpline(s, poses)
+    return spline if spline.stays_near else PoseCurve(s, poses)
 
 
 class PoseCurve:

@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.support.checks import LARGEST_ANGLE, Array, number_array
+from manipplan.support.checks import LARGEST, Array, number_array
 from manipplan.support.errors import InvalidInputError
 
 TAU = 2 * np.pi
 #: Smallest step that is allowed [rad or m].
-LEAST_EPSILON = 1e-12
+LEAST_EPSILON = 1e-300
 
 
 def steps_between(a: Array, b: Array, continuous: NDArray[np.bool_]) -> Array:
@@ -52,8 +52,8 @@ def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
     array = number_array("epsilon", value)
     if array.shape not in ((), (n,)):
         raise InvalidInputError("epsilon", value, f"one number or {n} of them, one per joint")
-    if not ((array >= LEAST_EPSILON) & (array <= LARGEST_ANGLE)).all():
-        raise InvalidInputError("epsilon", value, f"numbers from {LEAST_EPSILON:g} to {LARGEST_ANGLE:g} [rad or m]")
+    if not ((array >= LEAST_EPSILON) & (array <= LARGEST)).all():
+        raise InvalidInputError("epsilon", value, f"finite numbers above zero, {LEAST_EPSILON:g} to {LARGEST:g} [rad or m]")
     array = np.broadcast_to(array, (n,)).copy()
     if (array[continuous] >= np.pi).any():
         raise InvalidInputError("epsilon", value, "below π for continuous joints")

@@ -20,7 +20,7 @@ LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 LARGEST_SEED = 2**31 - 1
 #: Bounds on every number and every whole number, on entries of configurations [rad or m], beyond which an angle has lost its
 #: digits, and on positions [m].
-LARGEST, LARGEST_COUNT, LARGEST_ANGLE, FARTHEST = 1e12, 10**9, 1e6, 1e6
+LARGEST, LARGEST_COUNT, LARGEST_ANGLE, FARTHEST = 1e12, 10**9, 1e8, 1e6
 #: Maximum number of threads.
 MOST_THREADS = 1024
 #: Smallest number above zero that can be divided by without overflow.

@@ -1,11 +1,13 @@
 """The courses that the arm follows: tool poses along a path, the start posture, and the duration."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 import manipplan as mp
+from manipplan.paths.pose_curve import PoseSpline
 from studies.dufour2020 import config
 
 Array = NDArray[np.float64]
@@ -22,6 +24,25 @@ class Course:
     duration: float
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recorded(mp.CartesianPath):
+    """The cubic splines through recorded poses (k, 4, 4) at s (k,), also where they leave the neighbourhood of the polygon."""
+
+    s: Array
+    poses: Array
+
+    @property
+    def knots(self) -> Array:
+        return self.s
+
+    @cached_property
+    def _curve(self) -> PoseSpline:
+        return PoseSpline(self.s, self.poses)
+
+    def _at(self, s: Array) -> tuple[Array, Array]:
+        return self._curve(s)
+
+
 def load_courses(kinematics: mp.Kinematics) -> dict[str, Course]:
     """S1, S2 and T1 to T5 by name."""
     start = np.array(config.UNTUCKED)
@@ -33,7 +54,8 @@ def load_courses(kinematics: mp.Kinematics) -> dict[str, Course]:
     planned = {each.name for each in config.PLANNED}
     for name in ("S2", *config.TABLE_1):
         table = np.loadtxt(config.PATHS / f"{name}.csv", delimiter=",", skiprows=1)
-        path = mp.CartesianPath.through(kinematics.pose(table[:, 1:]))
+        given = mp.CartesianPath.through(kinematics.pose(table[:, 1:]))
+        path = Recorded(s=given.s, poses=given.poses)
         origin = "OMPL" if name in planned else "demonstration"
         courses.append(Course(name=name, origin=origin, path=path, start=table[0, 1:], duration=float(table[-1, 0])))
     return {course.name: course for course in courses}

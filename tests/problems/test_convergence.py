@@ -155,7 +155,7 @@ def test_options_are_grouped_for_this_version_and_flat_for_the_old_one(monkeypat
 
 
 def test_the_same_version_twice_has_the_ratio_one_and_answers_a_refused_problem(tmp_path):
-    refused = convergence.task("planar", "no way to go", {"lengths": [1.0, 1.0, 1.0]}, [0.0, 1.0, 1.0], [0.0, 1.0, 1.0])
+    refused = convergence.task("planar", "no way to go", {"lengths": [1.0, 1.0, 1.0]}, [0.0, 1.0, 1.0], [0.0, 1.0, 2000.0])
     rows = convergence.run_old([planar()[0], refused], tmp_path, ROOT)
     assert rows[0]["new"]["g"] == rows[0]["old"]["g"]
     assert rows[0]["new"]["cpu"] > 0

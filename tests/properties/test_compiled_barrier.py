@@ -151,7 +151,8 @@ def test_speeds_and_efforts_without_a_motion_are_refused_alike(monkeypatch, comp
 
 def test_a_motion_that_is_never_within_the_limits_is_refused_with_the_reason(monkeypatch):
     """The reason is that without jerk limits, if there is one."""
-    path, arm = mp.JointPath.line(np.zeros(3), np.ones(3)), ARM.with_limits(velocity=1.0, acceleration=2.0, jerk=20.0)
+    path = mp.JointPath(breaks=[0.0, 1.0], control=[[[0.0, 0.0, 0.0], [0.0, 1.0, 0.5], [1.0, 1.0, 1.0]]])
+    arm = ARM.with_limits(velocity=1.0, acceleration=2.0, jerk=20.0)
     monkeypatch.setattr(piece, "fastest_motion", lambda *_: None)
     with pytest.raises(mp.PlanningError, match="no motion within the jerk limits was found"):
         mp.retime(path, arm)

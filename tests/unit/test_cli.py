@@ -310,20 +310,21 @@ def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "a first line x,y,z,qw,qx,qy,qz"),
+        ("", "which is empty"),
         ("a,b,c\n1,2,3\n", "a first line x,y,z,qw,qx,qy,qz"),
         ("x,y,z,qw,qx,qy,qz\n", "at least two poses"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0\n1,1.2,0,1,0,0,0\n", "row 2"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,nan,0,1,0,0,0\n", "row 3"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion qw, qx, qy, qz of length 1"),
-        ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "a pose that differs"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "at least two poses that differ"),
         ("x,y,z,qw,qx,qy,qz\n9,9,0,1,0,0,0\n9,8,0,1,0,0,0\n", "a pose within reach and joint limits; the arm stays"),
     ],
 )
 def test_poses_that_cannot_be_read_or_reached(six_file, tmp_path, capsys, text, message):
     file = tmp_path / "poses.csv"
     file.write_text(text)
-    assert main(follow_arguments(six_file, str(file), tmp_path / "out")) == 2
+    code = 4 if "within reach" in message else 2
+    assert main(follow_arguments(six_file, str(file), tmp_path / "out")) == code
     assert message in capsys.readouterr().err
     assert main(follow_arguments(six_file, str(tmp_path / "none.csv"), tmp_path / "out")) == 2
     assert "existing file" in capsys.readouterr().err

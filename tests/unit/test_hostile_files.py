@@ -44,7 +44,7 @@ def test_an_archive_that_unpacks_to_gigabytes(tmp_path):
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive, archive.open("t.npy", "w", force_zip64=True) as stream:
         for _ in range(1100):
             stream.write(bytes(2**20))
-    with pytest.raises(mp.FileFormatError, match="at most 1,073,741,824 bytes"):
+    with pytest.raises(mp.FileFormatError, match="of at most 134,217"):
         mp.Trajectory.from_npz(file)
 
 
@@ -52,7 +52,7 @@ def test_an_archive_that_unpacks_to_gigabytes(tmp_path):
 def test_odd_cells(tmp_path, text):
     file = tmp_path / "motion.csv"
     file.write_text(text)
-    with pytest.raises(mp.FileFormatError, match="a CSV with columns time|row 3"):
+    with pytest.raises(mp.FileFormatError, match="a CSV with columns time|row 3|a text file \\(CSV\\)"):
         mp.Trajectory.from_csv(file)
 
 
@@ -95,7 +95,7 @@ def test_numbers_of_first_paths_are_bounded():
 def test_motions_of_too_many_time_steps(planar):
     slow = planar.with_limits(velocity=1e-9)
     line = mp.JointPath.line([0.0, 1.0, 1.0], [1.0, 1.0, 1.0])
-    with pytest.raises(mp.InvalidInputError, match=r"duration: got .*; allowed: at least .* s"):
+    with pytest.raises(mp.InvalidInputError, match=r"allowed: a position that joint1 reaches at 1e-09 per second"):
         mp.improve(slow, mp.retime(line, planar))
     path = mp.CartesianPath.line(planar.kinematics().pose([0.0, 1.0, 1.0]), planar.kinematics().pose([0.1, 1.0, 1.0]))
     with pytest.raises(mp.InvalidInputError, match="at most 1,000,000 time steps"):

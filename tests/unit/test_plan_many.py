@@ -174,7 +174,7 @@ def hard(planar):
         good,
         replace(good, robot=limited, goal=[3.1, 0.0, 0.5], name="outside"),
         replace(good, scene=POST, start=inside, name="in collision"),
-        replace(good, goal=good.start, name="nowhere to go"),
+        replace(good, robot=limited, start=[3.1, 0.0, 0.5], name="start outside"),
         replace(good, scene=CAGE, start=[0.5] * 3, goal=[-0.5] * 3, seeding=mp.Seeding(time_limit=0.3), name="caged"),
         good,
     ]

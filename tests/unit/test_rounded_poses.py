@@ -34,7 +34,7 @@ SPOILT = {
     "millimetres": (lambda pose: pose @ np.diag([1e3, 1e3, 1e3, 1.0]), "differs by"),
     "sheared": (lambda pose: pose @ (np.eye(4) + 1e-3 * np.eye(4, k=1)), "differs by|last row"),
     "transposed": (lambda pose: pose.T.copy(), "last row"),
-    "huge": (lambda pose: pose @ np.diag([1e200, 1e200, 1e200, 1.0]), "differs by"),
+    "huge": (lambda pose: pose @ np.diag([1e200, 1e200, 1e200, 1.0]), "numbers from -1e"),
     "nan": (lambda pose: np.full((4, 4), np.nan), "finite"),
 }
 
@@ -99,7 +99,7 @@ def test_a_joint_at_its_limit_stays_a_solution(seed, joint, upper):
     robot = UR5
     q = robot.random_configuration(np.random.default_rng(seed))
     q[joint] = (robot.limits.upper if upper else robot.limits.lower)[joint]
-    if abs(np.sin(q[4])) < 0.1 or abs(np.sin(q[2])) < 0.1:
+    if robot.kinematics().manipulability(q) < 5e-3:
         return  # rounding moves much near a singularity
     pose = robot.kinematics().pose(q)
     for rounded in (pose.astype(np.float32), np.round(pose, 7)):

@@ -272,7 +272,7 @@ def test_memory_is_refused_before_work_starts(six):
     ("change", "message"),
     [
         ({"samples": 10**12}, "samples: got 1000000000000; allowed: fewer"),
-        ({"positions": 10**12}, "positions: got 1000000000000; allowed: fewer"),
+        ({"positions": 10**12}, "positions: got 1000000000000; allowed: a whole number, at least 2, at most 100000"),
     ],
 )
 def test_a_grid_larger_than_memory_is_refused_before_it_is_made(panda, line, change, message):

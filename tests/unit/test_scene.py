@@ -256,7 +256,7 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
         ("shape: plane, position: [0, 0, -1.0e+7]", "position.*numbers from -1e\\+06 to 1e\\+06"),
         (
             "shape: plane, rotation: [[1.0e+200, 0, 0], [0, 1, 0], [0, 0, 1]]",
-            "rotation.*differs by 1e\\+200 from the nearest rotation",
+            r"rotation.*numbers from -1e\+12",
         ),
         ("shape: mesh, triangles: [[[0, 0, 0], [1, 0, 0], [0, 1.0e+308, 0]]]", "corners within 1e\\+06 m"),
     ],

@@ -396,7 +396,7 @@ def test_limits_of_another_arm_tell_nothing_of_jerk(panda, planar):
 def test_limits_beyond_all_sense(panda, kind):
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
     with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at least 1e-09"):
-        mp.retime(path, panda, limits=panda.limits.with_changes({kind: 1e-300}))
+        mp.retime(path, panda, limits=panda.limits.with_changes({kind: 1e-50}))
     if kind != "jerk":
         with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at most 1e.12"):
             mp.retime(path, panda, limits=panda.limits.with_changes({kind: 1e300}))

@@ -189,7 +189,6 @@ def test_wrong_tasks_and_measures(baxter, options, message):
         ["left_gripper", 1.0],
         [("left_gripper", 1.0), ("left_gripper", 2.0)],
         "ab",
-        (each for each in [("left_gripper", 1.0)]),
     ],
 )
 def test_weights_are_positive(weights):

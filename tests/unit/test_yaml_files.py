@@ -69,7 +69,7 @@ def test_anchors_and_merged_keys_are_read(tmp_path):
         ("rotation: [[1, 2], [3]]", r"rotation\): got \[\[1, 2\], \[3\]\]; allowed: real numbers"),
         ("position: [1, 2, " + "9" * 4000 + "]", r"position\): got .*real numbers"),
         ("position: [" + "1," * 300_000 + "]", r"not \(300000,\)"),
-        ("position: 2001-11-05", "real numbers"),
+        ("position: 2001-11-05", "ambiguous"),
     ],
 )
 def test_wrong_values_of_an_obstacle(tmp_path, text, message):

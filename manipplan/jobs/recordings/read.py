@@ -42,6 +42,7 @@ def read_motion(
     `joints`, `columns`: as for `Trajectory.from_csv`; `fastest`: as for `unwrapped`. With `degrees` the angles of all revolute
     joints are converted.
     """
+    degrees = flag("degrees", degrees)
     places = Places(
         argument=argument, file=Path(given) if isinstance(given, str | Path) else None, degrees=degrees, robot=robot
     )
@@ -57,7 +58,7 @@ def read_motion(
             wanted = f"the joints {', '.join(robot.joint_names)} alone; {name} is locked at {robot.locked[name]:g}"
             raise InvalidInputError(f"{argument}.joint_names", name, wanted)
     motion = given.in_order(robot.joint_names)
-    if flag("degrees", degrees):
+    if degrees:
         scale = np.where([kind == "prismatic" for kind in robot.joint_types], 1.0, np.pi / 180)
         motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
 
