@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.symbolic.task import Task
 
-#: Number of intervals of time over which the mean manipulability is taken.
+#: Number of intervals of time over which the mean manipulability is taken, and at whose ends two motions are compared.
 TIMES = 2000
 #: Relative change up to which a figure counts as the same, and by which manipulability has to rise to count as better.
 SAME, BETTER = 1e-6, 1e-3
@@ -116,12 +116,14 @@ class Comparison:
 
 
 def deviation_between(recorded: Trajectory, improved: Trajectory, integral: PathIntegral) -> Deviation:
-    """Largest distances of the tools of two motions from each other, at the same shares of time, at all samples of both.
+    """Largest distances of the tools of two motions from each other, at the same shares of time: at all samples
+    of both, and at even times.
 
     What the task leaves free does not count: of a task without angular rows the orientation, of a pointing task the turn
     about its axis, of a task without linear rows the position.
     """
-    u = np.unique(np.concatenate([recorded.t / recorded.duration, improved.t / improved.duration]))
+    even = np.linspace(0.0, 1.0, TIMES + 1)
+    u = np.unique(np.concatenate([recorded.t / recorded.duration, improved.t / improved.duration, even]))
     position, rotation = tool_distances(recorded, improved, u, integral)
     far, turned = int(position.argmax()), int(rotation.argmax())
     return Deviation(
