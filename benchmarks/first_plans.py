@@ -78,7 +78,7 @@ PROBLEMS: dict[str, Callable[[], Arguments]] = {
     ),
     "Panda, the demo": demo,
     "xArm7, no obstacles": lambda: moved("xarm7", 0.6, None),
-    "iiwa14, a box": lambda: moved("iiwa14", 0.5, mp.Scene([HIGH])),
+    "Kinova, a box": lambda: moved("kinova", 0.5, mp.Scene([HIGH])),
     "UR10, a pose": lambda: (mp.load_robot("ur10"), [0, -1.4, 1.6, -1.77, -1.57, 0], down(0.5, 0.4, 0.3), None, 0.0),
     "planar arm, a column": lambda: (
         mp.planar_arm([1.0, 1.0, 1.0]),
