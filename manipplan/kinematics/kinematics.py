@@ -250,9 +250,9 @@ class Kinematics:
         """Generated C if there is a compiler, else code by LLVM for large batches; None: CasADi's virtual machine."""
         known = self._kernels.get(quantity)
         by_llvm = self.compiled == "auto" and count >= MANY
-        return (
-            known if known is not None or (quantity in self._kernels and not by_llvm) else self._new_kernel(quantity, by_llvm)
-        )
+        if known is not None or (quantity in self._kernels and not by_llvm):
+            return known
+        return self._new_kernel(quantity, by_llvm)
 
     @building()
     def _new_kernel(self, quantity: str, by_llvm: bool) -> Kernel | None:

@@ -5,18 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.pose_curve import rotation_vectors
+from manipplan.paths.cartesian import RADIAN, CartesianPath
+from manipplan.paths.pose_curve import NEAR, rotation_vectors
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 
-#: Number of poses on the path, and weight of an angle in the search for the nearest of them [m/rad].
+#: Number of poses on the path.
 POSES = 2001
-RADIAN = 0.1
-#: Width of the neighbourhood of a polygon of poses as a share of its pieces, and distance from it that counts as beside [m].
-NEAR, BESIDE = 1 / 8, 1e-3
+#: Distance from the neighbourhood of a polygon that counts as beside [m].
+BESIDE = 1e-3
 #: Number of tool poses compared at a time.
 BLOCK = 256
 

@@ -34,25 +34,25 @@ def replacing(folder: str | Path) -> Iterator[tuple[Path, Path]]:
     Raises InvalidInputError when the folder cannot be written.
     """
     to = writable_folder("folder", folder)
-    try:
-        with _locked(to):
-            _finish(to)
-            new = Path(tempfile.mkdtemp(prefix=WRITING, dir=to))
-            try:
-                yield to, new
-            except BaseException:
-                shutil.rmtree(new, ignore_errors=True)
-                raise
-            new.rename(_renamed(new, WRITING, WRITTEN))
-            _finish(to)
-    except OSError as error:
-        raise InvalidInputError("folder", str(to), f"a folder that can be written ({error.strerror or error})") from error
+    with _errors(to), _locked(to):
+        _finish(to)
+        new = Path(tempfile.mkdtemp(prefix=WRITING, dir=to))
+        try:
+            yield to, new
+        except BaseException:
+            shutil.rmtree(new, ignore_errors=True)
+            raise
+        new.rename(_renamed(new, WRITING, WRITTEN))
+        _finish(to)
 
 
 def finish(folder: Path) -> None:
-    """Put in place what a killed process left half-way, and remove what it had not finished."""
-    if any(folder.glob(".manipplan-*-*")):
-        with _locked(folder):
+    """Put in place the files that a killed process had written, but not all put in place.
+
+    Raises InvalidInputError when that is needed, and the folder cannot be written.
+    """
+    if any(left for each in (WRITTEN, MOVING) for left in folder.glob(f"{each}*")):
+        with _errors(folder), _locked(folder):
             _finish(folder)
 
 
@@ -75,6 +75,15 @@ def _finish(folder: Path) -> None:
 
 def _renamed(folder: Path, old: str, new: str) -> Path:
     return folder.with_name(new + folder.name.removeprefix(old))
+
+
+@contextmanager
+def _errors(folder: Path) -> Iterator[None]:
+    """Raise errors of the file system as InvalidInputError."""
+    try:
+        yield
+    except OSError as error:
+        raise InvalidInputError("folder", str(folder), f"a folder that can be written ({error.strerror or error})") from error
 
 
 @contextmanager

@@ -102,7 +102,7 @@ def plot_manipulability(
         raise InvalidInputError("paths", paths, "a mapping of names to paths, at least one")
     curves = {name: joint_path(f"paths[{name!r}]", motion, kinematics.robot) for name, motion in paths.items()}
     colours = dict(zip(curves, (style.OPTIMUM, style.SEED, *style.JOINTS[2:]), strict=False))
-    bound = None if bound is None or (isinstance(bound, float) and bound == np.inf) else number("bound", bound)
+    bound = None if bound is None else number("bound", bound)
     if flag("straight", straight):
         first = next(iter(curves.values()))
         colours["straight"] = style.STRAIGHT

@@ -150,7 +150,8 @@ def test_no_distance_of_meshes_is_asked_of_coal(rng, monkeypatch):
     distances = model.distance_rows(q)[:, 0]
     model.in_collision_rows(q, clearance=0.1)
     far = np.abs(distances) > 1e-5
-    model.witnesses(q[far], np.zeros(far.sum(), dtype=int))
+    assert far.sum() > 100 and (distances < 0).any() and (distances > 0).any()
+    assert len(model.witnesses(q[far], np.zeros(far.sum(), dtype=int)).distances) == far.sum()
 
 
 @pytest.mark.parametrize("compiled", [True, False])

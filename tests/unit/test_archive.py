@@ -220,7 +220,7 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
     for workspace in (mp.CartesianPath.through(list(poses)), mp.CartesianPath.line(poses[0], poses[-1])):
         refined = mp.Refinement(
             q=small_plan.path(np.linspace(0, 1, 4)), manipulability=np.arange(4.0), discrete=0.1, resampled=0.2, refined=0.3,
-            bound=np.inf, length=1.0, history=(0.1, 0.3),
+            bound=0.4, length=1.0, history=(0.1, 0.3),
         )  # fmt: skip
         deviation = mp.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
         followed = {"workspace_path": workspace, "refinement": refined, "deviation": deviation}

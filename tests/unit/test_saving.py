@@ -76,6 +76,19 @@ def test_killed_at_every_step(tmp_path, monkeypatch, step):
     there = set(held(tmp_path).values())
     assert len(there) <= 1
     finish(tmp_path)
-    assert not list(tmp_path.glob(".*"))
+    assert not [each for each in tmp_path.glob(".*") if not each.name.startswith(saving.WRITING)]
     kinds = [{"trajectory.csv", "report.txt", "plan.json"}, {"trajectory.csv", "report.txt", "plan.json", "plan.png"}]
     assert set(held(tmp_path)) in kinds and len(set(held(tmp_path).values())) == 1
+    with replacing(tmp_path) as (_, new):
+        write(new, "last")
+    assert not list(tmp_path.glob(".*")) and set(held(tmp_path).values()) == {"last"}
+
+
+def test_an_unfinished_save_hinders_no_reader(tmp_path, monkeypatch):
+    """Nobody can write there: the files of the last save are read."""
+    with replacing(tmp_path) as (_, new):
+        write(new, "old")
+    (tmp_path / f"{saving.WRITING}x").mkdir()
+    monkeypatch.setattr(saving, "_finish", lambda _: pytest.fail("nothing is half in place"))
+    finish(tmp_path)
+    assert set(held(tmp_path).values()) == {"old"}

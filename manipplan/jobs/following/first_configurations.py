@@ -20,11 +20,10 @@ from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
 from manipplan.support.checks import Array
+from manipplan.support.tolerances import SAME
 
 #: Gain in the minimum manipulability below which another first configuration is not tried, nor taken.
 GAIN = 0.01
-#: Largest difference of configurations, and share of their minima, that count as the same but for full turns.
-SAME = 1e-6
 #: Maximum number of first configurations to which motions are compared.
 COMPARED = 20_000
 #: Distance of a joint from which configurations are different postures [rad or m].

@@ -101,11 +101,11 @@ def choose_entry(
         failure = f"no lead-in to any of the {tried} first configurations of the path that were tried; the first: {failure}"
     rows = [*done, *(row for row, _ in waiting)]
     same = any(not each.least_crossings for each in rows)
-    told = [_told(each, same) if k < len(done) else _left(each, best) for k, each in enumerate(rows)]
+    told = [_tried(each, same) if k < len(done) else _left_out(each, best) for k, each in enumerate(rows)]
     return EntryChoice(entry=best, candidates=tuple(told), failure="" if best is not None else failure)
 
 
-def _told(row: GoalCandidate, same: bool) -> GoalCandidate:
+def _tried(row: GoalCandidate, same: bool) -> GoalCandidate:
     """A candidate that was tried; `same`: whether there was one in the aspect of the start."""
     if not row.chosen:
         return row
@@ -116,7 +116,7 @@ def _told(row: GoalCandidate, same: bool) -> GoalCandidate:
     return replace(row, status=f"chosen, {row.status}{aspect}")
 
 
-def _left(row: GoalCandidate, best: Entry | None) -> GoalCandidate:
+def _left_out(row: GoalCandidate, best: Entry | None) -> GoalCandidate:
     """A candidate that was not tried."""
     if best is not None and row.least_crossings and best.minimum > 0:
         return replace(row, status="left out: in another aspect than the start")

@@ -16,7 +16,7 @@ from manipplan.support.untrusted import printable
 log = logging.getLogger("manipplan")
 
 #: Longest time for one file [s]: of the processor, and until it ends. Large robots take less than 2 s.
-PROCESSOR, TIME_LIMIT = 5, 60.0
+PROCESSOR, TIME_LIMIT = 4, 60.0
 
 
 def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
