@@ -191,6 +191,17 @@ def mujoco(inner: str, *, extra: str = "") -> bytes:
     return f"<mujoco>{extra}<worldbody>{arm}{inner}</worldbody></mujoco>".encode()
 
 
+#: Elements of MJCF that ask for much in a few letters.
+ASKED = {
+    "texture": '<asset><texture name="t" type="2d" builtin="flat" width="30000" height="30000"/></asset>',
+    "plate": '<asset><mesh name="m" builtin="plate" params="3000 3000"/></asset>',
+    "sensor": '<sensor><user dim="500000000" name="x"/></sensor>',
+    "keys": '<size nkey="100000000"/>',
+    "numbers": '<size nuser_geom="100000000" nuser_body="100000000"/>',
+    "memory": '<size memory="100G"/>',
+}
+
+
 def replicate(counts: list[int], inner: str = '<geom size=".1"/>') -> str:
     """Nested repetitions."""
     for count in counts:
@@ -371,6 +382,10 @@ def bombs() -> Iterator[Bomb]:
         "composite.xml",
         lambda: mujoco('<body><composite type="cable" count="100000 1 1" size="1"><geom size=".1"/></composite></body>'),
     )
+    for name, extra in ASKED.items():
+        yield bomb("mujoco arm", f"{name}.xml", lambda e=extra: mujoco("", extra=e))
+    flex = '<flexcomp name="f" type="grid" count="300 300 1" spacing=".1 .1 .1" dim="2"/>'
+    yield bomb("mujoco arm", "flex.xml", lambda: mujoco(flex))
     yield bomb("urdf", "power.urdf.xacro", lambda: urdf(head='<xacro:property name="a" value="${9**9**9}"/>${a}'))
     yield bomb("urdf", "text.urdf.xacro", lambda: urdf(head='<xacro:property name="a" value="${\'a\' * 10**10}"/>${a}'))
     yield bomb("urdf", "list.urdf.xacro", lambda: urdf(head='<xacro:property name="a" value="${[0] * 10**9}"/>${len(a)}'))

@@ -16,7 +16,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.robots.description import Description
-from manipplan.robots.formats.mjcf_files import compile_mjcf
+from manipplan.robots.formats.mjcf_files import MOST_HEIGHTS, compile_mjcf
 from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
@@ -33,8 +33,6 @@ JOINTS = ("free", "ball", "slide", "hinge")
 SHAPES = ("plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf")
 #: MuJoCo's kinds of equality constraints.
 EQUALITIES = ("connect", "weld", "joint", "tendon", "flex", "flexvert", "flexstrain", "distance")
-#: Largest number of heights of a height field.
-MOST_HEIGHTS = 250_000
 #: Number of groups of geoms that MuJoCo's viewer draws by default.
 DRAWN_GROUPS = 3
 #: Why two geoms are not checked against each other.

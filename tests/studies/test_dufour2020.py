@@ -27,7 +27,13 @@ def test_the_quick_study_makes_what_is_expected(tmp_path):
     }
 
 
-def test_a_difference_is_told(monkeypatch):
+@pytest.mark.slow
+def test_the_whole_study_makes_what_is_expected(tmp_path):
+    assert run.STUDY.main(["--out", str(tmp_path)]) == []
+    assert {file.name for file in tmp_path.iterdir()} == {file.name for file in config.PAGES.iterdir()}
+
+
+def test_a_difference_is_told():
     found = [claims.Claim(text=text, paper="", value=value) for text, value, _ in claims.expected()]
     assert claims.differences(found) == []
     found[2] = claims.Claim(text=found[2].text, paper="", value=found[2].value + 1)

@@ -19,7 +19,7 @@ def test_the_quick_study_makes_what_is_expected(tmp_path):
     assert {file.name for file in tmp_path.glob("*.png")} == FIGURES
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_the_whole_study_makes_what_is_expected(tmp_path):
     assert run.STUDY.main(["--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.iterdir()} == {

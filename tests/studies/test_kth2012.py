@@ -43,7 +43,7 @@ def test_differences_are_told_in_report_and_exit_code(tmp_path, capsys, monkeypa
     assert "Table &lt;6.1&gt;: 2, not 3" in (tmp_path / "report.html").read_text()
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_the_whole_study_makes_what_is_expected(tmp_path):
     assert run.STUDY.main(["--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.iterdir()} == {file.name for file in config.PAGES.iterdir()}

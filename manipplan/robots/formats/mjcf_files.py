@@ -1,11 +1,13 @@
 """Compiles MJCF files by MuJoCo, in a process of its own: a file from outside can take all memory or end the process.
 
 MuJoCo expands a few lines into millions of bodies (`<replicate>`), prints warnings and writes a log into the working directory.
-So repetitions are counted first, the file is compiled under limits of memory and time, and this process reads the model.
+So repetitions are counted first, the file is compiled under limits of memory and time, without textures, sensors and keyframes,
+and this process reads the model.
 """
 
 import importlib.util
 import logging
+import math
 import os
 import signal
 import subprocess
@@ -25,8 +27,11 @@ log = logging.getLogger("manipplan")
 PROCESSOR, TIME_LIMIT = 20, 120.0
 #: Largest memory of that process, and largest model [bytes].
 MEMORY, WRITTEN = 4 * 2**30, 2**30
-#: Largest number of elements after repetitions: MuJoCo takes minutes for a million.
-MOST_ELEMENTS = 100_000
+#: Largest number of elements after repetitions (MuJoCo takes minutes for a million), of heights of a height field, and of steps
+#: of a mesh that MuJoCo makes.
+MOST_ELEMENTS, MOST_HEIGHTS, RESOLUTION = 100_000, 250_000, 500.0
+#: Elements with a count of repetitions, and as many elements as one repetition is worth.
+REPEATED = {"replicate": 1, "flexcomp": 20, "composite": 20}
 #: Numbers of a model that are checked, by the kind of element that they belong to.
 CHECKED = {
     "body": ("body_pos", "body_quat", "body_ipos", "body_iquat"),
@@ -82,7 +87,9 @@ def _compiled(file: str) -> dict[str, str]:
     import mujoco
 
     try:
-        model = mujoco.MjModel.from_xml_path(file)
+        spec = mujoco.MjSpec.from_file(file)
+        _leave_out(spec, mujoco.mjtBuiltin.mjBUILTIN_FLAT)
+        model = spec.compile()
         size = mujoco.mj_sizeModel(model)
         if size > WRITTEN:
             return {"error": f"the model has {size / 2**20:,.0f} MiB, at most {WRITTEN / 2**20:,.0f} are allowed"}
@@ -92,23 +99,47 @@ def _compiled(file: str) -> dict[str, str]:
     return {}
 
 
+def _leave_out(spec: Any, flat: Any) -> None:
+    """Take away from a model what no robot and no scene needs, whatever its size; materials need their textures' names."""
+    for texture in spec.textures:
+        texture.builtin, texture.width, texture.height, texture.nchannel = flat, 1, 1, 3
+        texture.file, texture.cubefiles = "", [""] * 6
+    for each in [*spec.sensors, *spec.keys]:
+        spec.delete(each)
+    spec.nkey = spec.nuserdata = 0
+    spec.memory = spec.njmax = spec.nconmax = -1  # for a simulation
+    for kind in ("body", "jnt", "geom", "site", "cam", "tendon", "actuator", "sensor"):
+        setattr(spec, f"nuser_{kind}", -1)  # as many as there are
+
+
 def _check_size(file: Path, root: ET.Element) -> None:
-    """Raise FileFormatError where `<replicate>` makes too many elements, those of included files counted."""
+    """Raise FileFormatError where MuJoCo would make too many elements or too fine a mesh, those of included files counted."""
     included = {file.absolute()}
 
-    def count(element: ET.Element) -> int:
+    def count(element: ET.Element) -> float:
         inner = [*element]
         if element.tag == "include":
             path = (file.parent / element.get("file", "")).absolute()
             if path not in included and path.is_file():  # MuJoCo includes a file once
                 included.add(path)
                 inner += [*bounded_xml("file", path)]
-        repeated = numbers(element.get("count"), 1) if element.tag == "replicate" else None
-        return int(max(1.0, repeated[0] if repeated else 1.0)) * (1 + sum(map(count, inner)))
+        name = element.get("name")
+        if element.tag == "mesh" and element.get("builtin") and max(_numbers(element.get("params")), default=0) > RESOLUTION:
+            raise _fault(file, f"meshes made with at most {RESOLUTION:g} steps; {name} has {element.get('params')}")
+        rows, columns = element.get("nrow"), element.get("ncol")
+        if element.tag == "hfield" and math.prod((*_numbers(rows), *_numbers(columns))) > MOST_HEIGHTS:
+            raise _fault(file, f"height fields of at most {MOST_HEIGHTS} heights; {name} has {rows} x {columns}")
+        repeats = math.prod(max(1.0, each) for each in _numbers(element.get("count"))) if element.tag in REPEATED else 1.0
+        return repeats * (REPEATED.get(element.tag, 1) + sum(map(count, inner)))
 
     found = count(root)
-    if found > MOST_ELEMENTS:
-        raise _fault(file, f"at most {MOST_ELEMENTS} elements, and more than that stand in it once <replicate> is expanded")
+    if not found <= MOST_ELEMENTS:
+        raise _fault(file, f"at most {MOST_ELEMENTS} elements, and more than that stand in it once it is expanded")
+
+
+def _numbers(text: str | None) -> tuple[float, ...]:
+    """The numbers in an attribute; none where it holds anything else, which MuJoCo refuses."""
+    return numbers(text, len((text or "").split()), largest=math.inf) or ()
 
 
 def _read(file: Path) -> Any:

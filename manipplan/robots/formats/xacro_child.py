@@ -22,7 +22,7 @@ DEEPEST = 50
 #: Use of an argument; the beginning of an expression; number of arguments that a message lists.
 USE, EXPRESSION, SHOWN = re.compile(r"\$\(arg\s+([^\s()]+)\s*\)"), "$", 8
 #: Largest memory of this process [bytes].
-MEMORY = 2 * 2**30
+MEMORY = 2**30
 #: Largest URDF [characters], and largest file that may be written, with a URDF or with messages [bytes].
 LARGEST, WRITTEN = 100_000_000, 2**30
 #: What is replaced in the library. Another version may lack it: then nothing is expanded.
