@@ -174,10 +174,10 @@ def test_bodies_of_size_zero_are_left_out(edited, caplog, shape):
 def test_limits_below_zero(edited, caplog):
     robot = mp.load_robot(edited(('effort="10"', 'effort="-1"')))
     assert robot.limits.effort.tolist() == [np.inf, 10.0]
-    assert "effort limits below zero count as no limit: joint j1" in caplog.text
+    assert "effort limits below zero count as no limit: joint j1 (-1.0)" in caplog.text
     with pytest.raises(mp.InvalidInputError, match="velocity limit of j1"):
         mp.load_robot(edited(('velocity="1"', 'velocity="-1"')))
-    assert "velocity limits below zero count as 0: joint j1" in caplog.text
+    assert "velocity limits below zero count as 0: joint j1 (-1.0)" in caplog.text
     assert mp.load_robot(edited(('velocity="1"', 'velocity="-1"')), velocity=2.0).limits.velocity.tolist() == [2.0, 2.0]
 
 

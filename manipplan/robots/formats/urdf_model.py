@@ -60,13 +60,12 @@ def build_model(file: Path, root: ET.Element) -> pin.Model:
             _add(copy, joint, "limit", dict.fromkeys(ATTRIBUTES["limit"], 1))
             _add(copy, joint, "dynamics", {"damping": 1, "friction": 1})
     for kind, meaning in (("effort", "no limit"), ("velocity", "0")):
-        below = [
-            joint for joint in plain.findall("joint") for limit in joint.findall("limit") if float(limit.get(kind, "0")) < 0
-        ]
+        found = [(str(joint.get("name")), limit) for joint in plain.findall("joint") for limit in joint.findall("limit")]
+        below = [(name, limit) for name, limit in found if float(limit.get(kind, "0")) < 0]
         if below:
-            names = ", ".join(str(joint.get("name")) for joint in below)
-            log.warning("%s: %s limits below zero count as %s: joint %s", file, kind, meaning, names)
-        for limit in (limit for joint in below for limit in joint.findall("limit")):
+            told = ", ".join(f"{name} ({limit.get(kind)})" for name, limit in below)
+            log.warning("%s: %s limits below zero count as %s: joint %s", file, kind, meaning, told)
+        for _, limit in below:
             limit.set(kind, "0")
     text = ET.tostring(plain, encoding="unicode")
     return pinocchio_says(file, "a URDF", lambda: pin.buildModelFromXML(text))
