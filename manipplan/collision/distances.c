@@ -357,7 +357,8 @@ static void keep_guess(double *guess, const Core *one, const Core *two, const do
     }
 }
 
-/* `bounds` from the simplex that `keep_guess` kept. Returns 0 where it does not give the distance. */
+/* `bounds` from the simplex that `keep_guess` kept, so exact that the distance does not depend on it. Returns 0 where it does not
+   give the distance. */
 static int bounds_near(const double *guess, const Core *one, const Core *two, double *towards, double enough, double *low,
                        double *high, Simplex *s) {
     s->count = (int)guess[3];
@@ -368,8 +369,8 @@ static int bounds_near(const double *guess, const Core *one, const Core *two, do
         for (int i = 0; i < 3; i++) s->point[k][i] = s->first[k][i] - second[i];
     }
     double last[3] = {0};
-    int apart = bounds_from(one, two, last, enough, -INFINITY, EXACT, low, high, 0, s, 1);
-    if (!apart || !(*high > APART) || !(*low > enough || *high - *low <= 1e3 * EXACT)) return 0;
+    int apart = bounds_from(one, two, last, enough, -INFINITY, EXACTEST, low, high, 0, s, 1);
+    if (!apart || !(*high > APART) || !(*low > enough || *high - *low <= EXACT)) return 0;
     memcpy(towards, last, sizeof last);
     return 1;
 }

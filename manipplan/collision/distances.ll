@@ -1,4 +1,4 @@
-; distances.c 7c7ae749d27564113f03160993addfd230d3fb3b542c942587357fa5e4907dfb: written by make kernel
+; distances.c 8df06c7c6055e3c939f9f5226fbb9b5dcd0745627039999ba20f87e0ed80878b: written by make kernel
 
 %struct.Core = type { i64, i64, ptr, ptr, ptr, ptr, ptr, [12 x double] }
 %struct.Search = type { ptr, i64, ptr, ptr, i64, double, ptr, ptr, i32, i64, %struct.Plane, ptr, i64, i32, i32, ptr, ptr, i32, double }
@@ -6171,7 +6171,7 @@ define internal fastcc i32 @bounds_near(ptr nocapture noundef readonly %0, ptr n
 26:                                               ; preds = %92, %16
   call void @llvm.lifetime.start.p0(i64 24, ptr nonnull %10) #19
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 16 dereferenceable(24) %10, i8 0, i64 24, i1 false)
-  %27 = call fastcc i32 @bounds_from(ptr noundef %1, ptr noundef %2, ptr noundef nonnull %10, double noundef %4, double noundef 0xFFF0000000000000, double noundef 0x3DA5FD7FE1796495, ptr noundef %5, ptr noundef %6, ptr noundef null, ptr noundef nonnull %7, i32 noundef 1)
+  %27 = call fastcc i32 @bounds_from(ptr noundef %1, ptr noundef %2, ptr noundef nonnull %10, double noundef %4, double noundef 0xFFF0000000000000, double noundef 1.000000e-15, ptr noundef %5, ptr noundef %6, ptr noundef null, ptr noundef nonnull %7, i32 noundef 1)
   %28 = icmp eq i32 %27, 0
   br i1 %28, label %115, label %105
 
@@ -6277,7 +6277,7 @@ define internal fastcc i32 @bounds_near(ptr nocapture noundef readonly %0, ptr n
   %109 = load double, ptr %5, align 8
   %110 = fcmp ule double %109, %4
   %111 = fsub double %106, %109
-  %112 = fcmp ugt double %111, 1.000000e-08
+  %112 = fcmp ugt double %111, 0x3DA5FD7FE1796495
   %113 = select i1 %110, i1 %112, i1 false
   br i1 %113, label %115, label %114
 

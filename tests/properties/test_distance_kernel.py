@@ -483,3 +483,23 @@ print(scene.collision_model(robot)._kernel is not None, scene.in_collision(robot
         answers.append(run.stdout)
     assert answers[0] == answers[1]
     assert answers[0].startswith("True ")
+
+
+def test_distances_along_a_path_are_smooth(rng):
+    """They do not depend on where the search for them began: those of `witnesses` are found anew, and more exactly."""
+    robot = mp.load_robot("panda")
+    bodies = [
+        mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3)),
+        mp.Cylinder(radius=0.1, length=0.5, position=(0.3, 0.4, 0.4)),
+        mp.Box(size=(0.4, 0.4, 0.02), position=(0.5, -0.3, 0.5)),
+    ]
+    model = mp.Scene(bodies).collision_model(robot)
+    differences = []
+    for _ in range(5):
+        first, last = rng.uniform(0.9 * robot.limits.lower, 0.9 * robot.limits.upper, (2, robot.n))
+        q = first + np.linspace(0.0, 0.2, 200)[:, None] * (last - first)
+        distances = model.distance_rows(q)
+        row, pair = np.nonzero((distances > 1e-3) & (distances < 0.3))
+        differences.append(np.abs(model.witnesses(q[row], pair).distances - distances[row, pair]))
+    found = np.concatenate(differences)
+    assert found.max() < 1e-10 and (found > 1e-13).mean() < 0.01
