@@ -11,6 +11,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.constraints.constraint import KEPT
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import PathIntegral
+from manipplan.ik.form import closed_form
 from manipplan.ik.nearest import millimetres_hint
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.goals.reach import NearestToGoal, nearest
@@ -112,7 +113,8 @@ def find_candidates(
     found = reaching(robot, solved, start)
     useless += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
-    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held), strict=True):
+    thorough = not len(found.q) or closed_form(robot) is None  # a closed form misses hardly any in reach
+    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held, thorough=thorough), strict=True):
         rows += list(nearest_turns(robot, near.reaching, start))
         goals += [k] * len(near.reaching)
         if not len(near.reaching):

@@ -49,10 +49,12 @@ class NearestToGoal(Nearest):
         return f"out of reach: {self.missed}"
 
 
-def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_]) -> list[NearestToGoal]:
+def nearest(
+    robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_], *, thorough: bool = True
+) -> list[NearestToGoal]:
     """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts.
 
-    The held joints (n,) keep their values of `near`.
+    The held joints (n,) keep their values of `near`. If `thorough`, more starts follow for goals that are not reached.
     """
     if not goals:
         return []
@@ -68,7 +70,7 @@ def nearest(robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[
     found = []
     for k, goal in enumerate(goals):
         best = q[owners == k][size[owners == k].argmin()]
-        if k in far:
+        if k in far and thorough:
             more = random_near(robot, goal.matrix, np.random.default_rng(1), int(np.clip(ALL_MORE // len(far), *MORE_STARTS)))
             begins = np.where(held, near, np.vstack([q[owners == k], more]))
             best, left = descend_to_best(robot.limits, _to_goal(missing, k), begins, held)
