@@ -16,8 +16,8 @@ from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 POSES = 2001
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
 BESIDE = 1e-3
-#: Number of tool poses compared at a time.
-BLOCK = 256
+#: Number of tool poses compared at a time, and of pairs of a pose and a piece.
+BLOCK, PAIRS = 256, 10_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,27 +75,24 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
     wide = np.pad(sizes, ((0, 0), (1, 1)))
     room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
-    middles, best = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2, np.full((2, len(poses)), np.inf)
+    middles = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2
     away = np.linalg.norm(poses[:, None, :3, 3] - middles, axis=2) - sizes[0] / 2 - room[0]
     # what is not beside a piece is compared with it only where it is beside none
     near = (away <= BESIDE) | (away > BESIDE).all(axis=1)[:, None] | bool(free.names)
-    for k in range(len(turns)):
-        rows = np.flatnonzero(near[:, k])
-        some = poses[rows]
-        begins, ends = (np.broadcast_to(each, some.shape) for each in given[k : k + 2])
-        position, _ = _from_piece(some, begins, ends, free, radian=0.0)
-        _, rotation = _from_piece(some, begins, ends, free, radian=1e6)
-        found = np.maximum(np.array([position, rotation]) - room[:, k : k + 1], 0.0)
-        better = found[0] + RADIAN * found[1] < best[0, rows] + RADIAN * best[1, rows]
-        best[:, rows[better]] = found[:, better]
-    return best[0], best[1]
+    rows, pieces = np.nonzero(near)
+    found = np.empty((2, len(rows)))
+    for begin in range(0, len(rows), PAIRS):
+        row, piece = rows[begin : begin + PAIRS], pieces[begin : begin + PAIRS]
+        position, _ = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=0.0)
+        _, rotation = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=1e6)
+        found[:, begin : begin + PAIRS] = np.maximum(np.array([position, rotation]) - room[:, piece], 0.0)
+    order = np.lexsort((found[0] + RADIAN * found[1], rows))
+    best = order[np.unique(rows, return_index=True)[1]]
+    return found[0, best], found[1, best]
 
 
 def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4).
-
-    `room` (2, m - 1): distances and angles from each piece that count as none.
-    """
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
