@@ -19,8 +19,9 @@ HEAD = (
     "| arm | pose, J, limits: largest difference | postures | in collision | wrongly free | wrongly touching "
     "| within the excess | plans | OPTIMAL | other success | touching or beyond a limit | processor time, median |"
 )
-#: Largest motion of a joint between two samples of a plan [rad or m], and distances that are contact by rounding [m].
-STEP, ROUNDING = 2e-3, 1e-6
+#: Largest motion of a joint between two samples of a plan [rad or m], distances that are contact by rounding [m], and how far
+#: joints may be beyond their limits [rad or m].
+STEP, ROUNDING, INSIDE = 2e-3, 1e-6, 1e-7
 
 
 def kinematic_difference(robot: mp.Robot, judge: Judge, postures: np.ndarray) -> float:
@@ -87,7 +88,7 @@ def row(name: str, postures: int, plans: int) -> tuple[str, list[int]]:
         steps = int(np.ceil(np.abs(np.diff(samples, axis=0)).max(axis=1).sum() / STEP)) + 1
         t = np.linspace(0.0, motion.duration, max(401, steps))
         places, speeds = motion(t), motion(t, order=1)
-        beyond = (places < robot.limits.lower - 1e-9).any() or (places > robot.limits.upper + 1e-9).any()
+        beyond = (places < robot.limits.lower - INSIDE).any() or (places > robot.limits.upper + INSIDE).any()
         beyond = beyond or (np.abs(speeds) > robot.limits.velocity * (1 + 1e-6)).any()
         bad += bool(beyond) or any(touching - left_out for touching in judge.verdicts(places).touching)
     counts = [postures, hits, free, wrong, close, count, optimal, other, bad]

@@ -40,8 +40,7 @@ class Judge:
         self.neutral = pin.neutral(self.model)
         for name, value in robot.locked.items():
             joint = self.model.joints[self.model.getJointId(name)]
-            if joint.nq == 1:
-                self.neutral[joint.idx_q] = value
+            self.neutral[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else (np.cos(value), np.sin(value))
         active = set(robot.joint_names)
         self.links = []
         for i, j in combinations(range(self.geometry.ngeoms), 2):
