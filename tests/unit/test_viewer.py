@@ -47,6 +47,7 @@ def open_page(browser):
 
     def open_(url):
         page = browser.new_page(viewport=SIZE)
+        page.set_default_timeout(120_000)  # [ms]: a page drawn without a graphics card, beside other tests
         page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
         page.on("pageerror", lambda error: said.append(str(error)))
         page.on("request", lambda request: asked.append(request.url))
@@ -110,7 +111,7 @@ def settled(page, seconds=1.0):
             width, since = now, time.monotonic()
 
 
-def drawn(page, *, differs_from=None, seconds=40.0):
+def drawn(page, *, differs_from=None, seconds=120.0):
     """The picture once there is something on it, and something else than on `differs_from`."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -122,7 +123,7 @@ def drawn(page, *, differs_from=None, seconds=40.0):
     pytest.fail("the picture stayed empty, or the same")
 
 
-def wait_until(true, seconds=20.0):
+def wait_until(true, seconds=60.0):
     end = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < end, "nothing happened"
