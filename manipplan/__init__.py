@@ -11,8 +11,6 @@ One call runs a whole row, for instance ``mp.plan(robot, start, goal, scene)``. 
 Trajectory that anybody made.
 """
 
-import gc
-
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
@@ -103,10 +101,7 @@ from manipplan.tracking.controller import Controller, Rollout, StepReport
 from manipplan.tracking.step import StepStatus
 from manipplan.tracking.track import Tracking, track
 
-__version__ = "0.1.0"
-
-# The imports leave 45,000 objects. The garbage collector goes through all of them once, 15 ms: here, not in the first call.
-gc.collect()
+__version__ = "0.2.0.dev0"
 
 __all__ = [
     "Asada",

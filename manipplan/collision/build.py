@@ -1,5 +1,6 @@
 """Build a collision model: the bodies of a robot and of a scene, and the pairs of them that are checked."""
 
+import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -19,7 +20,7 @@ from manipplan.robots.description import VISUAL_HINT
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_owner, once_per_pair
 
 #: Number of random configurations. Two links that touch in at least the share ALWAYS of them are not checked: they touch by
 #: construction.
@@ -27,10 +28,13 @@ SAMPLES = 200
 ALWAYS = 0.95
 #: Maximum share of the samples at which a pair's pieces touch while its meshes do not; above it the meshes are checked.
 COARSE = 0.02
+log = logging.getLogger("manipplan")
+
 #: Distances above this need not be known to tell whether a pair touches [m].
 TOUCHING = 1e-6
 
 
+@once_per_pair
 def build_model(robot: Robot, scene: Scene) -> CollisionModel:
     """The collision model of a robot among the obstacles of a scene, with convex pieces for the robot's meshes.
 
@@ -328,6 +332,9 @@ def _drop_always_touching(
     """
     total, never = SAMPLES + 1, robot.carried.keys() | robot.world_geoms
     always = [names for names, count in touching.items() if count >= ALWAYS * total and not names & never]
+    if always:
+        listed = "; ".join(sorted(" and ".join(sorted(names)) for names in always)[:12])
+        log.info("%s: not checked, as they touch nearly everywhere (robot.self_collisions lists all): %s", robot.name, listed)
     drop = np.zeros(len(own.pairs), dtype=bool)
     for names in always:
         drop |= own.is_of(names)

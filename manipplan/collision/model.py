@@ -29,6 +29,8 @@ BLOCK = 256
 COARSE_STEP = 16
 #: Two links that touch at more than this share of random configurations may touch by their shape.
 OFTEN = 0.3
+#: Number of random configurations that tell how often two links are nearer than a clearance.
+NEARNESS_SAMPLES = 200
 #: Distances up to which the nearest pair is searched, in turn [m]: where something is near, the others are not measured.
 REACHES = (0.05, 0.2, 0.8, np.inf)
 
@@ -321,6 +323,20 @@ class CollisionModel:
         remedy = f"scene.allow({first!r}, {second!r}) leaves them out, robot.self_collisions.to_srdf(file, touching={OFTEN})"
         return f"; they touch at {share:.0%} of random configurations. If that is their shape, {remedy} all such links"
 
+    def _nearness_hint(self, pair: int, clearance: float) -> str:
+        """What to do about a pair of own links nearer than a clearance at more than OFTEN of random configurations; "" else."""
+        bodies = self.pairs[pair, ::-1].tolist()
+        if not self.links or any(k in self.radii for k in bodies):  # one is an obstacle
+            return ""
+        names = [self.links[k] for k in bodies]
+        same = [k for k, each in enumerate(self.pairs) if {self.links[i] for i in each} == set(names)]
+        samples = self.robot.random_configuration(np.random.default_rng(0), size=NEARNESS_SAMPLES)
+        share = float((self.distance_rows(samples, beyond=clearance)[:, same].min(axis=1) < clearance).mean())
+        if share <= OFTEN:
+            return ""
+        remedy = f"ask for less, or leave them out by scene.allow({names[0]!r}, {names[1]!r})"
+        return f"; these links of the arm are nearer than that at {share:.0%} of random configurations: {remedy}"
+
     def free_configuration(self, argument: str, q: ArrayLike, clearance: float = 0.0) -> Array:
         """Check that q (n,) is inside the limits and collision-free.
 
@@ -332,7 +348,7 @@ class CollisionModel:
             first, second = self.pair_names[nearest]
             apart = f"are {least:.4g} m apart" if least > 0 else f"overlap by {-least:.4g} m"
             demanded = f", but the required clearance is {clearance:g} m" if clearance else ""
-            hint = self.contact_hint(nearest)
+            hint = self.contact_hint(nearest) if least <= 0 else self._nearness_hint(nearest, clearance)
             raise InvalidInputError(
                 argument, q.tolist(), f"a collision-free configuration; {first} and {second} {apart}{demanded}{hint}"
             )

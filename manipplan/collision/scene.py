@@ -21,7 +21,7 @@ from manipplan.support.checks import Array, configurations, entries, existing_fi
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes, write_text
-from manipplan.support.memo import once_per_owner, state_without_memo
+from manipplan.support.memo import state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.model import CollisionModel
@@ -229,13 +229,9 @@ class Scene(Pictured):
 
     def collision_model(self, robot: Robot) -> "CollisionModel":
         """The collision model of the robot among these obstacles, built once."""
-        return self._collision_model(instance("robot", robot, Robot))
-
-    @once_per_owner
-    def _collision_model(self, robot: Robot) -> "CollisionModel":
         from manipplan.collision.build import build_model
 
-        return build_model(robot, self)
+        return build_model(instance("robot", robot, Robot), self)
 
     def in_collision(self, robot: Robot, q: ArrayLike) -> bool | NDArray[np.bool_]:
         """Whether the robot touches an obstacle or itself at q (n,); a boolean array for q (..., n)."""

@@ -27,6 +27,9 @@ from manipplan.support.checks import (
 )
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
+#: Largest angle of an obstacle's roll, pitch and yaw: larger ones are probably degrees [rad].
+MOST_RADIANS = 8 * np.pi
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Part:
@@ -125,7 +128,11 @@ class Obstacle(ABC):
     def _rotation_matrix(self, rotation: ArrayLike) -> Array:
         argument = self._argument("rotation")
         if number_array(argument, rotation).shape == (3,):
-            return np.asarray(pin.rpy.rpyToMatrix(*finite_array(argument, rotation, (3,))))
+            angles = finite_array(argument, rotation, (3,))
+            if np.abs(angles).max() > MOST_RADIANS:
+                wanted = f"roll, pitch, yaw up to {MOST_RADIANS:.4g} rad; for degrees np.deg2rad({angles.tolist()})"
+                raise InvalidInputError(argument, angles.tolist(), wanted)
+            return np.asarray(pin.rpy.rpyToMatrix(*angles))
         return rotation_matrix(argument, rotation, "a rotation matrix (3, 3), or roll, pitch, yaw (3,) [rad]")
 
 

@@ -16,6 +16,7 @@ from manipplan.robots.arms import led_by
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.batch_function import BatchFunction
 
@@ -33,6 +34,7 @@ class OwnRows:
     hessian: BatchFunction
 
     @classmethod
+    @making_expressions()
     def of(cls, robot: Robot, constraints: Sequence[Constraint]) -> tuple["OwnRows", list[int]]:
         """The rows of all of them, and the number of rows of each; raises InvalidInputError for anything but a column."""
         chain = chain_of(robot, "auto")
@@ -188,6 +190,7 @@ class ConstraintSet:
         return f"{self.robot.joint_names[joint]} is held, and differs by {off[joint]:.4g} from the start"
 
 
+@making_expressions()
 def _symbolic_pose(robot: Robot, tool: str) -> SymbolicPose:
     """The pose of one tool at the symbols of the robot's chain."""
     chain, own = chain_of(robot, "auto"), chain_of(led_by(robot, tool), "auto")

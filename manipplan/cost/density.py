@@ -15,6 +15,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.kinematics.view import steady
 from manipplan.measures.manipulability import Yoshikawa
+from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 from manipplan.symbolic.determinant import determinant
 from manipplan.symbolic.machine_code import as_asked
@@ -55,6 +56,7 @@ class Density:
         return ca.Function("density_hessian", at, [self.derivatives(*at)[:, 1:]])
 
 
+@making_expressions()
 def energy_density(integral: PathIntegral) -> Density:
     """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E."""
     metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
@@ -69,6 +71,7 @@ def energy_density(integral: PathIntegral) -> Density:
     return _density(integral, "energy", (q, v, ca.vertcat(g0, power, floor)), weight * square, gradient, hessian)
 
 
+@making_expressions()
 def length_density(integral: PathIntegral) -> Density:
     """h + κ h² / g₀ with h = ‖v‖_W / (m² + ε²)^(p/2): its integral is g plus a small multiple of the energy."""
     metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")

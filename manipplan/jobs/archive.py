@@ -32,6 +32,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import existing_file, is_folder, path_of
+from manipplan.support.content import code_key
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready, read_json, stored_array
@@ -50,7 +51,9 @@ NAME = "plan.json"
 
 
 def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, home: Path | None = None) -> None:
-    """Write a plan, with the key of its problem. Parts that cannot be written are logged, now and when the file is read.
+    """Write a plan, with the keys of its problem and of this code.
+
+    Parts that cannot be written are logged, now and when the file is read.
 
     `home` is the folder that the file will be in; None: the one that it is written to.
     """
@@ -61,6 +64,7 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, h
         "format": FORMAT,
         "version": VERSION,
         "manipplan": manipplan.__version__,
+        "code": code_key() if problem is not None else None,
         "robot": robot_data(plan.robot, folder),
         "scene": scene_data(plan.scene, folder),
         "problem": problem,

@@ -7,6 +7,7 @@ from manipplan.jobs.archive import checked_json, plan_of, write_plan
 from manipplan.jobs.problem import Problem, obstacles_of, problem_key
 from manipplan.jobs.result import PartialPlan
 from manipplan.measures.measure import Measure
+from manipplan.support.content import code_key
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import writable_folder
 from manipplan.support.status import Status
@@ -27,8 +28,6 @@ class Finished:
 
     def load(self, problem: Problem) -> PartialPlan | None:
         """The plan of a checked problem; None where there is none, or one that cannot be used, which the log says."""
-        import manipplan
-
         key = problem_key(problem)
         file = self._file(key)
         if not file.exists():
@@ -38,10 +37,8 @@ class Finished:
             data = checked_json(file)
             if data.get("problem") != key:
                 raise FileFormatError("file", str(file), "the result of this problem; it holds that of another one")
-            if data.get("manipplan") != manipplan.__version__:
-                log.warning(
-                    "%s is of manipplan %s, this is %s: planned again", file, data.get("manipplan"), manipplan.__version__
-                )
+            if data.get("code") != code_key():
+                log.warning("%s is of other code, of manipplan %s: planned again", file, data.get("manipplan"))
                 return None
             own = measure if isinstance(measure, Measure) else None
             return plan_of(file, data, robot=problem.robot, scene=obstacles_of(problem), measure=own)

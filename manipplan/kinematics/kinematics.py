@@ -24,6 +24,7 @@ from manipplan.support.checks import MOST_THREADS, Array, configurations, instan
 from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
+from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import SymbolicChain
@@ -85,10 +86,12 @@ class SymbolicKinematics:
         return self.function("hessian")
 
     @cached_property
+    @making_expressions()
     def mass_matrix(self) -> ca.Function:
         """M (n, n) of q (n,), with the rotors' inertia."""
         return ca.Function("mass_matrix", [self.chain.q], [ca.densify(self.chain.mass_matrix)], ["q"], ["M"])
 
+    @making_expressions()
     def function(self, *quantities: str, with_sum: bool = False) -> ca.Function:
         """One Function of q for several of pose, jacobian, manipulability, gradient, hessian, and on request the sum of q."""
         outputs = [ca.densify(self._expression(quantity)) for quantity in quantities]
@@ -98,6 +101,7 @@ class SymbolicKinematics:
             names.append("sum")
         return ca.Function("_".join(quantities), [self.chain.q], outputs, ["q"], names)
 
+    @making_expressions()
     def _expression(self, quantity: str) -> ca.SX:
         if quantity not in self._expressions:
             if quantity not in ("pose", "jacobian"):

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from manipplan.support.checks import Array, number_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.motion import Motion
 from manipplan.symbolic.task import Task
 
@@ -135,8 +136,10 @@ class JacobianMeasure(Measure):
             raise InvalidInputError("jacobian", jacobian, "finite matrices of shape (..., m, n)")
         m, n = matrices.shape[-2:]
         self.check(m, n)
-        symbols = ca.SX.sym("J", m, n)
-        function = ca.Function("measure", [ca.vec(symbols)], [self.of(symbols)])
+        with making_expressions():
+            symbols = ca.SX.sym("J", m, n)
+            function = ca.Function("measure", [ca.vec(symbols)], [self.of(symbols)])
+            del symbols
         columns = matrices.reshape(-1, m, n).transpose(0, 2, 1).reshape(-1, m * n)
         values = np.asarray(function(ca.DM(columns.T))) if len(columns) else np.empty(0)
         return np.array(values.reshape(matrices.shape[:-2]))

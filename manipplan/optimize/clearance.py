@@ -18,6 +18,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
 from manipplan.support.checks import Array
+from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.machine_code import as_asked
 
 
@@ -79,6 +80,7 @@ def met_column(n: int) -> Array:
     return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
 
 
+@making_expressions()
 def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, one Function each, compiled on request.
 

@@ -1,5 +1,6 @@
 """Implausible bodies and links: what is in millimetres and read in metres is 1,000 times too large and too far away."""
 
+import logging
 from pathlib import Path
 
 import coal
@@ -11,8 +12,12 @@ from manipplan.robots.model_tree import is_prismatic, parent_bodies
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 
+log = logging.getLogger("manipplan")
+
 #: A body may be as long, and as far from its link, as this many times the length of the arm, or as `ROOM` [m].
 REACHES, ROOM = 10.0, 5.0
+#: A moving body longer than this many times the arm, and a mesh shorter than this share of it, are named in the log.
+LONG, SHORT = 2.0, 1e-3
 #: Widest range of a slide that counts as a length of the arm [m]; wider ones are written where there is no limit.
 TRAVEL = 1000.0
 #: A moving link may be as far from its parent as this many times the median of the robot's links, or as `ROOM` [m].
@@ -64,9 +69,11 @@ def _offsets(model: pin.Model) -> dict[int, Array]:
 def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> None:
     """Raise FileFormatError for a body that is larger, or farther from its link, than the arm makes plausible.
 
-    Such a body is drawn in another unit. What stands on no joint, such as a floor, may be large if it is no mesh.
+    Such a body is drawn in another unit. What stands on no joint, such as a floor, may be large if it is no mesh. Bodies that
+    are large or small, but not as much, are named in the log.
     """
-    most = largest_size(model)
+    most, reach = largest_size(model), _reach(model)
+    odd = []
     for item in geometry.geometryObjects:
         if isinstance(item.geometry, coal.Halfspace | coal.Plane) or item.parentFrame == 0:  # the world of an MJCF
             continue
@@ -86,6 +93,15 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
                 f"body {item.name} of link {frame.name} ({which}) {fault}. Is it in another unit? {unit}"
             )
             raise FileFormatError("file", str(file), wanted)
+        if (item.parentJoint and size > max(LONG * reach, _travel(model))) or (is_mesh and size < SHORT * reach):
+            odd.append(f"{item.name} of link {frame.name} is {size:.2g} m long")
+    if odd and reach > 0:
+        log.warning(
+            "%s: lengths are in metres; beside an arm of %.2g m these look like another unit: %s",
+            file,
+            reach,
+            "; ".join(odd[:12]),
+        )
 
 
 def largest_size(model: pin.Model) -> float:

@@ -63,9 +63,9 @@ def choose_joints(
             raise InvalidInputError("joints", joint, f"joints that move the tool {tool}: {', '.join(movers)}")
         kind = model.joints[model.getJointId(joint)]
         if kind.nv != 1 or not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):
-            raise UnsupportedJointError(
-                "joints", f"{joint} ({kind.shortname()})", "revolute, continuous and prismatic joints; lock it or choose others"
-            )
+            others = [each for each in movers if model.joints[model.getJointId(each)].nv == 1]
+            wanted = f"revolute, continuous and prismatic joints; joints={others} leaves it where it is"
+            raise UnsupportedJointError("joints", f"{joint} ({kind.shortname()})", wanted)
     for name, leader in leaders.items():
         kind = model.joints[model.getJointId(name)]
         if leader in active and not (model_tree.is_prismatic(kind) or model_tree.is_revolute(kind)):

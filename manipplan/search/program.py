@@ -16,6 +16,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.candidates.layers import INSIDE_LIMITS
 from manipplan.search.steps import full_turns
 from manipplan.support.checks import Array
+from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.free_motion import Turns, complement
@@ -140,6 +141,7 @@ class LevelProgram:
         return x[:-1].reshape(q.shape), float(x[-1]) * scale
 
 
+@making_expressions()
 def pose_error(kinematics: Kinematics) -> ca.Function:
     """Error of the tool at q (n,) to a pose (16,), column by column: position [m], then sines of angles; smooth.
 

@@ -1,14 +1,30 @@
-"""The content of a value as a key: equal for equal content, in every process and after pickling."""
+"""The content of a value, or of this package's code, as a key: equal for equal content, in every process."""
 
 import hashlib
 from collections.abc import Mapping, Set
 from dataclasses import fields, is_dataclass
 from enum import Enum
-from pathlib import PurePath
+from functools import cache
+from pathlib import Path, PurePath
 from types import BuiltinFunctionType, CodeType, FunctionType
 from typing import Any
 
 import numpy as np
+
+#: The package, and those of its folders on which no result depends.
+PACKAGE = Path(__file__).parents[1]
+FACES = ("cli", "viz")
+
+
+@cache
+def code_key() -> str:
+    """SHA-256 of the code of this package on which results depend, in hexadecimal digits."""
+    digest = hashlib.sha256()
+    for file in sorted(PACKAGE.rglob("*")):
+        name = file.relative_to(PACKAGE)
+        if file.suffix in (".py", ".c", ".h") and name.parts[0] not in FACES:
+            digest.update(_joined(name.as_posix(), file.read_bytes()))
+    return digest.hexdigest()
 
 
 def content_key(value: Any) -> str:

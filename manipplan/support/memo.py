@@ -4,10 +4,13 @@ import threading
 from collections.abc import Callable
 from functools import wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
+from weakref import WeakKeyDictionary
 
 from manipplan.support.deadline import building
+from manipplan.support.expressions import making_expressions
 
 Owner = TypeVar("Owner")
+Other = TypeVar("Other")
 Made = TypeVar("Made")
 Arguments = ParamSpec("Arguments")
 
@@ -24,14 +27,38 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
 
     @wraps(make)
     def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
-        memo: dict[Any, Made] = vars(owner).setdefault(MEMO, {}).setdefault(threading.get_ident(), {})
+        memo = _memo(owner)
         key = (make, arguments, tuple(sorted(options.items())))
         if key not in memo:
-            with building():
+            with building(), making_expressions():
                 memo[key] = make(owner, *arguments, **options)
-        return memo[key]
+        found: Made = memo[key]
+        return found
 
     return kept
+
+
+def once_per_pair(make: Callable[[Owner, Other], Made]) -> Callable[[Owner, Other], Made]:
+    """Store the results of `make(owner, other)` on the owner for as long as the other one is in use.
+
+    A result may refer to its owner, but not to the other one, which would then never be freed. No time limit counts `make`.
+    """
+
+    @wraps(make)
+    def kept(owner: Owner, other: Other, /) -> Made:
+        found: WeakKeyDictionary[Other, Made] = _memo(owner).setdefault(make, WeakKeyDictionary())
+        if other not in found:
+            with building(), making_expressions():
+                found[other] = make(owner, other)
+        return found[other]
+
+    return kept
+
+
+def _memo(owner: object) -> dict[Any, Any]:
+    """What this thread has stored on an owner."""
+    memo: dict[Any, Any] = vars(owner).setdefault(MEMO, {}).setdefault(threading.get_ident(), {})
+    return memo
 
 
 def state_without_memo(owner: object) -> dict[str, Any]:

@@ -22,6 +22,7 @@ import casadi as ca
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.tolerance import row_shares
 from manipplan.support.checks import Array
+from manipplan.support.expressions import making_expressions
 from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
@@ -134,6 +135,7 @@ class Step:
     pairs: tuple[tuple[str, str], ...]
 
 
+@making_expressions()
 def step_of(setup: StepSetup) -> Step:
     """Build the step: set up the problem, solve it, check the solution."""
     symbolic = setup.kinematics.symbolic

@@ -11,7 +11,8 @@ import numpy as np
 
 import manipplan as mp
 from manipplan.jobs.problem import Problem, checked, problem_key, robot_key, scene_key
-from manipplan.support.content import content_key
+from manipplan.support import content
+from manipplan.support.content import code_key, content_key
 
 TRIANGLES = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [0, 1, 0], [0, 0, 1]]], dtype=float)
 #: A program that prints keys of things whose pickles differ from process to process.
@@ -145,3 +146,18 @@ def test_another_problem_has_another_key(planar):
         {"robot": mp.planar_arm([1.0] * 3)},
     ]
     assert {problem_key(checked("problem", Problem(**base | change))) for change in same} == {keys[0]}
+
+
+def test_the_key_of_the_code_is_that_of_its_files(tmp_path, monkeypatch):
+    """It changes with a line of any file that a result can depend on, and with a file's name, not with the viewer."""
+    for file, text in {"a.py": "1", "b/c.c": "2", "viz/d.py": "3", "notes.txt": "4"}.items():
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text(text)
+    monkeypatch.setattr(content, "PACKAGE", tmp_path)
+    keys = []
+    for file, text in (("a.py", "1"), ("a.py", "5"), ("b/c.c", "6"), ("viz/d.py", "7"), ("notes.txt", "8")):
+        (tmp_path / file).write_text(text)
+        keys.append(code_key.__wrapped__())
+    (tmp_path / "a.py").rename(tmp_path / "e.py")
+    keys.append(code_key.__wrapped__())
+    assert keys[2] == keys[3] == keys[4] and len(set(keys)) == 4

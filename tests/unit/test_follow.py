@@ -5,6 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.jobs.following import follow
 from manipplan.paths.cartesian import CartesianPath
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -356,6 +357,24 @@ def test_steps_too_small_to_connect(panda, line):
     assert caught.value.result.status is mp.Status.NOT_CONNECTED
     again = mp.follow(panda, line, positions=4, samples=8, epsilon=1.001 * smallest, throw=False)
     assert again.search.connected
+
+
+@pytest.mark.slow
+def test_finer_samples_that_cannot_be_had_are_a_reason_and_no_error(panda, line, monkeypatch):
+    """The caller gave no samples, so an error about them would name an argument that was not there."""
+    calls, sampled = [], follow.sample_layers
+
+    def fails_when_finer(*arguments, **options):
+        calls.append(options["samples"])
+        if len(calls) > 1:
+            raise mp.InvalidInputError("samples", "7,200 at each of 4 positions", "fewer")
+        return sampled(*arguments, **options)
+
+    monkeypatch.setattr(follow, "sample_layers", fails_when_finer)
+    plan = mp.follow(panda, line, positions=4, epsilon=0.01, throw=False)
+    assert plan.status is mp.Status.NOT_CONNECTED and len(calls) == 2
+    assert "can be reached from position" in plan.message
+    assert plan.message.endswith("; finer samples: samples: got '7,200 at each of 4 positions'; allowed: fewer")
 
 
 @pytest.mark.slow

@@ -1,11 +1,14 @@
 """Results that are stored on their owner."""
 
+import gc
 import pickle
+import weakref
 from dataclasses import dataclass, replace
 
 import pytest
 
-from manipplan.support.memo import once_per_owner, state_without_memo
+import manipplan as mp
+from manipplan.support.memo import once_per_owner, once_per_pair, state_without_memo
 
 
 @dataclass(frozen=True)
@@ -73,3 +76,44 @@ def test_arguments_that_cannot_be_stored_are_refused(counted):
     scaled, _ = counted
     with pytest.raises(TypeError, match="unhashable"):
         scaled(Owner(3), [2])
+
+
+def test_a_pair_s_result_lives_as_long_as_both():
+    """The result may refer to its owner."""
+
+    @dataclass(eq=False)
+    class Made:
+        owner: object
+
+    calls = []
+
+    @once_per_pair
+    def made(owner, other):
+        calls.append(other)
+        return Made(owner)
+
+    first, second, other = (mp.Scene() for _ in range(3))
+    assert made(first, other) is made(first, other) is not made(second, other)
+    assert len(calls) == 2
+    calls.clear()
+    left = weakref.ref(made(first, other)), weakref.ref(made(second, other))
+    del first
+    gc.collect()
+    assert left[0]() is None and left[1]() is not None
+    del other
+    gc.collect()
+    assert left[1]() is None
+
+
+def test_scenes_and_robots_that_are_gone_leave_no_collision_models():
+    robot, scene = mp.planar_arm([1.0, 1.0]), mp.Scene([mp.Sphere(radius=0.1, position=(3.0, 0.0, 0.0))])
+    carrying = [robot.attach(mp.Sphere(radius=0.1), name="part") for _ in range(3)]
+    scenes = [mp.Scene([mp.Sphere(radius=0.1, position=(0.0, 3.0, 0.0))]) for _ in range(3)]
+    pairs = [*((each, scene) for each in carrying), *((robot, each) for each in scenes)]
+    models = [weakref.ref(world.collision_model(arm)) for arm, world in pairs]
+    kept = scene.collision_model(robot)
+    assert all(mp.plan(arm, [0.0, 1.0], [0.5, 0.5], world).status.has_path for arm, world in pairs[2:4])
+    del carrying, scenes, pairs
+    gc.collect()
+    assert [each() for each in models] == [None] * 6
+    assert scene.collision_model(robot) is kept

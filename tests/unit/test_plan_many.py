@@ -500,7 +500,7 @@ def edited(file, **changes):
 @pytest.mark.parametrize(
     ("spoil", "message"),
     [
-        (lambda file: edited(file, manipplan="0.0.7"), "is of manipplan 0.0.7, this is .*: planned again"),
+        (lambda file: edited(file, code="0" * 64), "is of other code, of manipplan .*: planned again"),
         (lambda file: edited(file, version=99), "planned again: .*this is version 99"),
         (lambda file: edited(file, problem="of another"), "planned again: .*it holds that of another one"),
         (lambda file: edited(file, status="UNHEARD_OF"), "planned again: .*UNHEARD_OF"),

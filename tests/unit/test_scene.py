@@ -291,3 +291,9 @@ def test_a_moved_obstacle_is_frozen():
     for array in (moved.position, moved.rotation):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1.0
+
+
+def test_angles_of_obstacles_are_no_degrees():
+    with pytest.raises(mp.InvalidInputError, match=r"rotation.*up to 25.13 rad; for degrees np.deg2rad\(\[0.0, 0.0, 90.0\]\)"):
+        mp.Box(size=(1, 1, 1), rotation=(0, 0, 90))
+    assert mp.Box(size=(1, 1, 1), rotation=(0, 0, 4 * np.pi)).pose.isApprox(mp.Box(size=(1, 1, 1)).pose)

@@ -1,5 +1,7 @@
 """Which pairs of links are checked, by the description alone: adjacent links, bodies on fixed joints, pairs that always touch."""
 
+import logging
+import re
 import xml.etree.ElementTree as ET
 from math import cos, pi, sin
 
@@ -112,7 +114,8 @@ def ring_of_boxes():
     return "".join(body("0.02 0.07 0.05", f"{0.08 * cos(a)} {0.08 * sin(a)} 0", f"0 0 {a}") for a in angles)
 
 
-def test_links_that_always_touch_with_other_bodies_each_time_are_left_out_as_a_whole(tmp_path):
+def test_links_that_always_touch_with_other_bodies_each_time_are_left_out_as_a_whole(tmp_path, caplog):
+    caplog.set_level(logging.INFO)
     text = (
         f'<link name="base"/><link name="l1">{ring_of_boxes()}</link><link name="l2"/><link name="l3">{ring_of_boxes()}</link>'
         + f'<link name="l4">{body("0.4 0.02 0.02", "0.2 0 0")}</link>'
@@ -127,6 +130,24 @@ def test_links_that_always_touch_with_other_bodies_each_time_are_left_out_as_a_w
     assert sum("l1" in pair and "l3" in pair for pair in model.dropped) == 1
     assert not mp.Scene().in_collision(robot, robot.random_configuration(np.random.default_rng(0), size=100)).all()
     assert mp.plan(robot, [0, 0, 0, -0.5], [1, 1, 1, -1]).report.passed
+    assert re.search("not checked, as they touch nearly everywhere .*: l1 and l3", caplog.text)
+
+
+def test_a_clearance_that_own_links_never_have_comes_with_the_remedy(tmp_path):
+    """A collar turns 5 mm above the link before the one that carries it."""
+    text = (
+        f'<link name="base"/><link name="l1">{body("0.1 0.1 0.1")}</link><link name="l2"/><link name="l3">{body("0.1 0.1 0.1")}</link>'
+        + joint("j1", "base", "l1", "0 0 1")
+        + joint("j2", "l1", "l2", "0 0 1")
+        + joint("j3", "l2", "l3", "0 0 1", "0 0 0.105")
+    )
+    robot, scene = robot_of(tmp_path, text), mp.Scene([mp.Sphere(radius=0.1, position=(0.155, 0.0, 0.0), name="ball")])
+    wanted = r"required clearance is 0.01 m; these links of the arm are nearer than that at 100% of .*: ask for less, or .*'l1', 'l3'"
+    with pytest.raises(mp.InvalidInputError, match=wanted):
+        mp.plan(robot, [0, 0, 0], [1, 1, 1], clearance=0.01)
+    assert mp.plan(robot, [0, 0, 0], [1, 1, 1], mp.Scene().allow("l1", "l3"), clearance=0.01).report.passed
+    with pytest.raises(mp.InvalidInputError, match=r"ball are 0.005 m apart, but the required clearance is 0.01 m$"):
+        mp.plan(robot, [0, 0, 0], [1, 1, 1], scene.allow("l1", "l3"), clearance=0.01)
 
 
 TELESCOPE = (

@@ -2,10 +2,12 @@
 
 import importlib.util
 import logging
+import re
 
 import coal
 import numpy as np
 import pytest
+import trimesh
 
 import manipplan as mp
 from manipplan.robots.formats import xacro_files
@@ -397,3 +399,47 @@ def test_an_allowed_pair_with_a_wrong_name_is_named(edited):
     scene = mp.Scene([mp.Sphere(radius=0.1, position=(0, 0, 3), name="ball")]).allow("ball", "l22")
     with pytest.raises(mp.UnknownNameError, match="allowed pair ball - l22: got 'l22'; allowed: did you mean l2?"):
         scene.in_collision(mp.load_robot(edited()), [0.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    ("edit", "said"),
+    [
+        (
+            ('velocity="2"', 'velocity="150"'),
+            'speeds above 100 rad/s are in degrees per second, or stand for no limit: .*"150"',
+        ),
+        (('velocity="2"', 'velocity="100"'), ""),
+        (('upper="2"', 'upper="628.318531"'), ""),
+        (('upper="2"', 'upper="170"'), 'these look like degrees: joint turn: upper="170"'),
+        (('upper="2" ', ""), "a URDF's limit that is not given is 0, here of joint turn: upper"),
+        (
+            ('size="0.1 0.1 0.1"', 'size="0.1 0.1 3"'),
+            r"beside an arm of 1 m these look like another unit: far_0 of link far is 3 m",
+        ),
+        (('size="0.1 0.1 0.1"', 'size="0.1 0.1 1.5"'), ""),
+    ],
+)
+def test_odd_values_are_in_the_log(tmp_path, caplog, edit, said):
+    text = """<robot name="arm"><link name="base"/><link name="far"><collision><geometry><box size="0.1 0.1 0.1"/></geometry>
+    </collision></link><link name="tip"/><joint name="turn" type="revolute"><parent link="base"/><child link="far"/>
+    <axis xyz="0 0 1"/><limit lower="-2" upper="2" velocity="2" effort="1"/></joint>
+    <joint name="end" type="fixed"><origin xyz="1 0 0"/><parent link="far"/><child link="tip"/></joint></robot>"""
+    assert edit[0] in text
+    (tmp_path / "arm.urdf").write_text(text.replace(*edit))
+    with caplog.at_level(logging.WARNING):
+        mp.Robot.from_urdf(tmp_path / "arm.urdf")
+    assert re.search(said, caplog.text) if said else not caplog.text
+
+
+def test_a_mesh_far_too_small_is_in_the_log(tmp_path, caplog):
+    trimesh.creation.box((0.2, 0.1, 0.1)).export(tmp_path / "link.stl")
+    text = """<robot name="arm"><link name="base"/><link name="far"><collision><geometry>
+    <mesh filename="link.stl" scale="{0} {0} {0}"/></geometry></collision></link><link name="tip"/>
+    <joint name="turn" type="revolute"><parent link="base"/><child link="far"/>
+    <axis xyz="0 0 1"/><limit lower="-2" upper="2" velocity="2" effort="1"/></joint>
+    <joint name="end" type="fixed"><origin xyz="1 0 0"/><parent link="far"/><child link="tip"/></joint></robot>"""
+    for scale, said in ((1, ""), (0.001, "these look like another unit: far_0 of link far is 0.0002 m long")):
+        (tmp_path / "arm.urdf").write_text(text.format(scale))
+        with caplog.at_level(logging.WARNING):
+            mp.Robot.from_urdf(tmp_path / "arm.urdf")
+        assert said in caplog.text and bool(said) == bool(caplog.text)

@@ -19,7 +19,7 @@ from manipplan.robots.arms import farthest
 from manipplan.robots.hulls import convex_hull, has_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_pair
 
 #: A scene without surfaces (clouds and meshes that are not convex) is simplified if it has this number of small obstacles near
 #: the robot. There are always fewer pieces, so that a coarse scene has no coarse scene of its own.
@@ -64,7 +64,7 @@ class _Balls:
     has_surface: bool
 
 
-@once_per_owner
+@once_per_pair
 def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     """The scene with convex pieces in place of surfaces and small obstacles near the robot; None where it stays as it is.
 

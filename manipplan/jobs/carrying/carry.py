@@ -21,6 +21,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag
 from manipplan.support.errors import PlanningError
 from manipplan.support.interrupts import interruptible
+from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import retime
@@ -74,6 +75,7 @@ def carry(
 
 
 @interruptible()
+@one_thread()
 def carry(
     robot: Robot,
     path: CartesianPath,

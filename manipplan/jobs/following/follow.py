@@ -35,6 +35,7 @@ from manipplan.support.checks import Array, finite_array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.interrupts import interruptible
+from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, part, teller
 from manipplan.support.status import ALONG, Status
 from manipplan.support.tolerances import SAME
@@ -103,6 +104,7 @@ def follow(
 
 
 @interruptible()
+@one_thread()
 def follow(
     robot: Robot,
     path: CartesianPath,

@@ -10,6 +10,7 @@ from manipplan.jobs.following.course import CourseFinder
 from manipplan.search.interruptions import fewest_interruptions, fewest_parts
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part
 
 
@@ -29,7 +30,8 @@ class FoundPart:
     found: SearchResult
 
 
-#: Makes the finder of a path again with finer samples; None where there are none.
+#: Makes the finder of a path again with finer samples; None where there are none. Raises InvalidInputError where they cannot be
+#: had, since more positions show a place out of reach or beside a body, or more samples need too much memory.
 Finer = Callable[[Progress], CourseFinder | None]
 
 
@@ -52,8 +54,12 @@ def find_parts(
             elsewhere.
     """
     tried: list[CourseFinder] = []
+    no_finer = ""
     for k, samples in enumerate((lambda _: finder, finer)):
-        each = samples(part(tell, 0.2, 0.5))
+        try:
+            each = samples(part(tell, 0.2, 0.5))
+        except InvalidInputError as error:  # about positions and samples that the caller did not give
+            no_finer, each = f"; finer samples: {error}", None
         if each is None:
             continue
         begun = each if start is None else each.beginning(start)
@@ -65,14 +71,15 @@ def find_parts(
     counts = [(fewest_parts(each.layers, epsilon, progress=part(tell, 0.7, 0.8)), each) for each in tried]
     possible = [(parts, each) for parts, each in counts if parts is not None]
     if not possible:
-        return _unconnected(finder, epsilon, start)
+        found = _unconnected(finder, epsilon, start)
+        return replace(found, message=found.message + no_finer)
     parts, best = min(possible, key=lambda each: each[0])
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         found = _unconnected(finder, epsilon, start)
-        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
+        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}{no_finer}")
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9))
     return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 

@@ -25,6 +25,7 @@ from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array
+from manipplan.support.expressions import making_expressions
 
 #: Tolerance and maximum number of iterations of IPOPT, and margin by which the tube is kept, as a share.
 CONVERGED, STEPS, SPARE = 1e-5, 150, 1e-3
@@ -234,6 +235,7 @@ class TubeProgram:
             hessian=lambda _: empty,
         )
 
+    @making_expressions()
     def _tube(self, c: ca.MX, poses: Array, tube: Array) -> "_Rows":
         """One minus the squares of distance and sine of the angle over those of the radii, which are not negative."""
         kinematics = self.integral.kinematics

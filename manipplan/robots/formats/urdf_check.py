@@ -75,6 +75,10 @@ PASSED = {
 NEAR = 0.75
 #: Angles between these are probably degrees: eight half turns in radians, four turns in degrees. What is larger means no limit.
 MOST_RADIANS, MOST_DEGREES = 8 * math.pi, 1440.0
+#: Fastest plausible speed of a joint [rad/s]; 100 is common where there is no limit.
+MOST_SPEED = 100.0
+#: Share of a turn by which a limit of whole turns may differ from it: it is no angle in degrees.
+WHOLE = 1e-3
 #: Largest limit of a joint; some files write 1e16 where there is none.
 LARGEST_LIMIT = sys.float_info.max
 #: Smallest length of an axis, along its longest coordinate.
@@ -103,11 +107,14 @@ def check_urdf(file: Path, root: ET.Element) -> None:
     if any(joint.get("name") == WORLD for joint in joints):
         raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
     degrees: list[str] = []
+    one_sided, fast = list[str](), list[str]()
     for joint in joints:
         where = f"joint {joint.get('name')}"
         strange |= _check_elements(file, joint, where)
         _raise(file, where, _origin_fault(joint) or _joint_fault(joint))
         degrees += _degrees(where, joint)
+        one_sided += _one_sided(where, joint)
+        fast += _fast(where, joint)
     for link in links:
         name = link.get("name")
         strange |= _check_elements(file, link, f"link {name}")
@@ -124,6 +131,11 @@ def check_urdf(file: Path, root: ET.Element) -> None:
         log.warning("%s: elements that URDF does not have are passed over: %s", file, ", ".join(sorted(strange)[:12]))
     if degrees:
         log.warning("%s: angles in a URDF are in radians; these look like degrees: %s", file, "; ".join(degrees[:12]))
+    if fast:
+        what = f"speeds above {MOST_SPEED:g} rad/s are in degrees per second, or stand for no limit"
+        log.warning("%s: %s: %s", file, what, "; ".join(fast[:12]))
+    if one_sided:
+        log.warning("%s: a URDF's limit that is not given is 0, here of %s", file, "; ".join(one_sided[:12]))
     _check_tree(file, {str(link.get("name")) for link in links}, joints)
 
 
@@ -135,8 +147,32 @@ def _degrees(where: str, element: ET.Element) -> list[str]:
     return [
         f'{where}: {name}="{text}"'
         for name, text in texts
-        if any(MOST_RADIANS < abs(angle) <= MOST_DEGREES for angle in numbers(text, len(text.split())) or ())
+        if any(_looks_like_degrees(angle) for angle in numbers(text, len(text.split())) or ())
     ]
+
+
+def _looks_like_degrees(angle: float) -> bool:
+    """Whether an angle is large in radians, not in degrees, and no whole number of turns."""
+    turns = angle / (2 * math.pi)
+    return MOST_RADIANS < abs(angle) <= MOST_DEGREES and abs(turns - round(turns)) > WHOLE
+
+
+def _fast(where: str, joint: ET.Element) -> list[str]:
+    """The velocity limit of a turning joint that is larger than any arm's."""
+    limit = joint.find("limit")
+    if limit is None or joint.get("type") not in ("revolute", "continuous"):
+        return []
+    velocity = numbers(limit.get("velocity"), 1, largest=LARGEST_LIMIT)
+    return [f'{where}: velocity="{limit.get("velocity")}"'] if velocity and MOST_SPEED < velocity[0] <= MOST_DEGREES else []
+
+
+def _one_sided(where: str, joint: ET.Element) -> list[str]:
+    """The limit that a joint does not give beside the other one."""
+    limit = joint.find("limit")
+    if limit is None or joint.get("type") not in TYPES[:2]:
+        return []
+    given = [name for name in ("lower", "upper") if limit.get(name) is not None]
+    return [f"{where}: {'upper' if given == ['lower'] else 'lower'}"] if len(given) == 1 else []
 
 
 def joined_links(root: ET.Element) -> set[tuple[str, str]]:

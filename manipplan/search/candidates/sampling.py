@@ -1,7 +1,6 @@
 """sample_layers: the configurations that reach each position of a workspace path, filtered by collision and rated."""
 
 import math
-import os
 from collections.abc import Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
@@ -24,6 +23,7 @@ from manipplan.search.candidates.layers import Layers
 from manipplan.search.candidates.positions import check_positions, count_positions
 from manipplan.support.checks import Array, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.processes.memory import usable_memory
 from manipplan.support.progress import Progress, teller
 from manipplan.symbolic.task import Task
 
@@ -117,7 +117,7 @@ def sample_layers(
             of this configuration are added at every position.
         executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
             `get_executor()`.
-        memory: maximum memory of the candidates [bytes]; default: half of the machine's memory.
+        memory: maximum memory of the candidates [bytes]; default: half of what the process may use.
         progress: called with the share done in [0, 1] and a text.
 
     Raises:
@@ -150,7 +150,7 @@ def sample_layers(
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
     tell = teller(progress)
-    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * _machine_memory()
+    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)
     usual = usual_samples(sampler.solver)
@@ -259,8 +259,3 @@ def _check_memory(sampler: "CandidateSampler", positions: int, values: Array, ca
     if needed > allowed:
         wanted = f"fewer: about {candidates:.2g} candidates need {needed / 1e9:.2g} GB; memory allows {allowed / 1e9:.2g} GB"
         raise InvalidInputError("samples", f"{len(values):,} at each of {positions} positions", wanted)
-
-
-def _machine_memory() -> float:
-    """Physical memory [bytes]."""
-    return float(os.sysconf("SC_PAGE_SIZE")) * os.sysconf("SC_PHYS_PAGES")

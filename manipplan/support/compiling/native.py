@@ -7,7 +7,6 @@ import re
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -81,15 +80,17 @@ def _compiled(source: Path, subject: str) -> NativeCode | None:
 def compile_ahead(*sources: str) -> None:
     """Start to compile C sources of this package, such as "paths/curves.c", in the background, one after the other.
 
-    Whoever needs one of them earlier waits for it. Without a C compiler nothing is done ahead.
+    Whoever needs one of them earlier waits for it; the end of the process does not. Without a C compiler nothing is done ahead.
     """
     waiting = [PACKAGE / source for source in sources if PACKAGE / source not in _found]
     if not waiting or find_compiler() is None:
         return
-    pool = ThreadPoolExecutor(1, thread_name_prefix="compile")
-    for source in waiting:
-        pool.submit(native_code, source, source.name)
-    pool.shutdown(wait=False)
+
+    def compile_all() -> None:
+        for source in waiting:
+            native_code(source, source.name)
+
+    threading.Thread(target=compile_all, name="compile", daemon=True).start()
 
 
 def needed_code(source: Path, subject: str) -> NativeCode:
