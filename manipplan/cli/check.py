@@ -42,7 +42,7 @@ def check(
     """Judge a trajectory and print its report; the exit code is 0 if every check passed, and 1 if not.
 
     Args:
-        trajectory: A trajectory file: .csv, .json, .yaml (ROS JointTrajectory) or .npz.
+        trajectory: A trajectory file: .csv, .json, .yaml (ROS JointTrajectory) or .npz; or the folder of a saved plan or program.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: Where the motion has to begin: one angle [rad] or length [m] per joint, or the name of a state in the SRDF.
         goal: Where it has to end, as `start`.
@@ -68,7 +68,7 @@ def check(
         tell(0.3, "checking the motion")
         report = check_job(
             arm,
-            trajectory,
+            trajectory / "trajectory.csv" if trajectory.is_dir() else trajectory,
             world,
             start=configuration_of("start", start, arm) if start else None,
             goal=configuration_of("goal", goal, arm) if goal else None,

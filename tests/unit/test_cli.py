@@ -240,6 +240,9 @@ def test_check_tells_by_its_exit_code_whether_a_motion_passes(arm_file, motion_f
     robot = mp.load_robot(arm_file)
     same = mp.check(robot, motion_file, start=[0.0, 1.5, -2.0], goal=[1.0, 1.0, -1.0])
     assert mp.Report.from_json(tmp_path / "report.json") == same
+    (tmp_path / "saved").mkdir()
+    (tmp_path / "saved" / "trajectory.csv").write_text(Path(motion_file).read_text())
+    assert main(["check", str(tmp_path / "saved"), *arguments[2:]]) == 0
 
 
 def test_check_compares_the_tool_with_poses(six_file, seam, tmp_path, capsys):

@@ -292,7 +292,7 @@ def test_of_equal_minima_the_smaller_g_is_taken(planar):
 
 
 def test_what_is_out_of_reach_is_told(panda, pose):
-    with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* mm and .* away"):
+    with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* m and .* away"):
         mp.plan(panda, panda.neutral, moved(pose, by=[2.0, 0.0, 0.0]), POST)
     plan = mp.plan(panda, panda.neutral, [moved(pose, by=[2.0, 0.0, 0.0]), pose], POST)
     assert plan.goal_index == 1
@@ -552,3 +552,11 @@ def test_a_plan_to_a_pose_from_the_shell(tmp_path, capsys):
     (tmp_path / "grasps.yaml").write_text(f"goals: [{{q: {far}}}, {{q: {GOAL.tolist()}}}]")
     assert main(["plan", "panda", "--start", "default", "--goals", str(tmp_path / "grasps.yaml"), *out]) == 0
     assert "goal 1 of" in capsys.readouterr().out
+
+
+def test_a_goal_by_joints_says_what_a_mapping_is(ur5):
+    goal = dict(zip(ur5.joint_names, ur5.neutral, strict=True))
+    with pytest.raises(
+        mp.InvalidInputError, match=r"poses by tool \(tool0\); a configuration is one value per joint, shape \(6,\)"
+    ):
+        mp.plan(ur5, ur5.neutral, goal)

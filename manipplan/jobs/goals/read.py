@@ -133,6 +133,9 @@ def _read_tools(argument: str, goal: Mapping[Any, Any], robot: Robot) -> Target:
         raise InvalidInputError(argument, goal, f"a pose for at least one of the tools {', '.join(robot.tools)}")
     poses = {}
     for tool, given in goal.items():
+        if tool in robot.joint_names:
+            wanted = f"poses by tool ({', '.join(robot.tools)}); a configuration is one value per joint, shape ({robot.n},)"
+            raise InvalidInputError(argument, goal, wanted)
         name = f"{argument}[{tool!r}]"
         pose = _read_pose(name, given, robot.arm(known_tool(robot, argument, tool)))
         if pose is None:
