@@ -42,7 +42,7 @@ def check(
     """Judge a trajectory and print its report; the exit code is 0 if every check passed, and 1 if not.
 
     Args:
-        trajectory: A trajectory file: .csv, .json, .yaml (ROS JointTrajectory) or .npz; or the folder of a saved plan or program.
+        trajectory: A file: .csv, .json, .yaml (ROS JointTrajectory) or .npz; or the folder of a saved plan or program.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: Where the motion has to begin: one angle [rad] or length [m] per joint, or the name of a state in the SRDF.
         goal: Where it has to end, as `start`.
