@@ -29,7 +29,6 @@ from manipplan.jobs.following.follow import follow
 from manipplan.jobs.goals.candidates import GoalCandidate
 from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve
-from manipplan.jobs.other_goals import OtherGoal, other_goals
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
 from manipplan.jobs.problem import Problem
@@ -157,7 +156,6 @@ __all__ = [
     "MoveTo",
     "NoPath",
     "Obstacle",
-    "OtherGoal",
     "OutOfReachError",
     "OverTools",
     "PartialPlan",
@@ -226,7 +224,6 @@ __all__ = [
     "load_robot",
     "max_min_search",
     "optimize_path",
-    "other_goals",
     "path_cost",
     "pinocchio_casadi",
     "plan",

@@ -12,18 +12,13 @@ from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
 from manipplan.jobs.goals.pose_goal import Goal
-from manipplan.jobs.other_goals import other_goals as find_other_goals
 from manipplan.jobs.plan import plan as plan_job
 from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
-
-#: Line where no other configuration was found.
-NO_OTHER = "other configurations of the goal's pose: none is inside the limits and free and was reached by a path"
 
 
 def plan(
@@ -46,7 +41,6 @@ def plan(
     seed: int = 0,
     seeds: int = 1,
     time_limit: float = 10.0,
-    other_goals: int = 0,
 ) -> int:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
@@ -71,7 +65,6 @@ def plan(
         seed: Random seed of the planner.
         seeds: Number of first paths to search for.
         time_limit: Time limit of the planner's search [s].
-        other_goals: Number of other configurations of the goal's pose to try and list with their g; they are not timed.
     """
     folder = place_for("out", out)
     with terminal.progress() as tell:
@@ -81,8 +74,6 @@ def plan(
         end = _goal(arm, goal, goal_pose, goals)
         kept = constraints_from_yaml(constraints) if constraints is not None else ()
         objective = PathObjective(power=power, measure=measure)
-        most = whole_number("other_goals", other_goals, least=0)
-        shape = PathShape(degree=degree)
         made = plan_job(
             arm,
             begin,
@@ -90,32 +81,16 @@ def plan(
             world,
             constraints=kept,
             objective=objective,
-            shape=shape,
+            shape=PathShape(degree=degree),
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
             clearance=clearance,
             torque=torque,
-            progress=part(tell, 0.0, 0.55 if most else 0.95),
+            progress=part(tell, 0.0, 0.95),
         )
-        tell(0.55 if most else 1.0, "writing files")
+        tell(1.0, "writing files")
         files = made.save(folder)
-        lines = []
-        if most:
-            others = find_other_goals(
-                arm,
-                begin,
-                made.path.goal,
-                world,
-                objective=objective,
-                shape=shape,
-                seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit),
-                constraints=kept,
-                clearance=clearance,
-                most=most,
-                progress=part(tell, 0.6, 1.0),
-            )
-            lines = ["other configurations of the goal's pose", *(f"  {each}" for each in others)] if others else [NO_OTHER]
     chosen = [f"goal {made.goal_index} of {goals} was chosen"] if goals is not None else []
-    return terminal.show_plan(made, files, *chosen, *lines)
+    return terminal.show_plan(made, files, *chosen)
 
 
 def _goal(arm: Robot, words: Sequence[str], pose: Sequence[float], file: Path | None) -> Goal:

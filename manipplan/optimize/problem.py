@@ -22,7 +22,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.optimize.descents.descent import LATE
 from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.proven import Candidate, Until
+from manipplan.optimize.proven import INSIDE, Candidate, Until
 from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, named_basis
 from manipplan.paths.export import read_trajectory
@@ -378,7 +378,7 @@ def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: 
             raise InvalidInputError("initial", got, "a path from start to goal")
     low, high = initial.bounds()
     for q in (low, high):
-        robot.configuration("initial", q, tolerance=1e-9)
+        robot.configuration("initial", q, tolerance=INSIDE)
     if model is None:
         return
     if problem.constraint_set is not None:

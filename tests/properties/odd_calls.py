@@ -590,19 +590,6 @@ def calls(folder: Path) -> dict[str, Call]:
             },
             heavy=True,
         ),
-        "other_goals": C(
-            mp.other_goals,
-            {
-                **ends,
-                "objective": objective,
-                "shape": shape,
-                "seeding": seeding,
-                "constraints": (),
-                "clearance": 0.0,
-                "most": 1,
-            },
-            heavy=True,
-        ),
         "path_cost": C(
             mp.path_cost,
             {"path": path, "kinematics": kinematics, "power": 1.0, "floor": 0.0, "metric": (1.0, 1.0, 1.0), "panels": 10},

@@ -31,7 +31,6 @@ MADE = [
     "Mark",
     "MotionFigures",
     "NoPath",
-    "OtherGoal",
     "PartialPlan",
     "PathClearance",
     "PathCost",

@@ -582,6 +582,19 @@ def test_an_initial_path_is_used(planar):
     assert result.g <= result.seed_cost.g
 
 
+@pytest.mark.parametrize("beyond", [0.0, 9e-8, 2e-7])
+def test_a_path_that_a_result_may_be_is_taken_as_initial(planar, beyond):
+    """Results keep the limits to 1e-7; the next call from one of them is not refused."""
+    bend = mp.JointPath(breaks=[0.0, 1.0], control=[[[0.0, 1.0, -2.0], [1.0, 2.0, 0.0], [2.0, 1.0, 2.0]]])
+    arm = planar.with_limits(upper=[4.0, 1.5 - beyond, 4.0])
+    seeding = mp.Seeding(initial=bend)
+    if beyond > 1e-7:
+        with pytest.raises(mp.InvalidInputError, match="initial"):
+            mp.optimize_path(arm, bend.start, bend.goal, seeding=seeding)
+    else:
+        assert mp.optimize_path(arm, bend.start, bend.goal, seeding=seeding).path is not None
+
+
 #: Groups of options; where one has a wrong value, it raises when it is made, or where the robot is known.
 GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Seeding}
 

@@ -449,41 +449,14 @@ def test_the_report_tells_how_long_m_is_below_the_floor():
     assert away.report.below_floor == 0.0 and "is below" not in str(away.report)
 
 
-def test_another_goal_avoids_the_crossing():
-    robot = mp.load_robot("ur5")
+def test_a_pose_as_the_goal_avoids_the_crossing():
+    robot, kinematics = mp.load_robot("ur5"), mp.load_robot("ur5").kinematics()
     start, goal = [0.4, -1.2, 1.5, -1.8, -1.3, 0.7], [1.4, -0.5, -1.3, 0.3, -1.2, 0.5]
     given = mp.optimize_path(robot, start, goal, mp.Scene())
     assert given.certificate.least_crossings == 1
-    others = mp.other_goals(robot, start, goal, mp.Scene(), most=2)
-    kinematics = robot.kinematics()
-    assert len(others) == 2 and others[0].g <= others[1].g
-    assert others[0].g < given.g and others[0].least_crossings == 0 and not others[0].result.certificate.crossings
-    for other in others:
-        np.testing.assert_allclose(kinematics.pose(other.q), kinematics.pose(np.array(goal)), atol=1e-9)
-        np.testing.assert_array_equal(other.result.path.goal, other.q)
-        assert len(other.result.certificate.crossings) >= other.least_crossings
-        assert not mp.Scene().in_collision(robot, other.q)
-    assert "crosses no singularity" in str(others[0])
-
-
-def test_other_goals_avoid_obstacles_and_exclude_the_goal_itself():
-    robot = mp.load_robot("ur5")
-    start, goal = np.array([0.4, -1.2, 1.5, -1.8, -1.3, 0.7]), np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])
-    [best] = mp.other_goals(robot, start, goal, most=1)
-    assert np.abs(best.q - goal).max() > 0.1
-    links = robot.kinematics().pose(best.q)[:3, 3]
-    elbow = mp.Sphere(radius=0.05, position=[0.0, 0.0, 5.0], name="far")
-    assert len(mp.other_goals(robot, start, goal, mp.Scene([elbow]), most=1)) == 1
-    at_tool = mp.Scene([mp.Sphere(radius=0.05, position=links, name="ball")])
-    assert mp.other_goals(robot, start, goal, at_tool, most=1) == ()  # every solution has its tool in the ball
-    same_pose = mp.other_goals(robot, best.q, goal, most=3)  # the start is one of the configurations
-    assert all(np.abs(other.q - best.q).max() > 0.1 for other in same_pose)
-    with pytest.raises(mp.InvalidInputError, match="seeding"):
-        mp.other_goals(robot, start, goal, seeding=mp.Seeding(shifts="within-limits"))
-    with pytest.raises(mp.InvalidInputError, match="most"):
-        mp.other_goals(robot, start, goal, most=0)
-    with pytest.raises(mp.InvalidInputError, match="start"):
-        mp.other_goals(robot, start[:3], goal)
+    plan = mp.plan(robot, start, kinematics.pose(goal))
+    assert plan.result.g < given.g and not plan.result.certificate.crossings
+    np.testing.assert_allclose(kinematics.pose(plan.path.goal), kinematics.pose(goal), atol=1e-9)
 
 
 def test_more_first_paths_are_never_worse_and_are_counted():

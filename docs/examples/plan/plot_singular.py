@@ -32,14 +32,14 @@ assert result.status is mp.Status.OPTIMAL
 assert len(certificate.crossings) == certificate.least_crossings == 1
 
 # %%
-# Only the pose of the tool matters, and other configurations reach it.
-# ``mp.other_goals`` optimises paths to those that need the fewest crossings and are
-# nearest to the start.
+# Only the pose of the tool matters, and other configurations reach it. A pose as the goal
+# chooses the one with the best motion.
 
-others = mp.other_goals(robot, start, goal)
-for other in others:
-    print(other)
-best = others[0].result
+plan = mp.plan(robot, start, kinematics.pose(goal))
+best = plan.result
+print(f"g {best.g:.0f} instead of {result.g:.0f}")
+for each in plan.candidates[:4]:
+    print(each.q.round(2), f"needs {each.least_crossings} crossings at least")
 assert not best.certificate.crossings
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
 
