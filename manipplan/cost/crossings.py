@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from manipplan.cost.floor import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.kinematics.sides import Sides, sides_of
+from manipplan.kinematics.sides import SingularitySigns, sides_of
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
@@ -267,7 +267,7 @@ def _linear_cost(integral: PathIntegral, most: float) -> float:
     return float(most * integral.floor**-integral.power * hyp2f1(0.5, integral.power / 2, 1.5, ratio))
 
 
-def _sign_changes(path: JointPath, sides: Sides) -> list[tuple[float, str]]:
+def _sign_changes(path: JointPath, sides: SingularitySigns) -> list[tuple[float, str]]:
     """The s where a factor of det J changes its sign, with its name; of det J itself where its factors are not known."""
     s = path.fine_samples(STEP)
     found = []
@@ -277,7 +277,7 @@ def _sign_changes(path: JointPath, sides: Sides) -> list[tuple[float, str]]:
     return found
 
 
-def _along(sides: Sides, k: int, path: JointPath, s: Array) -> Array:
+def _along(sides: SingularitySigns, k: int, path: JointPath, s: Array) -> Array:
     return sides.values(path(s))[:, k]
 
 

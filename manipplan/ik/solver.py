@@ -19,7 +19,7 @@ from manipplan.ik.onto_rows import onto_rows, search_rows
 from manipplan.ik.ranges import in_turn, line, reach_in, slides_of, span, spans_turn
 from manipplan.ik.solutions import Completeness
 from manipplan.ik.starts import Starts, StartsOfPoses, approach, window
-from manipplan.ik.statistical import Sampled, best_held, merged, random_answers
+from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, random_answers
 from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
@@ -444,7 +444,7 @@ class Solver:
         for k, target in enumerate(targets[rows]):
             if not bound.allows(samples[k, : len(self.held)], target):
                 continue
-            setup = Sampled(robot=self.robot, screws=self.screws, held=self.held, values=samples[k, : len(self.held)])
+            setup = ArmWithHeldJoints(robot=self.robot, screws=self.screws, held=self.held, values=samples[k, : len(self.held)])
             q, share = random_answers(setup, target, places.of(target), rng, deadline)
             blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             missing.append(share)
@@ -499,7 +499,7 @@ def spare(robot: Robot) -> int:
 def _check_limits(robot: Robot) -> None:
     """Raises InvalidInputError where a joint has a limit on one side only, or a prismatic joint has none."""
     limits = robot.limits
-    half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.endless
+    half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.continuous_joints
     if half.any():
         k = int(half.argmax())
         wanted = "limits on both sides; revolute joints, unless a follower slides or makes no whole turns, may have none at all"

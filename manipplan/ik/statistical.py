@@ -37,7 +37,7 @@ ALIKE = 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Sampled:
+class ArmWithHeldJoints:
     """An arm with some joints held.
 
     Attributes:
@@ -53,7 +53,7 @@ class Sampled:
 
 
 def random_answers(
-    setup: Sampled, target: Array, places: Starts, rng: np.random.Generator, deadline: Deadline = NEVER
+    setup: ArmWithHeldJoints, target: Array, places: Starts, rng: np.random.Generator, deadline: Deadline = NEVER
 ) -> tuple[Array, float]:
     """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found until the deadline.
 

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 
-from manipplan.jobs.parcel import Missing, Outcome, Packer, plan_parcel
+from manipplan.jobs.parcel import CacheMiss, Outcome, Packer, plan_parcel
 from manipplan.jobs.problem import Problem
 from manipplan.jobs.result import PartialPlan
 from manipplan.support.errors import InvalidInputError
@@ -40,7 +40,7 @@ class _Dispatch:
         self.suspects = deque[int]()  # their worker died
         self.deaths = dict.fromkeys(problems, 0)
         self.wanted: dict[int, set[str]] = {k: set() for k in problems}
-        self.going: dict[Future[Outcome | Missing], int] = {}
+        self.going: dict[Future[Outcome | CacheMiss], int] = {}
         self.packer = Packer(uuid.uuid4().hex)
         self.broken: BrokenExecutor | None = None
         self.replied = False  # whether any worker has: then an error is that of one problem, and ends no other
@@ -75,7 +75,7 @@ class _Dispatch:
         except RuntimeError as error:
             raise InvalidInputError("executor", self.executor, f"an executor that takes work ({error})") from error
 
-    def _receive(self, k: int, future: Future[Outcome | Missing]) -> None:
+    def _receive(self, k: int, future: Future[Outcome | CacheMiss]) -> None:
         try:
             reply = future.result()
         except BrokenExecutor as error:
@@ -86,7 +86,7 @@ class _Dispatch:
             self._failed(k, error)
         else:
             self.replied = True
-            if isinstance(reply, Missing):
+            if isinstance(reply, CacheMiss):
                 self.wanted[k].update(reply.keys)
                 self.waiting.appendleft(k)
             else:

@@ -68,7 +68,7 @@ class Parcel:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Missing:
+class CacheMiss:
     """A worker's answer where it lacks robot or scene: their keys."""
 
     keys: Sequence[str]
@@ -127,12 +127,12 @@ class _Kept(threading.local):
 _kept = _Kept()
 
 
-def plan_parcel(parcel: Parcel) -> Outcome | Missing:
+def plan_parcel(parcel: Parcel) -> Outcome | CacheMiss:
     """In a worker: the outcome of a parcel, or what is missing to plan it."""
     known = {parcel.robot: parcel.robot in _kept.robots, parcel.scene: parcel.scene in _kept.scenes}
     missing = [key for key, is_kept in known.items() if not is_kept and key not in parcel.contents]
     if missing:
-        return Missing(keys=missing)
+        return CacheMiss(keys=missing)
     robot = _kept.robots.get(parcel.robot, lambda: pickle.loads(parcel.contents[parcel.robot]))
     scene = _kept.scenes.get(parcel.scene, lambda: pickle.loads(parcel.contents[parcel.scene]))
     return Outcome.of(planned(Problem(robot=robot, scene=scene, **pickle.loads(parcel.rest))))

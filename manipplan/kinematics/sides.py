@@ -23,7 +23,7 @@ SAMPLES = 40
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Sides:
+class SingularitySigns:
     """Smooth functions of the configuration whose product is det J, up to a constant: an arm is singular where one is zero.
 
     Attributes:
@@ -59,7 +59,7 @@ class Sides:
         return sum(int((np.diff(v[np.abs(v) >= zero] >= 0)).sum()) for v, zero in zip(values.T, self.zero, strict=True))
 
 
-def sides_of(kinematics: Kinematics) -> Sides | None:
+def sides_of(kinematics: Kinematics) -> SingularitySigns | None:
     """The sides for an arm and task, built once; None for arms with more joints than rows."""
     if not kinematics.is_square:
         return None
@@ -67,12 +67,12 @@ def sides_of(kinematics: Kinematics) -> Sides | None:
 
 
 @once_per_owner
-def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> Sides:
+def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns:
     is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
     factors = determinant_factors(robot) if is_pose else ()
     kinematics = robot.kinematics(task, compiled=compiled, backend=backend)
     function = _factors(robot, factors) if factors else _determinant(kinematics)
-    return Sides(
+    return SingularitySigns(
         names=tuple(each.name for each in factors) or ("",),
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),

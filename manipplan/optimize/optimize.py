@@ -154,7 +154,7 @@ def optimize_path(
     tell = teller(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     if recorded is not None:  # full turns of a continuous joint are those of the first path
-        q_goal = q_goal + np.where(robot.endless, 2 * np.pi * np.round((recorded.goal - q_goal) / (2 * np.pi)), 0.0)
+        q_goal = q_goal + np.where(robot.continuous_joints, 2 * np.pi * np.round((recorded.goal - q_goal) / (2 * np.pi)), 0.0)
     goals = shifted_goals(robot, q_start, q_goal, seeding.shifts)
     q_goal = goals[0] if len(goals) == 1 else q_goal
     objective = objective.resolved(robot, compiled=compiled)

@@ -48,8 +48,8 @@ log = logging.getLogger("manipplan")
 OPTIMISING_SHARE = 0.5
 #: Shortest time limit of a search, where hardly any time is left [s].
 SHORTEST_SEARCH = 1e-3
-#: Degrees above BEGINNING also start from the optimum of a lower one: of BEGINNING or of the next lower multiple of STRIDE.
-BEGINNING, STRIDE = 6, 3
+#: Degrees above WARM_START_DEGREE also start from the optimum of that degree, or of the next lower multiple of STRIDE.
+WARM_START_DEGREE, STRIDE = 6, 3
 #: A later local optimum is preferred to an earlier one when its g is lower by more than this share.
 TIE = 1e-5
 #: A confirmed optimum is returned instead of the first path if its g is not above that one's by more than this share, which
@@ -114,9 +114,9 @@ class PathProblem:
     def lower(self) -> "PathProblem | None":
         """The same problem in polynomials of a lower degree, whose optimum is a start for this one; None for low degrees."""
         if self.shape.pieces > 1:
-            degree = BEGINNING
-        elif self.shape.degree > BEGINNING:
-            degree = max(BEGINNING, STRIDE * ((self.shape.degree - 1) // STRIDE))
+            degree = WARM_START_DEGREE
+        elif self.shape.degree > WARM_START_DEGREE:
+            degree = max(WARM_START_DEGREE, STRIDE * ((self.shape.degree - 1) // STRIDE))
         else:
             return None
         if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):

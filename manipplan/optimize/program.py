@@ -17,7 +17,7 @@ from manipplan.optimize.descents.fixed_rows import FixedRows
 from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LimitRows, RowFunctions
-from manipplan.optimize.descents.surroundings import Surroundings
+from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
@@ -129,7 +129,7 @@ class PathProgram:
         start: Array,
         goal: Array,
         coefficients: Array,
-        surroundings: Surroundings | None,
+        surroundings: ClearanceSearch | None,
         *,
         limited: bool = True,
         edges: Array | None = None,

@@ -16,7 +16,7 @@ from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
 from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import LATE, descend
-from manipplan.optimize.descents.surroundings import MARGIN, Surroundings
+from manipplan.optimize.descents.surroundings import MARGIN, ClearanceSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
 from manipplan.paths.basis import EndConditions
@@ -126,7 +126,7 @@ class ProvenDescents:
         one. After the deadline, what the last descent reached is accepted if it is proven free, and OutOfTimeError is raised.
         """
         program, integral = self.program, self.program.integral
-        surroundings = None if self.model is None else Surroundings(model=self.model, clearance=self.clearance)
+        surroundings = None if self.model is None else ClearanceSearch(model=self.model, clearance=self.clearance)
         kept_rows = self.constraint_search()
         path = program.basis.path(self.start, self.goal, coefficients)
         beginning = integral.cost(path)

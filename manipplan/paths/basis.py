@@ -242,8 +242,8 @@ class EndConditions:
 
     start_slope: Array | None = None
     goal_slope: Array | None = None
-    start_bend: Array | None = None
-    goal_bend: Array | None = None
+    start_second_derivative: Array | None = None
+    goal_second_derivative: Array | None = None
 
     @property
     def pattern(self) -> tuple[tuple[float, int], ...]:
@@ -289,8 +289,8 @@ class EndConditions:
         return (
             (0.0, 1, self.start_slope),
             (1.0, 1, self.goal_slope),
-            (0.0, 2, self.start_bend),
-            (1.0, 2, self.goal_bend),
+            (0.0, 2, self.start_second_derivative),
+            (1.0, 2, self.goal_second_derivative),
         )
 
 
@@ -331,7 +331,8 @@ class PathShape:
         pieces: number of pieces, of equal width in s, 1 to 32; more than 1 only with "bspline" and "composite". With
             "composite", pieces times (degree - 1) is at most 200.
         start_slope, goal_slope: q'(0) and q'(1), (n,), with respect to s [rad or m]; None: free.
-        start_bend, goal_bend: q''(0) and q''(1), (n,) [rad or m]; None: free. Each slope or bend needs one more degree.
+        start_second_derivative, goal_second_derivative: q''(0) and q''(1), (n,) [rad or m]; None: free. Each of the four
+            derivatives needs one more degree.
     """
 
     degree: int = 6
@@ -339,12 +340,12 @@ class PathShape:
     pieces: int = 1
     start_slope: ArrayLike | None = None
     goal_slope: ArrayLike | None = None
-    start_bend: ArrayLike | None = None
-    goal_bend: ArrayLike | None = None
+    start_second_derivative: ArrayLike | None = None
+    goal_second_derivative: ArrayLike | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "degree", whole_number("degree", self.degree, least=1, most=MOST_DEGREE))
-        for name in ("start_slope", "goal_slope", "start_bend", "goal_bend"):
+        for name in ("start_slope", "goal_slope", "start_second_derivative", "goal_second_derivative"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, finite_array(name, getattr(self, name), (None,)))
         size = self.functions().size
@@ -359,7 +360,10 @@ class PathShape:
     @property
     def has_slopes(self) -> bool:
         """Whether a derivative at an end is given."""
-        return any(each is not None for each in (self.start_slope, self.goal_slope, self.start_bend, self.goal_bend))
+        return any(
+            each is not None
+            for each in (self.start_slope, self.goal_slope, self.start_second_derivative, self.goal_second_derivative)
+        )
 
     def functions(self) -> Basis:
         """The basis functions."""
@@ -368,7 +372,10 @@ class PathShape:
     def ends(self, n: int) -> EndConditions:
         """The fixed derivatives of n joints; raises InvalidInputError where the degree is too low for them."""
         n = whole_number("n", n, least=1)
-        given = {name: getattr(self, name) for name in ("start_slope", "goal_slope", "start_bend", "goal_bend")}
+        given = {
+            name: getattr(self, name)
+            for name in ("start_slope", "goal_slope", "start_second_derivative", "goal_second_derivative")
+        }
         ends = EndConditions(
             **{name: None if value is None else finite_array(name, value, (n,)) for name, value in given.items()}
         )

@@ -39,7 +39,7 @@ def unwrapped(
     jumps = _full_turns(robot, motion, fastest)
     if not jumps.any():
         return motion
-    wrong = np.argwhere((jumps != 0) & ~robot.endless)
+    wrong = np.argwhere((jumps != 0) & ~robot.continuous_joints)
     if len(wrong):
         row, joint = (int(k) for k in wrong[0])
         name, limits = robot.joint_names[joint], robot.limits

@@ -282,7 +282,7 @@ class Robot(Pictured):
         return model_tree.joint_types(self.model, np.isinf(self.limits.lower).tolist())
 
     @property
-    def endless(self) -> NDArray[np.bool_]:
+    def continuous_joints(self) -> NDArray[np.bool_]:
         """Mask (n,) of the joints of `turns` without a limit on either side."""
         return np.asarray(np.isinf(self.limits.lower) & np.isinf(self.limits.upper) & self.turns)
 

@@ -117,7 +117,7 @@ class LevelProgram:
         limits, positions = self.kinematics.robot.limits, self.positions
         m = self.kinematics.manipulability(q)
         scale = float(np.abs(m).min()) or 1.0
-        turns = full_turns(q, self.kinematics.robot.endless)
+        turns = full_turns(q, self.kinematics.robot.continuous_joints)
         weights = np.array([scale, 0.0 if level is None else 1.0])
         parameters = [q.ravel(), poses.transpose(0, 2, 1).ravel(), slopes.ravel(), turns, weights]
         # a configuration nearer to a limit than INSIDE_LIMITS goes no nearer: the spline through the path bows outwards

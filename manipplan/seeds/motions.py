@@ -13,7 +13,7 @@ import numpy as np
 from manipplan.collision.kernel import FREE, TOUCHING
 from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.batch import BATCH
-from manipplan.kinematics.sides import Sides
+from manipplan.kinematics.sides import SingularitySigns
 from manipplan.seeds.constraints import SearchConstraints
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
@@ -225,7 +225,7 @@ class MotionCheck:
             return TOUCHING
 
 
-def _batch(sides: Sides | None, check: "MotionCheck") -> Any:
+def _batch(sides: SingularitySigns | None, check: "MotionCheck") -> Any:
     """The values of the sides as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
     if sides is None:
         return None

@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.kinematics.sides import Sides
+from manipplan.kinematics.sides import SingularitySigns
 from manipplan.support.checks import Array
 
 #: Maximum time beyond the deadline for simplifying and rounding a path, as a share of the time limit, and at most [s].
@@ -43,7 +43,7 @@ class SeedTask:
     distances: tuple[float, float]
     seed: int
     clearance: float
-    sides: Sides | None
+    sides: SingularitySigns | None
     most_crossings: int | None
     checks: int | None
     deadline: float

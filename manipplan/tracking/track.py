@@ -167,7 +167,7 @@ def track(
     if stiffness is None:
         stiffness = HOLD if tube is None or not formulation.solves_qp else StiffnessProfile()
     if duration is None:
-        duration = unhurried(controller.kinematics, path, q)
+        duration = default_duration(controller.kinematics, path, q)
     steps = step_count(number("duration", duration, above=0.0) / dt - 1e-9)
     u = np.arange(steps + 1) / steps
     s = 3 * u**2 - 2 * u**3
@@ -201,7 +201,7 @@ def follow_poses(
     return loop.result(len(poses) - 1, poses[0], tube, s)
 
 
-def unhurried(kinematics: Kinematics, path: CartesianPath, start: Array) -> float:
+def default_duration(kinematics: Kinematics, path: CartesianPath, start: Array) -> float:
     """Duration [s] at which following `path` exactly from `start` uses `PACE` of the velocity and acceleration limits."""
     poses = path.sample(200)
     limits = kinematics.robot.limits

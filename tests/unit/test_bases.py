@@ -207,8 +207,8 @@ def test_joint_limits_hold_on_the_whole_curve(planar, name, degree, pieces):
     ("name", "degree", "pieces"), [("chebyshev", 7, 1), ("monomial", 7, 1), ("bspline", 4, 6), ("composite", 5, 3)]
 )
 def test_end_derivatives_are_met_in_every_basis(planar, name, degree, pieces):
-    wanted = {"start_slope": [3.0, -1.0, 2.0], "goal_slope": [0.0, 0.0, 0.0], "start_bend": [0.0, 1.0, 0.0]}
-    places = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2)}
+    wanted = {"start_slope": [3.0, -1.0, 2.0], "goal_slope": [0.0, 0.0, 0.0], "start_second_derivative": [0.0, 1.0, 0.0]}
+    places = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_second_derivative": (0.0, 2)}
     result = mp.optimize_path(
         planar,
         START,
@@ -295,8 +295,14 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
         ({"basis": "bspline", "pieces": 33}, "pieces.*at most 32"),
         ({"basis": "composite", "pieces": 32, "degree": 20}, "pieces: got 32; allowed: fewer.*608 coefficients.*200"),
         ({"basis": "composite", "pieces": 3, "degree": 1}, "degree: got 1; allowed: at least 2 with basis 'composite'"),
-        ({"basis": "monomial", "degree": 2, "start_slope": [0.0] * 3, "goal_bend": [0.0] * 3}, "degree: got 2.*at least 3"),
-        ({"basis": "bspline", "pieces": 8, "degree": 1, "start_bend": [0.0] * 3}, "degree: got 1.*at least 2 for these 1"),
+        (
+            {"basis": "monomial", "degree": 2, "start_slope": [0.0] * 3, "goal_second_derivative": [0.0] * 3},
+            "degree: got 2.*at least 3",
+        ),
+        (
+            {"basis": "bspline", "pieces": 8, "degree": 1, "start_second_derivative": [0.0] * 3},
+            "degree: got 1.*at least 2 for these 1",
+        ),
     ],
 )
 def test_wrong_arguments(planar, change, message):

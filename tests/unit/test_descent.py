@@ -16,7 +16,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.descents import descent
 from manipplan.optimize.descents.length import BatchDensity
-from manipplan.optimize.descents.surroundings import Surroundings
+from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
@@ -33,7 +33,7 @@ def around_a_post(panda):
     """The example of docs/start.md, with everything that goes into its last descent."""
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
     program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
-    surroundings = Surroundings(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
+    surroundings = ClearanceSearch(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
     true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, surroundings)
     return result, true, z

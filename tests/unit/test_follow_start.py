@@ -5,7 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.jobs.following.first_configurations import FirstConfigurations
 from manipplan.jobs.following.lead_in import choose_entry
 from manipplan.jobs.following.transit import Transit, TransitPlanner
@@ -165,7 +165,7 @@ def test_full_turns_are_kept():
     plan = mp.follow(arm, mp.CartesianPath.line(begin, end), start=start, positions=8, epsilon=0.9)
     assert_begins_and_follows(arm, plan, start, plan.workspace_path, mp.Scene())
     assert plan.path_begin > 0
-    assert (np.abs(plan.trajectory(plan.path_begin) - start)[arm.endless] < np.pi + 0.1).all()
+    assert (np.abs(plan.trajectory(plan.path_begin) - start)[arm.continuous_joints] < np.pi + 0.1).all()
 
 
 # ---- the choice of the first configuration
@@ -174,7 +174,7 @@ def test_full_turns_are_kept():
 @pytest.fixture(scope="module")
 def searched(panda, line):
     layers = mp.sample_layers(panda, line, 5, samples=32)
-    finder = CourseFinder(path=line, layers=layers, tolerance=None)
+    finder = ToolPathPlanner(path=line, layers=layers, tolerance=None)
     return finder, mp.max_min_search(layers, 0.6)
 
 

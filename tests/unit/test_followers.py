@@ -548,7 +548,7 @@ def test_full_turns(tmp_path, ratio, kind, back):
     assert (abs(nearest[0] - near[0]) < 1.0) == back
     np.testing.assert_allclose(whole.pose(nearest, "tip"), whole.pose(q[0], "tip"), atol=1e-12)
     endless = robot.with_limits(lower=-np.inf, upper=np.inf)
-    assert endless.endless.tolist() == [back, True]
+    assert endless.continuous_joints.tolist() == [back, True]
     if not back:
         with pytest.raises(mp.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"):
             mp.inverse_kinematics(endless, whole.pose(q[0], "tip"))

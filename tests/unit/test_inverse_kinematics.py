@@ -553,7 +553,7 @@ def test_a_limit_on_one_side_only_is_refused(lower, upper):
     limits = {side: getattr(robot.limits, side).copy() for side in ("lower", "upper")}
     limits["lower"][6], limits["upper"][6] = lower, upper
     half = robot.with_limits(**limits)
-    assert not half.endless.any()
+    assert not half.continuous_joints.any()
     with pytest.raises(mp.InvalidInputError, match="limits of panda_joint7: .*both sides"):
         mp.inverse_kinematics(half, np.eye(4))
 

@@ -384,11 +384,27 @@ def test_paths_on_two_sides_of_a_post_are_two_classes(planar):
 ENDS = [
     ({"start_slope": [0.0, 0.0, 0.0]}, 2),
     ({"start_slope": [3.0, -1.0, 2.0], "goal_slope": [3.0, 0.0, 5.0]}, 3),
-    ({"start_bend": [1.0, 0.0, -1.0]}, 2),
-    ({"start_slope": [0.0] * 3, "goal_slope": [0.0] * 3, "start_bend": [0.0] * 3, "goal_bend": [0.0] * 3}, 5),
-    ({"goal_slope": [1.0, 2.0, 3.0], "start_bend": [4.0, 0.0, 0.0], "goal_bend": [0.0, -3.0, 1.0]}, 4),
+    ({"start_second_derivative": [1.0, 0.0, -1.0]}, 2),
+    (
+        {
+            "start_slope": [0.0] * 3,
+            "goal_slope": [0.0] * 3,
+            "start_second_derivative": [0.0] * 3,
+            "goal_second_derivative": [0.0] * 3,
+        },
+        5,
+    ),
+    (
+        {"goal_slope": [1.0, 2.0, 3.0], "start_second_derivative": [4.0, 0.0, 0.0], "goal_second_derivative": [0.0, -3.0, 1.0]},
+        4,
+    ),
 ]
-ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
+ORDERS = {
+    "start_slope": (0.0, 1),
+    "goal_slope": (1.0, 1),
+    "start_second_derivative": (0.0, 2),
+    "goal_second_derivative": (1.0, 2),
+}
 
 
 @pytest.mark.slow
@@ -614,7 +630,7 @@ GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Se
         ({"goal": [0.0, 1.5, -2.0]}, "goal.*differs from start"),
         ({"objective": {"task": mp.Task.pose()}}, "task.*at most 3 rows"),
         ({"shape": {"start_slope": [0.0, 1.0]}}, r"start_slope.*shape \(3,\)"),
-        ({"shape": {"goal_bend": [0.0, 1.0, np.inf]}}, "goal_bend.*finite"),
+        ({"shape": {"goal_second_derivative": [0.0, 1.0, np.inf]}}, "goal_second_derivative.*finite"),
         ({"shape": {"degree": 2, "start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}}, "degree: got 2; allowed: at least 3"),
         ({"seeding": {"count": 0}}, "count: got 0.*at least 1"),
         (

@@ -158,12 +158,22 @@ def test_the_result_holds_the_objective(planar):
 
 
 SLOPES = {"start_slope": [0.0] * 3, "goal_slope": [0.0] * 3}
-ORDERS = {"start_slope": (0.0, 1), "goal_slope": (1.0, 1), "start_bend": (0.0, 2), "goal_bend": (1.0, 2)}
+ORDERS = {
+    "start_slope": (0.0, 1),
+    "goal_slope": (1.0, 1),
+    "start_second_derivative": (0.0, 2),
+    "goal_second_derivative": (1.0, 2),
+}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "conditions", [SLOPES, {"start_slope": [0.5, 0.0, -0.5], "goal_bend": [0.0] * 3}, {"start_bend": [0.0] * 3} | SLOPES]
+    "conditions",
+    [
+        SLOPES,
+        {"start_slope": [0.5, 0.0, -0.5], "goal_second_derivative": [0.0] * 3},
+        {"start_second_derivative": [0.0] * 3} | SLOPES,
+    ],
 )
 def test_further_shapes_of_a_plan_keep_the_end_derivatives(planar, conditions):
     """The only curve of this degree with these ends runs through the post, so a higher degree is taken."""

@@ -45,7 +45,7 @@ class LoneArm:
     tolerance: Tolerance
     hold_start: bool = False
 
-    def beginning(self, q: Array) -> "LoneArm":
+    def starting_at(self, q: Array) -> "LoneArm":
         """The same with q (k,) as only configuration at the first position, at the pose that it reaches.
 
         Where steps from one position to the next lead from it is added to the configurations of the others.

@@ -134,7 +134,7 @@ class Request:
             taken=taken,
             positions=None if positions is None else check_positions(positions, closed=False),
             integral=objective.integral(robot),
-            epsilon=check_epsilon(epsilon, robot.endless),
+            epsilon=check_epsilon(epsilon, robot.continuous_joints),
             samples=samples,
             tolerance=tolerance,
             own_tolerance=own,

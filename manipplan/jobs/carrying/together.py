@@ -13,7 +13,7 @@ from manipplan.robots.arms import own_joints
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE
-from manipplan.search.candidates.sampling import sample_layers, usual_samples
+from manipplan.search.candidates.sampling import default_samples, sample_layers
 from manipplan.seeds.acceptance import CHECK_STEP
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, part
@@ -80,14 +80,14 @@ def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
             epsilon=request.epsilon[joints],
             tolerance=request.own_tolerance,
         )
-        arms.append(arm if request.start is None else arm.beginning(request.start[joints]))
+        arms.append(arm if request.start is None else arm.starting_at(request.start[joints]))
     return arms
 
 
 def _count(lone: Robot) -> int:
     """Default number of samples per parameter of redundancy."""
     solver = Solver.of(lone, task=None, held=None, method="auto", seed=0)
-    usual = usual_samples(solver)
+    usual = default_samples(solver)
     return usual[min(max(len(solver.names), 1), len(usual)) - 1]
 
 

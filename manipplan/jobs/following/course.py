@@ -1,4 +1,4 @@
-"""Course: the continuous joint path along a workspace path, found by the search, refined, and joined between its positions."""
+"""RefinedToolPath: the joint path along a workspace path, found by the search, refined, and joined between its positions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -23,7 +23,7 @@ AT_KNOTS = 0.5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Course:
+class RefinedToolPath:
     """A joint path along a workspace path, over the same s.
 
     Attributes:
@@ -40,7 +40,7 @@ class Course:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CourseFinder:
+class ToolPathPlanner:
     """What courses along one workspace path share.
 
     Attributes:
@@ -55,7 +55,7 @@ class CourseFinder:
     tolerance: Tolerance | None
     samples: int | Sequence[int] | None = None
 
-    def begins_at(self, q: Array) -> bool:
+    def is_at_start(self, q: Array) -> bool:
         """Whether the tool stands at the first pose at q (n,): near enough for a spline that goes on inside the tolerance."""
         from manipplan.search.program import PoseRows
 
@@ -66,7 +66,7 @@ class CourseFinder:
             wide = np.maximum(wide, rows.box(self.tolerance.scaled(AT_POSITIONS)))
         return bool((np.abs(rows.errors(q[None], self.path(np.zeros(1)))) <= AT_POSITIONS * wide).all())
 
-    def beginning(self, q: Array) -> "CourseFinder":
+    def starting_at(self, q: Array) -> "ToolPathPlanner":
         """The same with q (n,) as only candidate at the first position, at the pose that it reaches."""
         assert self.layers.sampler is not None and self.layers.poses is not None
         kinematics, poses = self.layers.sampler.kinematics, self.layers.poses.copy()
@@ -75,7 +75,7 @@ class CourseFinder:
         m = (np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:])
         return replace(self, layers=replace(self.layers, q=configurations, m=m, poses=poses))
 
-    def between(self, first: int, last: int) -> "CourseFinder":
+    def between(self, first: int, last: int) -> "ToolPathPlanner":
         """The same for the part of the path from one position to another, which may be beyond the last one of a closed path."""
         layers = self.layers
         assert layers.s is not None and layers.poses is not None
@@ -92,12 +92,12 @@ class CourseFinder:
         )
         return replace(self, path=self.path.part(begin, end), layers=some)
 
-    def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> Course:
+    def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The course through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
         path, seed = self._joined(refined.q, self.tolerance), self._joined(found.q, None)
-        return Course(search=found, refinement=refined, path=path, seed=seed)
+        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed)
 
     def in_the_way(self, found: SearchResult) -> str:
         """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""
@@ -118,7 +118,7 @@ class CourseFinder:
             seed=spec.seed,
         )
         if len(self.layers.q[0]) == 1:
-            through = replace(self, layers=through).beginning(self.layers.q[0][0]).layers
+            through = replace(self, layers=through).starting_at(self.layers.q[0][0]).layers
         free = max_min_search(through, found.epsilon, strict=found.strict, explain=False, throw=False)
         if not free.connected:
             return ""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.jobs.goals.candidates import APART, GoalCandidate, measured
 from manipplan.jobs.goals.straight import straight_lines
 from manipplan.kinematics.sides import sides_of
@@ -42,7 +42,7 @@ class FirstConfigurations:
         cap: a manipulability beyond which more does not count.
     """
 
-    finder: CourseFinder
+    finder: ToolPathPlanner
     best: SearchResult
     cap: float = np.inf
 

@@ -14,7 +14,7 @@ from manipplan.cost.floor import floor_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.metric import metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.jobs.following.motion import Failure, PartsJoiner
 from manipplan.jobs.following.parts import find_parts
 from manipplan.jobs.following.transit import TransitPlanner
@@ -28,7 +28,7 @@ from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.candidates.layers import SPARE_CLEARANCE
 from manipplan.search.candidates.positions import STRIDE, choose_positions
-from manipplan.search.candidates.sampling import sample_layers, usual_samples
+from manipplan.search.candidates.sampling import default_samples, sample_layers
 from manipplan.search.max_min import SearchResult
 from manipplan.search.steps import check_epsilon
 from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
@@ -200,7 +200,7 @@ def follow(
             )
         raise InvalidInputError("objective", objective, wanted)
     tell = teller(progress)
-    epsilon = check_epsilon(epsilon, robot.endless)
+    epsilon = check_epsilon(epsilon, robot.continuous_joints)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
     given = None if start is None else named_configuration("start", start, robot)
@@ -218,7 +218,7 @@ def follow(
         q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
         taken = taken_to_limits(robot, "start", given)
 
-    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> CourseFinder:
+    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> ToolPathPlanner:
         layers = sample_layers(
             robot,
             path,
@@ -235,7 +235,7 @@ def follow(
             seed=seed,
             progress=tell,
         )
-        return CourseFinder(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
+        return ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
 
     spread = positions if positions is not None else choose_positions(path, closed=closed)
     finder = sampled(spread, samples, part(tell, 0.0, 0.4))
@@ -247,12 +247,12 @@ def follow(
         wanted += f"; {hint}" if hint else ""
         raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
-    def finer(tell: Progress) -> CourseFinder | None:
+    def finer(tell: Progress) -> ToolPathPlanner | None:
         one = samples is None and len(sampler.solver.names) == 1 and FINER * finder.layers.count <= MOST
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
-        return sampled(closer, FINER * usual_samples(sampler.solver)[0] if one else samples, tell)
+        return sampled(closer, FINER * default_samples(sampler.solver)[0] if one else samples, tell)
 
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
@@ -260,11 +260,11 @@ def follow(
     draft = PartialPlan(
         robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=with_defaults(tolerance)
     )
-    stands = q_start is not None and finder.begins_at(q_start)
+    stands = q_start is not None and finder.is_at_start(q_start)
     begin = q_start if stands else None
     parts = find_parts(finder, finer, epsilon, interruptions, part(tell, 0.4, 0.6), start=begin)
     if isinstance(parts, SearchResult):
-        whole = finder if begin is None else finder.beginning(begin)
+        whole = finder if begin is None else finder.starting_at(begin)
         told = "from the start, which is at the first pose of the path, " if stands else ""
         return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
     transits = TransitPlanner(

@@ -6,7 +6,7 @@ from itertools import islice
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.following.course import Course, CourseFinder
+from manipplan.jobs.following.course import RefinedToolPath, ToolPathPlanner
 from manipplan.jobs.following.first_configurations import GAIN, FirstConfigurations
 from manipplan.jobs.following.transit import PlanTransit, Transit
 from manipplan.jobs.goals.candidates import GoalCandidate, measured
@@ -26,7 +26,7 @@ class Entry:
     """A way into the path: the lead-in, the course along the path, and the minimum manipulability of both."""
 
     lead_in: Transit
-    course: Course
+    course: RefinedToolPath
     minimum: float
 
 
@@ -40,7 +40,12 @@ class EntryChoice:
 
 
 def choose_entry(
-    finder: CourseFinder, first: SearchResult, start: Array, integral: PathIntegral, plan_transit: PlanTransit, tell: Progress
+    finder: ToolPathPlanner,
+    first: SearchResult,
+    start: Array,
+    integral: PathIntegral,
+    plan_transit: PlanTransit,
+    tell: Progress,
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and course together.
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.following.course import Course, nearest_pair
+from manipplan.jobs.following.course import RefinedToolPath, nearest_pair
 from manipplan.jobs.following.lead_in import SECONDS, choose_entry
 from manipplan.jobs.following.parts import FoundPart
 from manipplan.jobs.following.transit import Transit, TransitPlanner
@@ -39,7 +39,7 @@ class FollowedPart:
     """A part of the path, the course along it, and the transit to its beginning; None where the motion begins there."""
 
     part: FoundPart
-    course: Course
+    course: RefinedToolPath
     transit: Transit | None
 
     def missed(self, kinematics: Kinematics, tolerance: Tolerance) -> str:

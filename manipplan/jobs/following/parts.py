@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from numpy.typing import ArrayLike
 
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.search.interruptions import fewest_interruptions, fewest_parts
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
@@ -26,17 +26,17 @@ class FoundPart:
 
     s_begin: float
     s_end: float
-    finder: CourseFinder
+    finder: ToolPathPlanner
     found: SearchResult
 
 
 #: Makes the finder of a path again with finer samples; None where there are none. Raises InvalidInputError where they cannot be
 #: had, since more positions show a place out of reach or beside a body, or more samples need too much memory.
-Finer = Callable[[Progress], CourseFinder | None]
+Finer = Callable[[Progress], ToolPathPlanner | None]
 
 
 def find_parts(
-    finder: CourseFinder, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress, *, start: Array | None = None
+    finder: ToolPathPlanner, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress, *, start: Array | None = None
 ) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
@@ -53,7 +53,7 @@ def find_parts(
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
     """
-    tried: list[CourseFinder] = []
+    tried: list[ToolPathPlanner] = []
     no_finer = ""
     for k, samples in enumerate((lambda _: finder, finer)):
         try:
@@ -62,7 +62,7 @@ def find_parts(
             no_finer, each = f"; finer samples: {error}", None
         if each is None:
             continue
-        begun = each if start is None else each.beginning(start)
+        begun = each if start is None else each.starting_at(start)
         search = part(tell, 0.5 * k, 0.5 * k + 0.2)
         found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
         if found.connected:
@@ -84,13 +84,13 @@ def find_parts(
     return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 
 
-def _unconnected(finder: CourseFinder, epsilon: ArrayLike, start: Array | None) -> SearchResult:
+def _unconnected(finder: ToolPathPlanner, epsilon: ArrayLike, start: Array | None) -> SearchResult:
     """The result of the search that finds no path, with the smallest epsilon unless finding it can take minutes."""
-    begun = finder if start is None else finder.beginning(start)
+    begun = finder if start is None else finder.starting_at(start)
     return max_min_search(begun.layers, epsilon, explain=not finder.layers.closed, throw=False)
 
 
-def _part(finder: CourseFinder, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
+def _part(finder: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
     """The part from one position to another."""
     of_part, s = finder.between(first, last), finder.layers.s
     assert s is not None

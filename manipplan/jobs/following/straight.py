@@ -4,13 +4,13 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.ik.solver import Solver
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.sampling import sample_layers, usual_samples
+from manipplan.search.candidates.sampling import default_samples, sample_layers
 from manipplan.search.max_min import max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.progress import silent
@@ -43,19 +43,19 @@ def straight_finder(
     clearance: float,
     task: Task | None = None,
     tolerance: Tolerance | None = None,
-) -> CourseFinder:
+) -> ToolPathPlanner:
     """The finder of motions along a straight path; raises InvalidInputError for a position that is out of reach or not free."""
     count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
     solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
-    names, usual = len(solver.names), usual_samples(solver)
+    names, usual = len(solver.names), default_samples(solver)
     samples = min(SAMPLES, usual[max(names, 1) - 1]) if names < 3 else None
     layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)
-    return CourseFinder(path=path, layers=layers, tolerance=tolerance)
+    return ToolPathPlanner(path=path, layers=layers, tolerance=tolerance)
 
 
-def motion_from(finder: CourseFinder, q: Array, robot: Robot, epsilon: float) -> JointPath | str:
+def motion_from(finder: ToolPathPlanner, q: Array, robot: Robot, epsilon: float) -> JointPath | str:
     """The best motion along a path that begins at q (n,) and stays inside the limits, or why there is none."""
-    beginning = finder.beginning(q)
+    beginning = finder.starting_at(q)
     found = max_min_search(beginning.layers, epsilon, explain=False, throw=False)
     if not found.connected:
         return found.message

@@ -98,20 +98,20 @@ def find_candidates(
     given = {k: each.q for k, each in enumerate(targets) if each.q is not None}
     poses = {k: each.pose for k, each in enumerate(targets) if each.pose is not None}
     several = {k: each.tools for k, each in enumerate(targets) if each.tools is not None}
-    useless: list[GoalCandidate] = []
+    rejected: list[GoalCandidate] = []
     missed: list[NearestToGoal] = []
     rows, goals = [], []
     for k, q in given.items():
         outside = robot.limits.outside(q)
         if (outside > 0).any():
-            useless.append(_outside(k, q, robot))
+            rejected.append(_outside(k, q, robot))
         else:
             rows.append(q)
             goals.append(k)
     held = constraints.held
     solved = {} if held.any() else {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
     found = reaching(robot, solved, start)
-    useless += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
+    rejected += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
     thorough = not len(found.q) or closed_form(robot) is None  # a closed form misses hardly any in reach
     for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held, thorough=thorough), strict=True):
@@ -119,17 +119,17 @@ def find_candidates(
         goals += [k] * len(near.reaching)
         if not len(near.reaching):
             missed.append(near)
-            useless.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
+            rejected.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
     for k, tools in several.items():
         joined = reaching_tools(tools, start, model, integral, clearance, held)
         rows += list(joined.q)
         goals += [k] * len(joined.q)
-        useless += [GoalCandidate(goal_index=k, q=q, status=reason) for q, reason in joined.useless]
+        rejected += [GoalCandidate(goal_index=k, q=q, status=reason) for q, reason in joined.rejected]
     every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
     index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
     reasons = _reasons(every, start, model, clearance, constraints)
     free = np.array([not reason for reason in reasons], dtype=bool)
-    useless += [
+    rejected += [
         GoalCandidate(goal_index=int(k), q=q, status=reason)
         for k, q, reason in zip(index[~free], every[~free], np.array(reasons, dtype=object)[~free], strict=True)
     ]
@@ -138,8 +138,8 @@ def find_candidates(
     more, of = _refined(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):
-        refusal = _nothing_free(targets, useless, ", within the constraints" if constraints.constraints else "")
-        if missed and len(missed) == len(useless):
+        refusal = _nothing_free(targets, rejected, ", within the constraints" if constraints.constraints else "")
+        if missed and len(missed) == len(rejected):
             argument, value, allowed = refusal
             if len(missed) == 1:
                 goal = poses[far[0]]
@@ -152,7 +152,7 @@ def find_candidates(
                 argument, value, allowed, min(missed, key=lambda each: np.hypot(each.position, each.rotation))
             )
         raise InvalidInputError(*refusal)
-    return [*ordered(measured(q, index.tolist(), start, integral)), *useless]
+    return [*ordered(measured(q, index.tolist(), start, integral)), *rejected]
 
 
 def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegral) -> list[GoalCandidate]:
@@ -220,9 +220,9 @@ def _refined(
     enough = float(kinematics.manipulability(start[None])[0])
 
     def figure(q: Array) -> Array:
-        useless = model.in_collision_rows(q, clearance=clearance + MARGIN)
-        useless |= constraints.values(q).min(axis=1, initial=0.0) < 0
-        return np.where(useless, -np.inf, kinematics.manipulability(q))
+        rejected = model.in_collision_rows(q, clearance=clearance + MARGIN)
+        rejected |= constraints.values(q).min(axis=1, initial=0.0) < 0
+        return np.where(rejected, -np.inf, kinematics.manipulability(q))
 
     m = kinematics.manipulability(found.q)
     if m.max() >= enough:
@@ -263,19 +263,19 @@ def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, co
     return reasons
 
 
-def _nothing_free(targets: Sequence[Target], useless: Sequence[GoalCandidate], also: str) -> tuple[str, object, str]:
+def _nothing_free(targets: Sequence[Target], rejected: Sequence[GoalCandidate], also: str) -> tuple[str, object, str]:
     """Argument, value and what is allowed, where no goal can be used."""
     if len(targets) == 1:
         argument, value = targets[0].argument, _shown(targets[0])
     else:
         argument, value = targets[0].argument.partition("[")[0], f"{len(targets)} goals of which none can be used"
-    counts = Counter(each.status.removeprefix("left out: ") for each in useless)
-    if len(useless) == 1:
+    counts = Counter(each.status.removeprefix("left out: ") for each in rejected)
+    if len(rejected) == 1:
         told = next(iter(counts))
     else:
         named = [f"{count} x {reason}" for reason, count in counts.most_common(NAMED)]
-        rest = len(useless) - sum(count for _, count in counts.most_common(NAMED))
-        told = f"of {len(useless)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
+        rest = len(rejected) - sum(count for _, count in counts.most_common(NAMED))
+        told = f"of {len(rejected)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
     return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {told}"
 
 

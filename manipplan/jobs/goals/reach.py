@@ -62,7 +62,7 @@ def nearest(
     count = int(np.clip(ALL_STARTS // len(goals), *STARTS))
     starts = [[near, robot.neutral, *random_near(robot, goal.matrix, np.random.default_rng(0), count - 2)] for goal in goals]
     q, owners = np.where(held, near, np.concatenate(starts)), np.repeat(np.arange(len(goals)), count)
-    missing = Missing.of(kinematics, goals)
+    missing = PoseResidual.of(kinematics, goals)
     q, miss = descend(robot.limits, lambda rows, q: missing.slopes(owners[rows], q), q, held)
     size = np.linalg.norm(miss, axis=1)
     reached = [_different(q[(owners == k) & (size <= REACHED)]) for k in range(len(goals))]
@@ -88,7 +88,7 @@ def nearest(
     return found
 
 
-def _to_goal(missing: "Missing", goal: int) -> Callable[[NDArray[np.intp], Array], tuple[Array, Array]]:
+def _to_goal(missing: "PoseResidual", goal: int) -> Callable[[NDArray[np.intp], Array], tuple[Array, Array]]:
     """What configurations miss of one goal, for `descend`."""
     return lambda rows, q: missing.slopes(np.full(len(rows), goal), q)
 
@@ -105,7 +105,7 @@ def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Missing:
+class PoseResidual:
     """What is missing to the tolerances of g goals.
 
     Attributes:
@@ -121,7 +121,7 @@ class Missing:
     allowed: Array
 
     @classmethod
-    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "Missing":
+    def of(cls, kinematics: Kinematics, goals: Sequence[PoseGoal]) -> "PoseResidual":
         return cls(
             kinematics=kinematics,
             targets=np.array([each.matrix for each in goals]),

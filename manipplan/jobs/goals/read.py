@@ -86,7 +86,9 @@ class Target:
             return "; ".join(filter(None, (pose.missed_by(robot, q, tool) for tool, pose in self.tools.items())))
         assert self.q is not None
         off = q - self.q
-        off = np.abs(np.where(robot.turns if self.turns else robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+        off = np.abs(
+            np.where(robot.turns if self.turns else robot.continuous_joints, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
+        )
         joint = int(off.argmax())
         return "" if off[joint] <= SAME else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 

@@ -35,7 +35,7 @@ class Joined:
     """Configurations (k, n) that reach a goal of several tools, perhaps in collision; those that do not, with the reason."""
 
     q: Array
-    useless: tuple[tuple[Array, str], ...]
+    rejected: tuple[tuple[Array, str], ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -64,8 +64,8 @@ def reaching_tools(
     robot = model.robot
     far = [(tool, beyond_links(robot, tool, goal)) for tool, goal in goals.items()]
     if any(proof for _, proof in far):
-        useless = tuple((start, f"left out: {tool} is {proof}") for tool, proof in far if proof)
-        return Joined(q=np.zeros((0, robot.n)), useless=useless)
+        rejected = tuple((start, f"left out: {tool} is {proof}") for tool, proof in far if proof)
+        return Joined(q=np.zeros((0, robot.n)), rejected=rejected)
     ranking = Ranking(robot=robot, start=start, integral=integral)
     by_steps = any(held[list(own_arms(robot)[tool].joints)].any() for tool in goals)
     places = start[None] if by_steps else torso_grid(robot, start, held)
@@ -78,8 +78,8 @@ def reaching_tools(
         more = _closer(robot, goals, common if moves else start[None], met, start, held)
         closer = _free_together(model, ranking, *more, clearance)
         joined = closer if closer.is_free or not len(joined.q) else joined
-    useless = () if len(joined.q) else tuple(_missed(robot, goals, found, start, held))
-    return Joined(q=joined.q, useless=useless)
+    rejected = () if len(joined.q) else tuple(_missed(robot, goals, found, start, held))
+    return Joined(q=joined.q, rejected=rejected)
 
 
 def _free_together(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from manipplan.ik.descend import descend
 from manipplan.jobs.goals.own_arm import OfTool, own_arms
 from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.reach import Missing
+from manipplan.jobs.goals.reach import PoseResidual
 from manipplan.robots.arms import shared_joints
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -91,7 +91,7 @@ def _reaching(robot: Robot, goals: Mapping[str, PoseGoal], q: Array, held: NDArr
     parts = []
     for tool, goal in goals.items():
         kinematics = robot.arm(tool).kinematics(Task.pose(length=1.0), threads=1)
-        parts.append((list(robot.joints_of(tool)), Missing.of(kinematics, [goal])))
+        parts.append((list(robot.joints_of(tool)), PoseResidual.of(kinematics, [goal])))
 
     def missing(rows: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
         miss, slopes = np.empty((len(rows), 6 * len(parts))), np.zeros((len(rows), 6 * len(parts), robot.n))

@@ -16,7 +16,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.straight import straight_lines
-from manipplan.jobs.programs.courses import Course, Finders, Motion, NoCourse, course_of
+from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Motion, course_of
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.nodes import Node
 from manipplan.jobs.programs.places import rounded
@@ -49,7 +49,7 @@ class Chosen:
 
     nodes: tuple[int, ...]
     free: tuple[Plan | None, ...]
-    courses: tuple[Course, ...]
+    courses: tuple[LegMotion, ...]
 
     @property
     def minimum(self) -> float:
@@ -87,7 +87,7 @@ class ProgramSearch:
 
     def __post_init__(self) -> None:
         self._finders = Finders(objective=self.objective, clearance=self.clearance)
-        self._courses: dict[tuple[object, ...], Course | NoCourse] = {}
+        self._courses: dict[tuple[object, ...], LegMotion | LegFailure] = {}
         self._free: dict[tuple[object, ...], Plan | str] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
@@ -165,13 +165,13 @@ class ProgramSearch:
         """
         q, state, before = self.start, self.state, 0
         free: list[Plan | None] = []
-        courses: list[Course] = []
+        courses: list[LegMotion] = []
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
             tell(k / len(self.legs), f"step {leg.number}")
             course = self._course(k, node, state)
             # a part is carried in the same way after all that end with the tool in the same pose
             rows = self._tools[k] == self._tools[k][before] if state.history else np.ones(len(self._tools[k]), dtype=bool)
-            if isinstance(course, NoCourse):
+            if isinstance(course, LegFailure):
                 ends = self._tools[k + 1] if course.always else np.arange(len(self.nodes[k]))
                 self._between[k][np.ix_(rows, ends == ends[node])] = -np.inf
                 self.failures.append(course.message)
@@ -199,13 +199,13 @@ class ProgramSearch:
             q, state, before = course.exit, course.state, node
         return Chosen(nodes=nodes, free=tuple(free), courses=tuple(courses))
 
-    def _course(self, k: int, node: int, state: State) -> Course | NoCourse:
+    def _course(self, k: int, node: int, state: State) -> LegMotion | LegFailure:
         key = (k, node, state.history)
         if key not in self._courses:
             here, leg = self.nodes[k][node], self.legs[k]
             q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
             if isinstance(q, str):
-                self._courses[key] = NoCourse(message=f"steps[{leg.number}]: {q}")
+                self._courses[key] = LegFailure(message=f"steps[{leg.number}]: {q}")
             else:
                 self._courses[key] = course_of(leg, q, state, self._finders, here.found)
         return self._courses[key]
@@ -262,7 +262,7 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
     return missed
 
 
-def _turned(course: Course, q: Array, state: State) -> Course:
+def _turned(course: LegMotion, q: Array, state: State) -> LegMotion:
     """The course with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
     robot = state.robot
     bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, Motion)])
@@ -279,4 +279,6 @@ def _turned(course: Course, q: Array, state: State) -> Course:
         else replace(each, q=each.q + shift)
         for each in course.items
     )
-    return Course(entry=course.entry + shift, items=items, exit=course.exit + shift, state=course.state, minimum=course.minimum)
+    return LegMotion(
+        entry=course.entry + shift, items=items, exit=course.exit + shift, state=course.state, minimum=course.minimum
+    )

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.following.course import CourseFinder
+from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.jobs.following.first_configurations import FirstConfigurations
 from manipplan.jobs.following.straight import (
     STRAIGHT_EPSILON,
@@ -74,7 +74,7 @@ class Stop:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Course:
+class LegMotion:
     """What follows a free motion: the configuration where it ends (n,), the motions and stops, and the last configuration.
 
     `state` is that afterwards, and `minimum` the smallest manipulability on the motions.
@@ -88,7 +88,7 @@ class Course:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class NoCourse:
+class LegFailure:
     """Why there is no course, and whether there is none from any configuration with the tool in the same pose either."""
 
     message: str
@@ -105,11 +105,11 @@ class Finders:
 
     objective: PathObjective
     clearance: float
-    kept: dict[tuple[object, ...], CourseFinder | NoCourse] = field(default_factory=dict)
+    kept: dict[tuple[object, ...], ToolPathPlanner | LegFailure] = field(default_factory=dict)
 
     def along(
         self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
-    ) -> CourseFinder | NoCourse:
+    ) -> ToolPathPlanner | LegFailure:
         """The finder of motions along a path of a step in a state, or why a position is out of reach or not free.
 
         `closer`: with half the distance between positions.
@@ -117,9 +117,9 @@ class Finders:
         key = (number, closer, rounded(path(0.0)), state.history)
         if key not in self.kept:
             try:
-                made: CourseFinder | NoCourse = self.made(step, path, state, closer=closer)
+                made: ToolPathPlanner | LegFailure = self.made(step, path, state, closer=closer)
             except InvalidInputError as error:
-                made = NoCourse(message=f"{error.argument} is not {error.allowed}", always=True)
+                made = LegFailure(message=f"{error.argument} is not {error.allowed}", always=True)
             if len(self.kept) >= KEPT:
                 del self.kept[next(iter(self.kept))]
             self.kept[key] = made
@@ -127,7 +127,7 @@ class Finders:
 
     def made(
         self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False, near: Array | None = None
-    ) -> CourseFinder:
+    ) -> ToolPathPlanner:
         """The same, not kept, with samples near a configuration (n,) if it is given.
 
         Raises InvalidInputError for a position that is out of reach or not free.
@@ -148,12 +148,12 @@ class Finders:
             clearance=clearance,
             near=near,
         )
-        return CourseFinder(path=path, layers=layers, tolerance=step.tolerance)
+        return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance)
 
 
 def course_of(
     leg: Leg, q: Array, state: State, finders: Finders, found: tuple[FirstConfigurations, int] | None
-) -> Course | NoCourse:
+) -> LegMotion | LegFailure:
     """The course of a leg whose goal is reached at q (n,), or why there is none.
 
     `found`: for a leg that begins on a path, the configurations in which it can begin, and the index of q among them.
@@ -164,7 +164,7 @@ def course_of(
         pose = state.robot.kinematics(Task.pose()).pose(q)
         back = straight_on(pose, -leg.approach)
         made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, finders)
-        if isinstance(made, NoCourse):
+        if isinstance(made, LegFailure):
             return replace(made, message=f"steps[{leg.number}]: no straight approach: {made.message}")
         path = made.path.backwards()
         items.append(replace(made, path=path, workspace_path=CartesianPath.line(back(1.0), pose)))
@@ -177,11 +177,11 @@ def course_of(
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
                 made = _along(number, step, workspace, q, state, finders)
-            if isinstance(made, NoCourse):
+            if isinstance(made, LegFailure):
                 # where the tool is after a path that leaves a motion free depends on the configuration
                 tasks = [each.task for each in items if isinstance(each, Motion) and each.task is not None]
                 turned = any(FreeMotion.of(task, planar=state.robot.planar).names for task in tasks)
-                return NoCourse(message=f"steps[{number}]: {made.message}", always=made.always and not turned)
+                return LegFailure(message=f"steps[{number}]: {made.message}", always=made.always and not turned)
             items.append(made)
             q = made.path.goal
             entry = made.path.start if len(items) == 1 else entry
@@ -190,13 +190,13 @@ def course_of(
             before, state = state, state.after(step, q)
             touching = before.touching(q, finders.clearance) or state.touching(q, finders.clearance)
             if touching:
-                return NoCourse(message=f"steps[{number}]: {touching}")
+                return LegFailure(message=f"steps[{number}]: {touching}")
         elif isinstance(step, Wait):
             items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
     integral = finders.objective.integral(state.robot)
     least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, Motion)]
     at_entry = float(integral.kinematics.manipulability(entry))
-    return Course(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
+    return LegMotion(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
 def has_closer(step: MoveAlong) -> bool:
@@ -204,18 +204,18 @@ def has_closer(step: MoveAlong) -> bool:
     return isinstance(step.path, CartesianPath) and step.positions is None
 
 
-def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | NoCourse:
+def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
     epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
-    failure = NoCourse(message="")
+    failure = LegFailure(message="")
     for closer in (False, True) if has_closer(step) else (False,):
         finder = finders.along(number, step, path, state, closer=closer)
-        if isinstance(finder, NoCourse):
+        if isinstance(finder, LegFailure):
             return finder
         made = motion_from(finder, q, state.robot, epsilon)
         if not isinstance(made, str):
             return _motion(number, step, finder.path, made, state)
-        failure = NoCourse(message=made)
+        failure = LegFailure(message=made)
         if isinstance(step.path, CartesianPath) and has_several_parameters(finder):
             near = motion_from(finders.made(step, path, state, closer=closer, near=q), q, state.robot, epsilon)
             if not isinstance(near, str):
@@ -223,16 +223,16 @@ def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: S
     return failure
 
 
-def has_several_parameters(finder: CourseFinder) -> bool:
+def has_several_parameters(finder: ToolPathPlanner) -> bool:
     """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
     return finder.layers.sampler is not None and len(finder.layers.sampler.solver.names) > 1
 
 
-def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> Motion | NoCourse:
+def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> Motion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
     path = configurations.finder.along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
-    return NoCourse(message=outside) if outside else _motion(number, step, configurations.finder.path, path, state)
+    return LegFailure(message=outside) if outside else _motion(number, step, configurations.finder.path, path, state)
 
 
 def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> Motion:

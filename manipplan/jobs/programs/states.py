@@ -91,7 +91,9 @@ def check_parts(steps: Sequence[tuple[str, object]], robot: Robot, scene: Scene)
     named or does not exist, and for a goal of a part that the tool does not carry then, or whose pose in the hand is not known
     before the program is planned.
     """
-    hands = Hands(robot=robot, carried={name: part.frame for name, part in robot.carried.items()}, there=set(scene.names))
+    hands = GripperState(
+        robot=robot, carried={name: part.frame for name, part in robot.carried.items()}, there=set(scene.names)
+    )
     for argument, step in steps:
         if isinstance(step, MoveTo):
             hands.move(argument, step)
@@ -104,7 +106,7 @@ def check_parts(steps: Sequence[tuple[str, object]], robot: Robot, scene: Scene)
 
 
 @dataclass(kw_only=True, eq=False)
-class Hands:
+class GripperState:
     """What the hands hold at a step of a program.
 
     Attributes:

@@ -83,7 +83,7 @@ def measure(
             continue
         off = got - wanted
         if name == "goal":  # full turns of joints without limits are the same posture
-            off = np.where(robot.endless, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
+            off = np.where(robot.continuous_joints, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
         off = np.abs(off)
         errors[name] = float(off.max())
         if off.max() > TOLERANCE:

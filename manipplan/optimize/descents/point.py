@@ -12,7 +12,7 @@ from manipplan.optimize.descents.constraint_rows import ConstraintLook, Constrai
 from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
 from manipplan.optimize.descents.length import LengthModel
 from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions
-from manipplan.optimize.descents.surroundings import Surroundings
+from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.paths.curves import Curve
 from manipplan.support.checks import Array
 
@@ -37,7 +37,7 @@ class DescentProgram:
     length: LengthModel
     limits: LimitRows
     functions: RowFunctions
-    surroundings: Surroundings | None
+    surroundings: ClearanceSearch | None
     rows: FixedRows | None = None
     constraints: ConstraintSearch | None = None
     held: NDArray[np.bool_] | None = None

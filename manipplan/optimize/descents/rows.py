@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from manipplan.collision.look import Look
 from manipplan.optimize.descents import arithmetic
 from manipplan.optimize.descents.length import Curves
-from manipplan.optimize.descents.surroundings import Surroundings
+from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.paths.curves import Curve
 from manipplan.paths.rounding import FINE
 from manipplan.support.checks import Array
@@ -117,7 +117,7 @@ class MeasuredRows:
     """
 
     curves: Curves
-    surroundings: Surroundings
+    surroundings: ClearanceSearch
     z: Array
     s: Array
     pairs: NDArray[np.intp]
@@ -127,7 +127,7 @@ class MeasuredRows:
     gradients: Array
 
     @classmethod
-    def of(cls, curves: Curves, surroundings: Surroundings, z: Array, curve: Curve, look: Look) -> "MeasuredRows":
+    def of(cls, curves: Curves, surroundings: ClearanceSearch, z: Array, curve: Curve, look: Look) -> "MeasuredRows":
         """The rows of a look at `curve`, which is that of z."""
         chosen = surroundings.places(look)
         s, pairs, moves = look.s[chosen], look.pairs[chosen], look.is_bottom[chosen]
@@ -197,7 +197,7 @@ class MeasuredRows:
 
 
 def rejected_rows(
-    functions: RowFunctions, curves: Curves, surroundings: Surroundings, z: Array, rejected: Curve, look: Look
+    functions: RowFunctions, curves: Curves, surroundings: ClearanceSearch, z: Array, rejected: Curve, look: Look
 ) -> LinearRows | None:
     """Rows at z (f, n) at each place where a look at a rejected curve violates the clearance; None when there are none.
 

@@ -24,7 +24,7 @@ JOINT_STEP = 1e-4
 
 
 @dataclass(kw_only=True, eq=False)
-class Surroundings:
+class ClearanceSearch:
     """Distances on paths that differ little from each other.
 
     Attributes:

@@ -153,7 +153,7 @@ def sample_layers(
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)
-    usual = usual_samples(sampler.solver)
+    usual = default_samples(sampler.solver)
     _check_grid(sampler, n, samples, usual, allowed)
     s = check_positions(positions, closed=closed)
     poses = np.array([pose_matrix(f"path, position {k} of 0 to {n - 1}", pose) for k, pose in enumerate(path(s))])
@@ -187,7 +187,7 @@ def sample_layers(
     return Layers(
         q=tuple(layers[k][0] for k in range(n)),
         m=tuple(layers[k][1] for k in range(n)),
-        continuous=robot.endless,
+        continuous=robot.continuous_joints,
         closed=closed,
         s=s,
         poses=poses,
@@ -201,7 +201,7 @@ def _offsets(parameters: int) -> Array:
     return np.array(list(product(BESIDE if parameters < 5 else BESIDE[1:4], repeat=parameters)))
 
 
-def usual_samples(solver: "Solver") -> Sequence[int]:
+def default_samples(solver: "Solver") -> Sequence[int]:
     """Default number of samples per parameter, by the number of parameters."""
     if solver.by_rows:
         return FEW_SAMPLES

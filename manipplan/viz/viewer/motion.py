@@ -27,7 +27,7 @@ PLACES = 7
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Course:
+class MotionSamples:
     """The motion, or the seed beside it, at the times of a `Motion`.
 
     Attributes:
@@ -72,8 +72,8 @@ class Motion:
     kinematics: Kinematics
     tools: tuple[DrawnTool, ...]
     t: Array
-    ours: Course
-    seed: Course | None
+    ours: MotionSamples
+    seed: MotionSamples | None
     box: Array
     scale: float
     marks: tuple[Mark, ...] = ()
@@ -109,10 +109,10 @@ class Motion:
         tools = drawn_tools(robot)
         t = np.linspace(0.0, trajectory.duration, SAMPLES)
 
-        def course(name: str, at: Callable[..., Array]) -> Course:
+        def course(name: str, at: Callable[..., Array]) -> MotionSamples:
             q = at(t)
             ways = tuple(tool.pose(q)[:, :3, 3] for tool in tools)
-            return Course(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tools=ways)
+            return MotionSamples(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tools=ways)
 
         (name, _), *others = paths.items()
         ours = course(name, trajectory)
@@ -133,7 +133,7 @@ class Motion:
         )
 
     @property
-    def courses(self) -> tuple[Course, ...]:
+    def courses(self) -> tuple[MotionSamples, ...]:
         """The motion, and the seed where there is one."""
         return (self.ours,) if self.seed is None else (self.ours, self.seed)
 
