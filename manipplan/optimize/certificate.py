@@ -81,7 +81,7 @@ UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_c
 def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
     """The first-order conditions at z (f, n)."""
     close = _fitted(program, z, ACTIVE)
-    if program.surroundings is None or close.projected_gradient <= GRADIENT:
+    if program.clearance_search is None or close.projected_gradient <= GRADIENT:
         return close
     *nearer, furthest = KEPT_AWAY  # what the furthest pairs do not balance, fewer do not balance either
     last = _fitted(program, z, furthest)
@@ -100,10 +100,10 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     gradient = length.gradient(z).ravel() / length.value(z)
     limits = program.limits.near(program.limits.points(z), LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
-    if program.surroundings is not None:
-        near, further = program.surroundings, reach - ACTIVE
+    if program.clearance_search is not None:
+        near, further = program.clearance_search, reach - ACTIVE
         margin = near.margin
-        looking = replace(program, surroundings=replace(near, clearance=near.clearance + further))
+        looking = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
         rows = looking.measured(z)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
@@ -135,7 +135,7 @@ def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
     if search is None:
         return LinearRows.none(z.size)
     curves = program.length.curves
-    found = ConstraintRows(curves=curves, search=search, z=z, look=search.look(curves.curve(z), 0.0)).linear
+    found = ConstraintRows(curves=curves, search=search, z=z, samples=search.find_near(curves.curve(z), 0.0)).linear
     active = found.value < ACTIVE
     return LinearRows(value=found.value[active], jacobian=found.jacobian[active])
 

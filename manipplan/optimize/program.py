@@ -11,13 +11,13 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.optimize.descents.clearance_search import ClearanceSearch
 from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import FAILED, descend
 from manipplan.optimize.descents.fixed_rows import FixedRows
 from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LimitRows, RowFunctions
-from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
@@ -129,7 +129,7 @@ class PathProgram:
         start: Array,
         goal: Array,
         coefficients: Array,
-        surroundings: ClearanceSearch | None,
+        clearance_search: ClearanceSearch | None,
         *,
         limited: bool = True,
         edges: Array | None = None,
@@ -143,7 +143,7 @@ class PathProgram:
             start, goal: (n,) [rad or m].
             coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
                 where this path needs it.
-            surroundings: distances of the true bodies; None: nothing is checked for collision.
+            clearance_search: distances of the true bodies; None: nothing is checked for collision.
             limited: False: without joint limits.
             edges: panel edges (k + 1,) that earlier paths needed; they are kept and refined.
             floor: floor of g; None: that of the objective.
@@ -171,7 +171,7 @@ class PathProgram:
             length = MovingLengthModel(**vars(length), integral=integral)
         limits = self._limit_rows(self._fine_hull, curves, limited=limited)
         program = DescentProgram(
-            length=length, limits=limits, functions=self._batch_rows, surroundings=surroundings, **_kept(constraints)
+            length=length, limits=limits, functions=self._batch_rows, clearance_search=clearance_search, **_kept(constraints)
         )
         return program, z
 
@@ -224,7 +224,7 @@ class PathProgram:
             ),
             limits=self._limit_rows(self._hull, curves),
             functions=self._batch_rows,
-            surroundings=None,
+            clearance_search=None,
             rows=FixedRows.of(self._batch_rows, curves, rows) if rows else None,
             **_kept(constraints),
         )

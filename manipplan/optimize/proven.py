@@ -14,9 +14,9 @@ from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.proof import ConstraintProof, prove
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
+from manipplan.optimize.descents.clearance_search import MARGIN, ClearanceSearch
 from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import LATE, descend
-from manipplan.optimize.descents.surroundings import MARGIN, ClearanceSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
 from manipplan.paths.basis import EndConditions
@@ -126,7 +126,7 @@ class ProvenDescents:
         one. After the deadline, what the last descent reached is accepted if it is proven free, and OutOfTimeError is raised.
         """
         program, integral = self.program, self.program.integral
-        surroundings = None if self.model is None else ClearanceSearch(model=self.model, clearance=self.clearance)
+        clearance_search = None if self.model is None else ClearanceSearch(model=self.model, clearance=self.clearance)
         kept_rows = self.constraint_search()
         path = program.basis.path(self.start, self.goal, coefficients)
         beginning = integral.cost(path)
@@ -148,13 +148,13 @@ class ProvenDescents:
             self._accept_late(path, coefficients, None)
         while waiting:
             margin, floor = waiting.pop(0)
-            if surroundings is not None:
-                surroundings.margin = margin
+            if clearance_search is not None:
+                clearance_search.margin = margin
             true, z = program.descent_program(
                 self.start,
                 self.goal,
                 coefficients,
-                surroundings,
+                clearance_search,
                 edges=edges,
                 floor=floor,
                 moving=moving,
@@ -170,7 +170,7 @@ class ProvenDescents:
                 self._accept_late(true.length.curves.path(descent.z), true.length.curves.coefficients(descent.z), best)
             steps += descent.steps
             coefficients = true.length.curves.coefficients(descent.z)
-            if preliminary and surroundings is not None and descent.violation - margin > STUCK and not descent.exhausted:
+            if preliminary and clearance_search is not None and descent.violation - margin > STUCK and not descent.exhausted:
                 log.debug("descent: stuck in an obstacle before the final margin")
                 break
             if preliminary:
@@ -181,13 +181,13 @@ class ProvenDescents:
             cost, proof = integral.cost(path), self.proof(path)
             least = np.inf if proof is None else proof.upper
             self.history.append(Step(first=name, g=cost.g, clearance=least, solver=descent.reason))
-            if surroundings is not None and proof is not None and not proof.proven:
-                known = (proof.at, proof.pair_id) in surroundings.always
+            if clearance_search is not None and proof is not None and not proof.proven:
+                known = (proof.at, proof.pair_id) in clearance_search.always
                 stuck = proof.upper < self.clearance - STUCK and not descent.exhausted
                 if stuck or (known and cost.g == failed_g):
                     log.debug("descent: stuck in an obstacle at s = %g", proof.at)
                     break
-                surroundings.always += [] if known else [(proof.at, proof.pair_id)]
+                clearance_search.always += [] if known else [(proof.at, proof.pair_id)]
                 failed_g, failures = cost.g, failures + 1
                 if self.until is not Until.SETTLED and failures > 1:
                     wider = WIDER[min(failures - 2, len(WIDER) - 1)]

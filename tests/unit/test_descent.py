@@ -15,8 +15,8 @@ from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.descents import descent
+from manipplan.optimize.descents.clearance_search import ClearanceSearch
 from manipplan.optimize.descents.length import BatchDensity
-from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
@@ -33,9 +33,9 @@ def around_a_post(panda):
     """The example of docs/start.md, with everything that goes into its last descent."""
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
     program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
-    surroundings = ClearanceSearch(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
+    clearance_search = ClearanceSearch(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
-    true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, surroundings)
+    true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, clearance_search)
     return result, true, z
 
 
@@ -66,9 +66,9 @@ def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_p
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
-        found = true.look(true.length.curves.curve(at), 0.0)
+        found = true.find_near(true.length.curves.curve(at), 0.0)
         near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
-        return min(near) - true.surroundings.target
+        return min(near) - true.clearance_search.target
 
     assert rows.value[k] == pytest.approx(least(z), abs=1e-9)
     np.testing.assert_allclose(
@@ -101,8 +101,8 @@ def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post)
     """The optimum for 10 mm, measured as a path for 7 mm: the post is 3 mm further away than it has to be."""
     _, true, z = around_a_post
     assert measure_optimality(true, z).reached
-    demanded = replace(true.surroundings, clearance=CLEARANCE - 3e-3)
-    measured = measure_optimality(replace(true, surroundings=demanded), z)
+    demanded = replace(true.clearance_search, clearance=CLEARANCE - 3e-3)
+    measured = measure_optimality(replace(true, clearance_search=demanded), z)
     assert not measured.reached
     assert measured.projected_gradient < 1e-3
     assert measured.active_clearance == pytest.approx(3e-3, abs=2.5e-4)

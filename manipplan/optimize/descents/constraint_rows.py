@@ -29,7 +29,7 @@ BOTTOM_STEPS = 5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ConstraintLook:
+class ConstraintSamples:
     """Places of a curve at which rows are near their targets.
 
     Attributes:
@@ -63,7 +63,7 @@ class ConstraintSearch:
         room = constraints.values(np.array([start, goal])).min(axis=0)
         return cls(constraints=constraints, target=np.minimum(room, MARGIN))
 
-    def look(self, curve: Curve, radius: float) -> ConstraintLook:
+    def find_near(self, curve: Curve, radius: float) -> ConstraintSamples:
         """The places that a step of a radius [rad or m] can use up."""
         s = np.unique(np.concatenate([np.linspace(0.0, 1.0, PLACES + 1), self.always]))
         values = self._values(curve, s)
@@ -79,7 +79,7 @@ class ConstraintSearch:
         alone = ~((of_others[:, None] == rows) & near).any(axis=1)
         others, of_others = others[alone], of_others[alone]
         order = np.argsort(values[::STRIDE][others, of_others], kind="stable")[: max(MOST_ROWS - len(rows), 0)]
-        return ConstraintLook(
+        return ConstraintSamples(
             s=np.concatenate([bottoms, s[::STRIDE][others[order]]]),
             rows=np.concatenate([rows, of_others[order]]),
             is_bottom=np.arange(len(rows) + len(order)) < len(rows),
@@ -114,25 +114,25 @@ class ConstraintSearch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ConstraintRows:
-    """The rows of a look at the curve of z (f, n).
+    """The rows at samples of the curve of z (f, n).
 
     Attributes:
         curves: the curves.
         search: source of the rows.
         z: the unknowns.
-        look: the places.
+        samples: the places.
     """
 
     curves: Curves
     search: ConstraintSearch
     z: Array
-    look: ConstraintLook
+    samples: ConstraintSamples
 
     @cached_property
     def value(self) -> Array:
         """The rows (k,) beyond their targets."""
         values = on_grid(self.search.constraints.values(self._q), FINE_DISTANCE)
-        return np.asarray(values[np.arange(len(self._q)), self.look.rows] - self.search.target[self.look.rows])
+        return np.asarray(values[np.arange(len(self._q)), self.samples.rows] - self.search.target[self.samples.rows])
 
     @cached_property
     def linear(self) -> LinearRows:
@@ -144,7 +144,7 @@ class ConstraintRows:
         used = np.flatnonzero(multipliers > 0)
         if not len(used):
             return np.zeros((self.z.size, self.z.size))
-        (speed, slopes), (bend, bends) = (self.curves.at(self.look.s[used], order) for order in (1, 2))
+        (speed, slopes), (bend, bends) = (self.curves.at(self.samples.s[used], order) for order in (1, 2))
         return arithmetic.curvature(
             multipliers[used],
             self._changes[used],
@@ -152,20 +152,20 @@ class ConstraintRows:
             arithmetic.points(speed, slopes, self.z),
             arithmetic.points(bend, bends, self.z),
             self._gradients[used],
-            self.search.constraints.hessians(self._q[used], self.look.rows[used]),
-            self.look.is_bottom[used],
+            self.search.constraints.hessians(self._q[used], self.samples.rows[used]),
+            self.samples.is_bottom[used],
             LEAST_BEND,
         )
 
     @cached_property
     def _q(self) -> Array:
-        return self.curves.curve(self.z)(self.look.s, FINE)
+        return self.curves.curve(self.z)(self.samples.s, FINE)
 
     @cached_property
     def _gradients(self) -> Array:
-        return np.ascontiguousarray(self.search.constraints.gradients(self._q)[np.arange(len(self._q)), self.look.rows])
+        return np.ascontiguousarray(self.search.constraints.gradients(self._q)[np.arange(len(self._q)), self.samples.rows])
 
     @cached_property
     def _changes(self) -> Array:
         """Change (k, f) of the curve with z at the places."""
-        return self.curves.at(self.look.s)[1]
+        return self.curves.at(self.samples.s)[1]

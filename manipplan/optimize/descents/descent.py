@@ -156,10 +156,10 @@ class _Model:
     def with_rejected(self, here: Point, there: Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
         program = here.program
-        if program.surroundings is None:
+        if program.clearance_search is None:
             return self
         curves = program.length.curves
-        more = rejected_rows(program.functions, curves, program.surroundings, here.z, there.curve, there.look)
+        more = rejected_rows(program.functions, curves, program.clearance_search, here.z, there.curve, there.samples)
         return self if more is None else replace(self, near=self.near.with_rows(more), first=None)
 
     def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
@@ -195,7 +195,7 @@ def descend(
         patient: the descent goes on where the violation hardly falls; a few come out of an obstacle only after many steps.
         deadline: no step is begun after it.
     """
-    is_unchecked = program.surroundings is None
+    is_unchecked = program.clearance_search is None
     usual_steps, usual_tolerance = FREE_STEPS, FREE_TOLERANCE
     if not is_unchecked:
         curves = program.length.curves

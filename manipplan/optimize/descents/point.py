@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.look import NOTHING, Look
-from manipplan.optimize.descents.constraint_rows import ConstraintLook, ConstraintRows, ConstraintSearch
+from manipplan.collision.proximity import NOTHING, ProximitySamples
+from manipplan.optimize.descents.clearance_search import ClearanceSearch
+from manipplan.optimize.descents.constraint_rows import ConstraintRows, ConstraintSamples, ConstraintSearch
 from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
 from manipplan.optimize.descents.length import LengthModel
 from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions
-from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.paths.curves import Curve
 from manipplan.support.checks import Array
 
@@ -28,8 +28,8 @@ class DescentProgram:
         length: g as a function of the unknowns.
         limits: the joint limits.
         functions: functions of the clearance rows.
-        surroundings: distances of the true bodies; None: nothing is checked for collision.
-        rows: without surroundings, clearance rows that stay where they are; None: there are none.
+        clearance_search: distances of the true bodies; None: nothing is checked for collision.
+        rows: without clearance_search, clearance rows that stay where they are; None: there are none.
         constraints: what is kept beside limits and clearance; None: nothing.
         held: (n,) whether a joint keeps its value.
     """
@@ -37,7 +37,7 @@ class DescentProgram:
     length: LengthModel
     limits: LimitRows
     functions: RowFunctions
-    surroundings: ClearanceSearch | None
+    clearance_search: ClearanceSearch | None
     rows: FixedRows | None = None
     constraints: ConstraintSearch | None = None
     held: NDArray[np.bool_] | None = None
@@ -49,17 +49,17 @@ class DescentProgram:
             return slice(None)
         return np.flatnonzero(np.tile(~self.held, self.length.curves.directions.shape[1]))
 
-    def look(self, curve: Curve, radius: float) -> Look:
+    def find_near(self, curve: Curve, radius: float) -> ProximitySamples:
         """The bodies near a curve, within the distance that a step of `radius` can use up."""
-        if self.surroundings is None:
+        if self.clearance_search is None:
             return NOTHING
-        return self.surroundings.look(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
+        return self.clearance_search.find_near(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
     def measured(self, z: Array) -> MeasuredRows:
         """The rows at z (f, n) of the bodies near there."""
-        assert self.surroundings is not None
+        assert self.clearance_search is not None
         curve = self.length.curves.curve(z)
-        return MeasuredRows.of(self.length.curves, self.surroundings, z, curve, self.look(curve, 0.0))
+        return MeasuredRows.of(self.length.curves, self.clearance_search, z, curve, self.find_near(curve, 0.0))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,16 +71,16 @@ class Point:
         z: its unknowns (f, n).
         value: g over g₀; inf where it is not finite.
         curve: the path.
-        look: the bodies near it.
-        constraint_look: the constraints near their limits; None where there are none.
+        samples: the bodies near it.
+        constraint_samples: the constraints near their limits; None where there are none.
     """
 
     program: DescentProgram
     z: Array
     value: float
     curve: Curve
-    look: Look
-    constraint_look: ConstraintLook | None
+    samples: ProximitySamples
+    constraint_samples: ConstraintSamples | None
 
     @classmethod
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "Point":
@@ -91,20 +91,20 @@ class Point:
             z=z,
             value=value if np.isfinite(value) else np.inf,
             curve=curve,
-            look=program.look(curve, radius),
-            constraint_look=None if program.constraints is None else program.constraints.look(curve, radius),
+            samples=program.find_near(curve, radius),
+            constraint_samples=None if program.constraints is None else program.constraints.find_near(curve, radius),
         )
 
     @cached_property
     def violation(self) -> float:
         """Largest violation of limits, target clearance and constraints [rad or m]."""
         program, short = self.program, 0.0
-        if program.surroundings is not None:
-            short = max(program.surroundings.target - self.look.least, 0.0)
+        if program.clearance_search is not None:
+            short = max(program.clearance_search.target - self.samples.least, 0.0)
         elif program.rows is not None:
             short = self._fixed.violation
-        if self.constraint_look is not None:
-            short = max(short, self.constraint_look.violation)
+        if self.constraint_samples is not None:
+            short = max(short, self.constraint_samples.violation)
         return max(short, program.limits.violation(self._control))
 
     @cached_property
@@ -114,10 +114,10 @@ class Point:
         found: list[MeasuredRows | FixedRowsAt | ConstraintRows] = []
         if program.rows is not None:
             found.append(self._fixed)
-        elif program.surroundings is not None:
-            found.append(MeasuredRows.of(curves, program.surroundings, self.z, self.curve, self.look))
-        if program.constraints is not None and self.constraint_look is not None:
-            found.append(ConstraintRows(curves=curves, search=program.constraints, z=self.z, look=self.constraint_look))
+        elif program.clearance_search is not None:
+            found.append(MeasuredRows.of(curves, program.clearance_search, self.z, self.curve, self.samples))
+        if program.constraints is not None and self.constraint_samples is not None:
+            found.append(ConstraintRows(curves=curves, search=program.constraints, z=self.z, samples=self.constraint_samples))
         return tuple(found)
 
     @cached_property

@@ -10,10 +10,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.look import Look
+from manipplan.collision.proximity import ProximitySamples
 from manipplan.optimize.descents import arithmetic
+from manipplan.optimize.descents.clearance_search import ClearanceSearch
 from manipplan.optimize.descents.length import Curves
-from manipplan.optimize.descents.surroundings import ClearanceSearch
 from manipplan.paths.curves import Curve
 from manipplan.paths.rounding import FINE
 from manipplan.support.checks import Array
@@ -108,7 +108,7 @@ class MeasuredRows:
 
     Attributes:
         curves: the curves.
-        surroundings: source of the distances.
+        clearance_search: source of the distances.
         z: the unknowns.
         s, pairs, moves: (r,) place and pair of each row, and whether the distance has a minimum along the curve there.
         q: (r, n) configurations.
@@ -117,7 +117,7 @@ class MeasuredRows:
     """
 
     curves: Curves
-    surroundings: ClearanceSearch
+    clearance_search: ClearanceSearch
     z: Array
     s: Array
     pairs: NDArray[np.intp]
@@ -127,16 +127,18 @@ class MeasuredRows:
     gradients: Array
 
     @classmethod
-    def of(cls, curves: Curves, surroundings: ClearanceSearch, z: Array, curve: Curve, look: Look) -> "MeasuredRows":
-        """The rows of a look at `curve`, which is that of z."""
-        chosen = surroundings.places(look)
-        s, pairs, moves = look.s[chosen], look.pairs[chosen], look.is_bottom[chosen]
+    def of(
+        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
+    ) -> "MeasuredRows":
+        """The rows where bodies are near along `curve`, which is that of z."""
+        chosen = clearance_search.places(samples)
+        s, pairs, moves = samples.s[chosen], samples.pairs[chosen], samples.is_bottom[chosen]
         q = curve(s, FINE)
-        found = surroundings.model.witnesses(q, pairs)
-        value = found.distances - surroundings.target
+        found = clearance_search.model.witnesses(q, pairs)
+        value = found.distances - clearance_search.target
         return cls(
             curves=curves,
-            surroundings=surroundings,
+            clearance_search=clearance_search,
             z=z,
             s=s,
             pairs=pairs,
@@ -168,7 +170,7 @@ class MeasuredRows:
             arithmetic.points(speed, slopes, self.z),
             arithmetic.points(bend, bends, self.z),
             gradients,
-            self.surroundings.hessians(self.q[used], self.pairs[used], gradients),
+            self.clearance_search.hessians(self.q[used], self.pairs[used], gradients),
             self.moves[used],
             LEAST_BEND,
         )
@@ -187,7 +189,7 @@ class MeasuredRows:
         moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])
         owner = np.repeat(rows, len(moves))
         moved = (self.q[rows, None] + moves).reshape(-1, n)
-        found = self.surroundings.model.witnesses(moved, self.pairs[owner])
+        found = self.clearance_search.model.witnesses(moved, self.pairs[owner])
         return LinearRows.of(found.distances, self._changes[owner], found.gradients).jacobian, owner
 
     @cached_property
@@ -197,23 +199,28 @@ class MeasuredRows:
 
 
 def rejected_rows(
-    functions: RowFunctions, curves: Curves, surroundings: ClearanceSearch, z: Array, rejected: Curve, look: Look
+    functions: RowFunctions,
+    curves: Curves,
+    clearance_search: ClearanceSearch,
+    z: Array,
+    rejected: Curve,
+    samples: ProximitySamples,
 ) -> LinearRows | None:
-    """Rows at z (f, n) at each place where a look at a rejected curve violates the clearance; None when there are none.
+    """Rows at z (f, n) at each sample of a rejected curve that violates the clearance; None when there are none.
 
     Each place gives two, with the plane on either body of the pair. Rows that are stricter at z than the true distance are left
     out: they would forbid configurations that are free.
     """
-    near = np.flatnonzero(look.distances < surroundings.target)[:MOST_REJECTED]
+    near = np.flatnonzero(samples.distances < clearance_search.target)[:MOST_REJECTED]
     if not len(near):
         return None
-    found = surroundings.model.witnesses(rejected(look.s[near], FINE), look.pairs[near])
-    both = np.stack([surroundings.planes(found), surroundings.reversed_planes(found)], axis=1)
-    planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(look.s[near], 2), np.repeat(look.pairs[near], 2)
+    found = clearance_search.model.witnesses(rejected(samples.s[near], FINE), samples.pairs[near])
+    both = np.stack([clearance_search.planes(found), clearance_search.reversed_planes(found)], axis=1)
+    planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
     line, changes = curves.at(s)
     q = arithmetic.points(line, changes, z)
     values = functions.value.by_columns(q, planes)[:, 0]
-    true = surroundings.model.pair_distances(q, pairs) - surroundings.target
+    true = clearance_search.model.pair_distances(q, pairs) - clearance_search.target
     kept = np.flatnonzero(values >= true - STRICT)
     if not len(kept):
         return None

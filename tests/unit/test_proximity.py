@@ -4,9 +4,19 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.collision import look
+from manipplan.collision import proximity
 from manipplan.collision.kernel import DistanceKernel
-from manipplan.collision.look import BOTTOM, BOTTOM_STEPS, CLOSE, DEEP, FARTHEST, INTERVALS, NOTHING, SPACING, DistanceSearch
+from manipplan.collision.proximity import (
+    BOTTOM,
+    BOTTOM_STEPS,
+    CLOSE,
+    DEEP,
+    FARTHEST,
+    INTERVALS,
+    NOTHING,
+    SPACING,
+    DistanceSearch,
+)
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 
@@ -87,9 +97,9 @@ def same(found, wanted, exact=1e-11):
 @pytest.mark.parametrize("target", [0.0, 0.01])
 def test_a_look_finds_what_numpy_finds(through_a_post, band, target):
     search, curve = through_a_post
-    first = search.look(curve, target, band)
+    first = search.find_near(curve, target, band)
     known = [(0.0, int(first.pairs[0])), (0.3777, int(first.pairs[-1])), (1.0, int(first.pairs[0]))]
-    found = search.look(curve, target, band, known)
+    found = search.find_near(curve, target, band, known)
     assert found.is_bottom.any() and not found.is_bottom.all()
     assert (np.diff(found.distances) >= 0).all() and found.least == found.distances[0] < -0.01
     same(found, by_numpy(search, curve, target, band, known))
@@ -97,7 +107,7 @@ def test_a_look_finds_what_numpy_finds(through_a_post, band, target):
 
 def test_bottoms_are_the_nearest_places_of_their_brackets(through_a_post):
     search, curve = through_a_post
-    found = search.look(curve, 0.0, 2e-3)
+    found = search.find_near(curve, 0.0, 2e-3)
     bottoms = np.flatnonzero(found.is_bottom)
     assert len(bottoms) > 2
     for k in bottoms:
@@ -110,11 +120,11 @@ def test_bottoms_are_the_nearest_places_of_their_brackets(through_a_post):
 def test_there_is_room_for_many_near_places(through_a_post, monkeypatch):
     search, curve = through_a_post
     whole = by_numpy(search, curve, 0.0, 0.1)
-    monkeypatch.setattr(look, "ROOM", 1)
+    monkeypatch.setattr(proximity, "ROOM", 1)
     few = DistanceSearch(search.model)
-    same(few.look(curve, 0.0, 0.1), whole)
-    assert len(few.look(curve, 0.0, 0.1, [(0.5, whole[0][2])] * 50).s) == len(whole) + 50
-    same(few.look(curve, 0.0, 0.1), whole)
+    same(few.find_near(curve, 0.0, 0.1), whole)
+    assert len(few.find_near(curve, 0.0, 0.1, [(0.5, whole[0][2])] * 50).s) == len(whole) + 50
+    same(few.find_near(curve, 0.0, 0.1), whole)
 
 
 @pytest.mark.parametrize("band", [2e-3, 0.1])
@@ -130,7 +140,7 @@ def test_coal_is_asked_where_the_kernel_cannot_tell(panda, band):
         return tell(q, pairs, **options)
 
     search.model.pair_distances = listening
-    found = search.look(curve, 0.0, band, [(0.5, 0)])
+    found = search.find_near(curve, 0.0, band, [(0.5, 0)])
     assert sum(asked) > 0, "the kernel tells all distances: this test needs another scene"
     same(found, by_numpy(search, curve, 0.0, band, [(0.5, 0)]), exact=2e-6)  # coal's tolerance
 
@@ -138,7 +148,7 @@ def test_coal_is_asked_where_the_kernel_cannot_tell(panda, band):
 def test_nothing_is_near_far_from_everything(panda):
     far = mp.Scene([mp.Sphere(radius=0.01, position=(5.0, 0.0, 0.0))]).collision_model(panda)
     still = JointPath.line(START, np.add(START, 0.01))
-    found = DistanceSearch(far).look(still.curve(), -0.02, 1e-3)
+    found = DistanceSearch(far).find_near(still.curve(), -0.02, 1e-3)
     assert len(found.s) == 0 and found.least == NOTHING.least == np.inf
 
 
@@ -153,6 +163,6 @@ def test_searches_of_one_model_do_not_share_memory(through_a_post):
     search, curve = through_a_post
     other = DistanceSearch(search.model)
     assert isinstance(other._kernel, DistanceKernel) and other._kernel is not search._kernel
-    first = search.look(curve, 0.0, 0.1)
-    other.look(curve, 0.01, 2e-3)
-    np.testing.assert_array_equal(first.distances, search.look(curve, 0.0, 0.1).distances)
+    first = search.find_near(curve, 0.0, 0.1)
+    other.find_near(curve, 0.01, 2e-3)
+    np.testing.assert_array_equal(first.distances, search.find_near(curve, 0.0, 0.1).distances)

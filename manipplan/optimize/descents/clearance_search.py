@@ -1,4 +1,4 @@
-"""The arm's surroundings during a descent: where the path is near something, and the distances there."""
+"""The arm's clearance_search during a descent: where the path is near something, and the distances there."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -6,8 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.look import DistanceSearch, Look, Place
 from manipplan.collision.model import CollisionModel
+from manipplan.collision.proximity import DistanceSearch, Place, ProximitySamples
 from manipplan.collision.witnesses import Witnesses
 from manipplan.optimize.clearance import columns
 from manipplan.paths.curves import Curve
@@ -48,15 +48,15 @@ class ClearanceSearch:
         """The distance to keep [m]: the required one plus the margin."""
         return self.clearance + self.margin
 
-    def look(self, curve: Curve, band: float) -> Look:
-        """Places on a curve where a pair is near, as `DistanceSearch.look` says."""
-        return self._search.look(curve, self.target, band, self.always)
+    def find_near(self, curve: Curve, band: float) -> ProximitySamples:
+        """Places on a curve where a pair is near, as `DistanceSearch.find_near` says."""
+        return self._search.find_near(curve, self.target, band, self.always)
 
-    def places(self, look: Look) -> NDArray[np.intp]:
-        """The entries (r,) of a look that get rows, bottoms of dips first."""
-        bottoms, others = np.flatnonzero(look.is_bottom), np.flatnonzero(~look.is_bottom)
+    def places(self, samples: ProximitySamples) -> NDArray[np.intp]:
+        """The samples (r,) that get rows, bottoms of dips first."""
+        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
         if len(bottoms) and len(bottoms) < MOST_PLACES:
-            along = 2 * look.pairs + look.s  # by pair, then place
+            along = 2 * samples.pairs + samples.s  # by pair, then place
             ordered = np.sort(along[bottoms])
             after = np.searchsorted(ordered, along[others])
             gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]

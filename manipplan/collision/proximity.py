@@ -88,7 +88,7 @@ def _call() -> Callable[..., int]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Look:
+class ProximitySamples:
     """Distances measured on one curve, the smallest first; (k,) each.
 
     Attributes:
@@ -104,7 +104,7 @@ class Look:
     is_bottom: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, *found: "Look") -> "Look":
+    def of(cls, *found: "ProximitySamples") -> "ProximitySamples":
         """All that was found, in order."""
         distances, s, pairs, is_bottom = (
             np.concatenate([np.empty(0, dtype=kind), *(getattr(each, name) for each in found)])
@@ -120,7 +120,7 @@ class Look:
 
 
 #: What is found where nothing is near.
-NOTHING = Look.of()
+NOTHING = ProximitySamples.of()
 
 
 class DistanceSearch:
@@ -146,7 +146,7 @@ class DistanceSearch:
         self._found = np.empty(0, dtype=_FOUND)
         self._look = self._with_room(ROOM * (INTERVALS + 1), 0)
 
-    def look(self, curve: Curve, target: float, band: float, known: Sequence[Place] = ()) -> Look:
+    def find_near(self, curve: Curve, target: float, band: float, known: Sequence[Place] = ()) -> ProximitySamples:
         """Places where a pair is near.
 
         These are the places of the grid nearer than the target plus CLOSE, every SPACING-th place nearer than the target plus
@@ -173,7 +173,9 @@ class DistanceSearch:
                 break
             self._look = self._with_room(2 * look.room, len(known))
         found = self._found[:count].copy()
-        return Look(distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool))
+        return ProximitySamples(
+            distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool)
+        )
 
     def _answer(self, curve: Curve) -> None:
         """Put distances in place of those that the kernel cannot tell."""
