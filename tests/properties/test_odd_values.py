@@ -129,6 +129,12 @@ def calls(tmp_path_factory):
     return odd_calls.calls(folder)
 
 
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path, monkeypatch):
+    """Some of the odd values are names of files, which are written."""
+    monkeypatch.chdir(tmp_path)
+
+
 def public_functions():
     """Names of all public functions, classes and methods that take arguments."""
     places = [("", mp, mp.__all__), ("planar.", planar, planar.__all__), ("viz.", viz, viz.__all__)]
