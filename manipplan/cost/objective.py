@@ -118,8 +118,8 @@ def idle_hint(kinematics: Kinematics) -> str:
 def check_measure(kinematics: Kinematics) -> None:
     """Raise InvalidInputError for a measure that can be negative, or is better when smaller."""
     measure = kinematics.measure
-    if not measure.grows:
-        usable = [name for name, kind in MEASURES.items() if kind.grows]
+    if not measure.larger_is_better:
+        usable = [name for name, kind in MEASURES.items() if kind.larger_is_better]
         wanted = f"a measure that is at least zero and better when larger: {', '.join(usable)}, or a custom one"
         raise InvalidInputError("measure", measure.name, wanted)
     measure.check(kinematics.task.rows, kinematics.symbolic.joints)

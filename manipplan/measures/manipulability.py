@@ -66,8 +66,8 @@ class LogDet(JacobianMeasure):
     name: ClassVar[str] = "log_det"
     formula: ClassVar[str] = "log sqrt(det(J Jᵀ + ρ² I))"
     source: ClassVar[str] = "dufour2020"
-    vanishes: ClassVar[bool] = False
-    grows: ClassVar[bool] = False
+    needs_full_rank: ClassVar[bool] = False
+    larger_is_better: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         number("regularisation", self.regularisation, above=0.0)
@@ -97,7 +97,7 @@ class FrobeniusNorm(JacobianMeasure):
     name: ClassVar[str] = "frobenius"
     formula: ClassVar[str] = "sqrt(tr(J W Jᵀ))"
     source: ClassVar[str] = "kth2012"
-    vanishes: ClassVar[bool] = False
+    needs_full_rank: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         weights = number_array("weights", self.weights)
@@ -169,7 +169,7 @@ class Constant(Measure):
     name: ClassVar[str] = "constant"
     formula: ClassVar[str] = "1"
     source: ClassVar[str] = "kth2012"
-    vanishes: ClassVar[bool] = False
+    needs_full_rank: ClassVar[bool] = False
     constant: ClassVar[bool] = True
 
     def unit(self, task: Task) -> str:  # noqa: ARG002

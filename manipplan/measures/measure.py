@@ -72,8 +72,8 @@ class Measure(ABC):
         name: the name that `Robot.kinematics(measure=...)` accepts.
         formula: its definition.
         source: citation key of its source.
-        vanishes: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
-        grows: whether it is at least zero and larger is better.
+        needs_full_rank: whether it is constant (zero, or not defined) for every arm with fewer joints than task rows.
+        larger_is_better: whether it is at least zero and larger is better.
         over_tools: whether it combines the measures of all tools of a robot.
         constant: whether it is the same in every configuration, so that no configuration counts as singular.
     """
@@ -81,8 +81,8 @@ class Measure(ABC):
     name: ClassVar[str]
     formula: ClassVar[str]
     source: ClassVar[str]
-    vanishes: ClassVar[bool] = True
-    grows: ClassVar[bool] = True
+    needs_full_rank: ClassVar[bool] = True
+    larger_is_better: ClassVar[bool] = True
     over_tools: ClassVar[bool] = False
     constant: ClassVar[bool] = False
 
@@ -108,7 +108,7 @@ class Measure(ABC):
 
     def check(self, m: int, n: int) -> None:
         """Raise InvalidInputError if the measure cannot be used for m task rows and n joints."""
-        if self.vanishes and m > n:
+        if self.needs_full_rank and m > n:
             raise InvalidInputError(
                 "measure",
                 self.name,
@@ -129,7 +129,7 @@ class JacobianMeasure(Measure):
     def __call__(self, jacobian: ArrayLike) -> Array:
         """Values (...) of Jacobians (..., m, n).
 
-        Raises InvalidInputError for NaN or inf, and for more rows than columns if the measure `vanishes`.
+        Raises InvalidInputError for NaN or inf, and for more rows than columns if the measure `needs_full_rank`.
         """
         matrices = number_array("jacobian", jacobian)
         if matrices.ndim < 2 or 0 in matrices.shape[-2:] or not np.isfinite(matrices).all():

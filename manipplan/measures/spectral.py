@@ -142,7 +142,7 @@ class ConditionNumber(JacobianMeasure):
     name: ClassVar[str] = "condition_number"
     formula: ClassVar[str] = "σ_max(J) / σ_min(J)"
     source: ClassVar[str] = "salisbury1982"
-    grows: ClassVar[bool] = False
+    larger_is_better: ClassVar[bool] = False
 
     def unit(self, task: Task) -> str:  # noqa: ARG002
         return "1"

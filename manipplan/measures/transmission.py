@@ -53,7 +53,7 @@ class VelocityTransmission(_Transmission):
     name: ClassVar[str] = "velocity_transmission"
     formula: ClassVar[str] = "(uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2)"
     source: ClassVar[str] = "chiu1988"
-    vanishes: ClassVar[bool] = False
+    needs_full_rank: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -80,8 +80,8 @@ class ForceTransmission(_Transmission):
     name: ClassVar[str] = "force_transmission"
     formula: ClassVar[str] = "(uᵀ J Jᵀ u)^(-1/2)"
     source: ClassVar[str] = "chiu1988"
-    vanishes: ClassVar[bool] = False
-    grows: ClassVar[bool] = False
+    needs_full_rank: ClassVar[bool] = False
+    larger_is_better: ClassVar[bool] = False
 
     def unit(self, task: Task) -> str:
         return {"m": "1/m"}.get(row_unit(task), row_unit(task))

@@ -207,7 +207,7 @@ def test_every_number_survives(tmp_path, lengths, power, measure, size, turn, we
     path = mp.JointPath.line(np.full(n, 0.4), np.full(n, 0.9 + size))
     metric = np.diag(np.linspace(1.0, 2.0 + size, n)) if weighed else None
     workspace = mp.CartesianPath.circle(pin.SE3.Identity(), (0.1, size, 0.0), (0.0, 0.0, 1.0), 1.0 + turn / 2, turning=weighed)
-    if measure is not None and measure != "frobenius" and not measure.grows:
+    if measure is not None and measure != "frobenius" and not measure.larger_is_better:
         measure = mp.ForceTransmission(direction=[1.0, turn])
     plan = made_plan(arm, path, scene=scene, measure=measure, power=power, metric=metric, workspace_path=workspace)
     plan.save(tmp_path)

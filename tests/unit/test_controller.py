@@ -42,7 +42,7 @@ class Near(mp.Measure):
 class Depth(Near):
     """One that is better when smaller."""
 
-    name, grows = "depth", False
+    name, larger_is_better = "depth", False
 
 
 @pytest.fixture(scope="module")

@@ -214,7 +214,9 @@ def test_a_metric_is_a_change_of_joint_units(planar):
     np.testing.assert_array_equal(full.metric, np.diag(weights))
 
 
-@pytest.mark.parametrize("measure", [name for name, kind in MEASURES.items() if kind.grows and "transmission" not in name])
+@pytest.mark.parametrize(
+    "measure", [name for name, kind in MEASURES.items() if kind.larger_is_better and "transmission" not in name]
+)
 def test_any_measure_that_grows_is_raised(planar, measure):
     """Its g is below those of the straight line and of the path that is best for Yoshikawa's index."""
     start, goal, *_ = THESIS["6.12"]

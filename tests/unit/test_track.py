@@ -117,7 +117,7 @@ BENT = np.array([0.3, 0.3, 1.8])
 MEASURES_THAT_GROW = [
     mp.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.VelocityTransmission else kind()
     for kind in MEASURES.values()
-    if kind.grows and not kind.constant
+    if kind.larger_is_better and not kind.constant
 ]
 
 

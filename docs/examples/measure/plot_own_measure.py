@@ -85,7 +85,7 @@ assert np.allclose(hessian, curvature, atol=1e-6)
 
 # %%
 # Optimise a path for it, and compare it with the path that is best for Yoshikawa's
-# manipulability. ``grows = True``, the default of a measure, says that larger is
+# manipulability. ``larger_is_better = True``, the default of a measure, says that larger is
 # better, which the optimiser needs. ``compiled=False`` skips the compilation, which
 # pays off only if the same robot and measure are used many times.
 
@@ -132,5 +132,5 @@ plt.show()
 # %%
 # If it fails: a measure that is not differentiable somewhere (``fabs``, ``if_else``)
 # stops the optimiser there, so smooth it, as the floor above does. A measure for which
-# smaller is better needs ``grows = False``. It can be evaluated but not maximised; use
+# smaller is better needs ``larger_is_better = False``. It can be evaluated but not maximised; use
 # its inverse instead.

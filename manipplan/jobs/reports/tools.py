@@ -56,7 +56,7 @@ def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, .
     found = []
     for tool in robot.tools:
         joints = list(robot.joints_of(tool))
-        if measure.vanishes and task.rows > len(joints):  # of a relative task, which the joints of both tools serve
+        if measure.needs_full_rank and task.rows > len(joints):  # of a relative task, which the joints of both tools serve
             found.append(ToolFigure(tool=tool, min_manipulability=0.0, min_at=0.0))
             continue
         one = robot.arm(tool).kinematics(task, measure=measure, compiled=kinematics.compiled, threads=1)
