@@ -57,19 +57,19 @@ links: $(READY)
 pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
-# The compiled kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := manipplan/collision/distances manipplan/collision/surfaces/winding manipplan/collision/look manipplan/collision/body_motion manipplan/paths/curves manipplan/optimize/descents/steps \
-    manipplan/cost/panels manipplan/seeds/connect manipplan/seeds/star manipplan/timing/barrier manipplan/ik/inverse \
-    manipplan/search/sweep manipplan/search/restarts
-kernel: $(KERNELS:=.ll)
-manipplan/seeds/connect.ll manipplan/seeds/star.ll: $(wildcard manipplan/seeds/*.h)
-manipplan/ik/inverse.ll: $(wildcard manipplan/ik/*.h)
-manipplan/search/sweep.ll manipplan/search/restarts.ll: $(wildcard manipplan/search/*.h)
-%.ll: %.c
-	{ echo "; $(<F) $$(cat $< $(sort $(wildcard $(<D)/*.h)) | sha256sum | cut -d' ' -f1): written by make kernel"; \
+# The kernels in LLVM's language, for machines without a C compiler; needs clang 16.
+KERNELS := collision/distances collision/surfaces/winding collision/look collision/body_motion paths/curves optimize/descents/steps \
+    cost/panels seeds/connect seeds/star timing/barrier ik/inverse search/sweep search/restarts
+SOURCES := $(KERNELS:%=manipplan/%.c)
+kernel: manipplan/kernels.ll.xz
+manipplan/kernels.ll.xz: $(SOURCES) $(wildcard $(addsuffix *.h,$(sort $(dir $(SOURCES)))))
+	set -e; for kernel in $(KERNELS); do \
+	  cd manipplan/$$(dirname $$kernel); \
+	  echo "; $$kernel.c $$(cat $$(basename $$kernel).c $$(ls *.h 2> /dev/null | LC_ALL=C sort) | sha256sum | cut -d' ' -f1)"; \
 	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $< | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' \
-	    -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; } > $@
+	    -S -emit-llvm -o - $$(basename $$kernel).c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
+	    -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; \
+	  cd $(CURDIR); done | xz -9e > $@
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)

@@ -15,8 +15,7 @@ from manipplan.collision.body_motion import BodyMotion
 from manipplan.collision.path_clearance import SLACK
 from manipplan.collision.path_clearance import _Intervals as Intervals
 from manipplan.paths.joint import split
-from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.native import NativeCode
+from manipplan.support.compiling.native import llvm_code
 
 QUICK = ("panda", "ur5")  # which other tests need, too; most of the time is the fit of primitives
 ARMS = [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in mp.available_robots()]
@@ -90,8 +89,7 @@ def test_motion_is_the_same_by_numpy(arm, rng, monkeypatch, by):
     if reach is None:
         return
     if by == "llvm":
-        engine = compiled_by_llvm(Path(body_motion.__file__).with_suffix(".ll").read_text(encoding="utf-8"))
-        code = NativeCode(address=engine.get_function_address, owner=engine)
+        code = llvm_code(Path(body_motion.__file__).with_suffix(".c"))
         call = code.functions("manipplan_", {"motion": body_motion.SIGNATURE})["motion"]
         monkeypatch.setattr(body_motion, "_compiled", lambda: call)
     q, change = arm.random_configuration(rng, size=20), rng.uniform(0.0, 0.3, (20, arm.n))

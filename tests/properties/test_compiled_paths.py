@@ -19,14 +19,12 @@ from manipplan.paths import curves
 from manipplan.paths.basis import named_basis
 from manipplan.paths.curves import MOST_DEGREE, Curve, bernstein
 from manipplan.paths.joint import JointPath
-from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.native import NativeCode
+from manipplan.support.compiling.native import llvm_code
 
 
 def by_llvm(file):
-    """The code of a C source as LLVM compiles it, without a C compiler."""
-    engine = compiled_by_llvm(Path(file).with_suffix(".ll").read_text(encoding="utf-8"))
-    return NativeCode(address=engine.get_function_address, owner=engine)
+    """The code of the C source beside a file, as LLVM compiles it."""
+    return llvm_code(Path(file).with_suffix(".c"))
 
 
 def some_path(rng, pieces, degree, n):

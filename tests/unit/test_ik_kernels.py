@@ -13,15 +13,13 @@ from manipplan.ik.distinct import distinct
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.verify import are_poses, residuals
-from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.native import NativeCode, source_text
+from manipplan.support.compiling.native import llvm_code, source_text
 from manipplan.support.tolerances import SAME
 
 
 @pytest.fixture(scope="module")
 def by_llvm():
-    engine = compiled_by_llvm(Path(native.__file__).with_name("inverse.ll").read_text(encoding="utf-8"))
-    code = NativeCode(address=engine.get_function_address, owner=engine)
+    code = llvm_code(Path(native.__file__).with_name("inverse.c"))
     yield code.functions("manipplan_", native.SIGNATURES)
 
 

@@ -10,7 +10,7 @@ import manipplan as mp
 from manipplan.search import guilamo, kernels
 from manipplan.search.grid import choose_grid
 from manipplan.search.kernels import largest_of_each, sorted_into_cells
-from manipplan.support.compiling.llvm import compiled_by_llvm
+from manipplan.support.compiling.native import llvm_code
 
 TURNS = np.array([False, True, False, True])
 
@@ -45,15 +45,13 @@ def test_candidates_sorted_by_cell(share, rng):
 
 @pytest.fixture
 def by_llvm(monkeypatch):
-    engines = {}
-    for name in ("sweep", "restarts"):
-        engines[name] = compiled_by_llvm(Path(kernels.__file__).with_name(f"{name}.ll").read_text(encoding="utf-8"))
+    engines = {name: llvm_code(Path(kernels.__file__).with_name(f"{name}.c")) for name in ("sweep", "restarts")}
     calls = {
-        name: kernels.ctypes.CFUNCTYPE(*types)(engines["sweep"].get_function_address(f"manipplan_{name}"))
+        name: kernels.ctypes.CFUNCTYPE(*types)(engines["sweep"].address(f"manipplan_{name}"))
         for name, types in kernels.SIGNATURES.items()
     }
     restarts = kernels.ctypes.CFUNCTYPE(guilamo._N, guilamo._P, guilamo._N, guilamo._P)(
-        engines["restarts"].get_function_address("manipplan_restarts")
+        engines["restarts"].address("manipplan_restarts")
     )
 
     def use():

@@ -2,12 +2,14 @@
 
 import ctypes
 import logging
+import lzma
 import os
 import re
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +40,8 @@ class NativeCode:
 
 
 PACKAGE = Path(__file__).parents[2]
+#: All sources in LLVM's language, which `make kernel` writes: of each a line with its name and hash, and its text.
+LLVM_TEXTS = PACKAGE / "kernels.ll.xz"
 
 #: The code of each source, None where it cannot be compiled, and locks of the sources that a thread is looking after.
 _found: dict[Path, NativeCode | None] = {}
@@ -49,7 +53,7 @@ if hasattr(os, "register_at_fork"):
 def native_code(source: Path, subject: str) -> NativeCode | None:
     """The functions of a C source, for this process; None, with a message in the log, where it cannot be compiled.
 
-    Without a C compiler, LLVM compiles the file of the same name that ends in .ll, which `make kernel` writes.
+    Without a C compiler, LLVM compiles its text in `LLVM_TEXTS`.
 
     Args:
         source: the C file.
@@ -70,11 +74,23 @@ def _compiled(source: Path, subject: str) -> NativeCode | None:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
         with logged_when_slow(f"compiling {subject}, by LLVM in each process"):
-            engine = compiled_by_llvm(source.with_suffix(".ll").read_text(encoding="utf-8"))
+            return llvm_code(source)
     except RuntimeError as error:
         log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
         return None
+
+
+def llvm_code(source: Path) -> NativeCode:
+    """The functions of a C source of this package as LLVM compiles them; raises RuntimeError where it cannot."""
+    engine = compiled_by_llvm(llvm_texts()[source.relative_to(PACKAGE).as_posix()][1])
     return NativeCode(address=engine.get_function_address, owner=engine)
+
+
+@cache
+def llvm_texts() -> dict[str, tuple[str, str]]:
+    """The hash and the text of each source in LLVM's language, by its path in the package."""
+    _, *parts = re.split(r"^; (\S+) (\w{64})\n", lzma.decompress(LLVM_TEXTS.read_bytes()).decode(), flags=re.MULTILINE)
+    return {name: (digest, text) for name, digest, text in zip(parts[::3], parts[1::3], parts[2::3], strict=True)}
 
 
 def compile_ahead(*sources: str) -> None:
