@@ -30,7 +30,7 @@ from scipy.optimize import nnls
 from manipplan.cost.density import Density, energy_density
 from manipplan.optimize import program as program_module
 from manipplan.optimize.clearance import row_functions
-from manipplan.optimize.ipopt import SCALE_BITS, SLACK_COST, Hull, ipopt_solver
+from manipplan.optimize.ipopt import SCALE_BITS, SLACK_COST, LimitHull, ipopt_solver
 from manipplan.optimize.program import SPACING, PathProgram
 from manipplan.paths.rounding import FINE, on_grid, with_bits
 from manipplan.symbolic.machine_code import compiled_together
@@ -181,7 +181,7 @@ def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
 
 
 def derived_oracle(
-    program: PathProgram, density: ca.Function, distance: ca.Function, hull: Hull, capacity: int, parameters: int
+    program: PathProgram, density: ca.Function, distance: ca.Function, hull: LimitHull, capacity: int, parameters: int
 ) -> dict[str, ca.MX]:
     """The objective and the constraints of `ipopt_solver`, in functions of `differentiable`."""
     n, basis, free, energy = program.n, program.basis, program.free, program._energy

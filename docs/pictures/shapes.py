@@ -21,7 +21,7 @@ from scipy.spatial import ConvexHull
 import manipplan as mp
 from manipplan.collision.covers.excess import distances_to
 from manipplan.collision.primitives import core_of, mesh_triangles
-from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz.shapes import surface_of
 from manipplan.viz.style import ARM, ELLIPSOID, PIECES, STYLE
 
@@ -50,7 +50,7 @@ def excess():
     model = mp.Scene().collision_model(robot)
     item = next(each for each in robot.geometry.geometryObjects if each.name == link)
     pieces = [each for each in bodies_of(model) if each.name.rpartition(".")[0] == link]
-    [capsule] = [body for body in Bodies.of(robot).items if body.name == link]
+    [capsule] = [body for body in CapsuleBodies.of(robot).items if body.name == link]
     most = max(model.excess[each.name] for each in pieces)
     panels = (
         ("the mesh of the UR5's forearm", [described(item)], METAL),
@@ -90,7 +90,7 @@ def arm(name, q, *, azimuth, elevation):
     meshes = [placed(data, each.parentJoint, described(each)) for each in robot.geometry.geometryObjects]
     pieces = [placed(data, each.parentJoint, described(each)) for each in bodies_of(model)]
     colours = [np.tile(to_rgb(PIECES[k % len(PIECES)]), (len(each), 1)) for k, each in enumerate(pieces)]
-    capsules = [placed(data, body.joint, around(body)) for body in Bodies.of(robot).items]
+    capsules = [placed(data, body.joint, around(body)) for body in CapsuleBodies.of(robot).items]
     points = np.concatenate([each.reshape(-1, 3) for each in capsules])
     rasters = [Raster(azimuth=azimuth, elevation=elevation, points=points, pixels=430) for _ in range(3)]
     height, width = rasters[0].shape

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from manipplan.cli import terminal
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.demo import Problem, panda_among_boxes, planar_path
+from manipplan.jobs.demo import DemoProblem, panda_among_boxes, planar_path
 from manipplan.jobs.plan import plan
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.files import place_for
@@ -25,7 +25,7 @@ def demo(out: Path = Path("demo"), seed: int = 0) -> int:
     return max(_solve(panda, folder / "panda", seed), _solve(planar_path(), folder / "planar", seed))
 
 
-def _solve(problem: Problem, folder: Path, seed: int) -> int:
+def _solve(problem: DemoProblem, folder: Path, seed: int) -> int:
     with terminal.progress() as tell:
         made = plan(
             problem.robot,

@@ -46,7 +46,7 @@ BodyIndices = NDArray[np.intp]
 _P, _N = ctypes.c_void_p, ctypes.c_long
 
 
-class _Arm(ctypes.Structure):
+class _ArmStruct(ctypes.Structure):
     """`Arm` of body_motion.c."""
 
     _fields_ = [
@@ -139,7 +139,7 @@ class BodyMotion:
         ]
         rows, pairs = np.ascontiguousarray(rows, dtype=np.int64), np.ascontiguousarray(pairs, dtype=np.int64)
         work = {"moved": np.empty((count, n + 1)), "lever": np.empty((count, n + 1)), "row": np.empty(count, dtype=np.int64)}
-        arm = _Arm(n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()})
+        arm = _ArmStruct(n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()})
         motion, bend = np.empty(len(rows)), np.empty(0 if rates is None else len(rows))
         at = [each.ctypes.data for each in numbers] + [None] * (4 - len(numbers))
         ends = motion.ctypes.data, None if rates is None else bend.ctypes.data

@@ -10,7 +10,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers.pieces import MOST_PIECES
-from manipplan.collision.covers.stored_fits import Choice, find_or_choose
+from manipplan.collision.covers.stored_fits import FitChoice, find_or_choose
 from manipplan.collision.described import FINE, MESH, Bodies, DescribedBodies
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
@@ -251,7 +251,7 @@ def self_pairs(
     return pairs[reason_of == 0], left_out
 
 
-def _choose(described: DescribedBodies, samples: Array) -> Choice:
+def _choose(described: DescribedBodies, samples: Array) -> FitChoice:
     """How finely the objects of each pair are taken, and how often links touch then, by comparison at samples (m, n).
 
     Finer are pairs whose pieces touch where their meshes do not: there are more pieces of one of the two, where that is enough,
@@ -268,7 +268,7 @@ def _choose(described: DescribedBodies, samples: Array) -> Choice:
     for k in np.flatnonzero(touching.any(axis=0)):
         names = frozenset(own.links[body] for body in own.pairs[k])
         anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
-    return Choice(levels=levels, touching={names: int(rows.sum()) for names, rows in anywhere.items()})
+    return FitChoice(levels=levels, touching={names: int(rows.sum()) for names, rows in anywhere.items()})
 
 
 def _levels(

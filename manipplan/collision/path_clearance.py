@@ -88,10 +88,10 @@ def path_clearance(
         tolerance = number("tolerance", tolerance, least=1e-4)
     if not model.pair_names:
         return PathClearance(lower=np.inf, upper=np.inf, clearance=clearance, at=np.nan, pair=(), pair_id=-1, checks=0)
-    return _Search(model, clearance, tolerance).run(path)
+    return _Bisection(model, clearance, tolerance).run(path)
 
 
-class _Search:
+class _Bisection:
     """Bisection, level by level: an interval keeps the pairs that its parent could not close."""
 
     def __init__(self, model: CollisionModel, clearance: float, tolerance: float | None) -> None:

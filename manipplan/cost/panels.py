@@ -32,7 +32,7 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 }
 
 
-class _Integral(ctypes.Structure):
+class _IntegralStruct(ctypes.Structure):
     """`Integral` of panels.c."""
 
     _fields_ = [
@@ -58,7 +58,7 @@ class Panels:
         owners: what has to live as long as this object.
     """
 
-    integral: _Integral
+    integral: _IntegralStruct
     functions: dict[str, Callable[..., Any]]
     owners: tuple[object, ...]
 
@@ -71,7 +71,7 @@ class Panels:
         if functions is None or curves is None or measure is None or not compiled:
             return None
         nodes, weights = gauss_rule(points)
-        integral = _Integral(
+        integral = _IntegralStruct(
             path=curve.address,
             slope=slope.address,
             evaluate=curves.address("manipplan_curve"),

@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 _N, _P = ctypes.c_long, ctypes.c_void_p
 
 
-class _Screws(ctypes.Structure):
+class _ScrewsStruct(ctypes.Structure):
     """`Screws` of newton.h."""
 
     _fields_ = [
@@ -29,7 +29,7 @@ class MovingArm:
     def __init__(self, screws: Screws, moves: NDArray[np.bool_]) -> None:
         self._n, self._links = screws.n, 0 if screws.follow is None else len(screws.axes)
         self._arrays = (real(screws.axes), real(screws.points), truth(screws.slides), real(screws.home), truth(moves))
-        self._screws = _Screws(screws.n, *(each.ctypes.data for each in self._arrays), len(screws.axes))
+        self._screws = _ScrewsStruct(screws.n, *(each.ctypes.data for each in self._arrays), len(screws.axes))
         if screws.follow is not None:
             leader, ratio, offset = screws.follow
             self._led = whole(leader), real(ratio), real(offset)

@@ -73,7 +73,7 @@ class Found:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Grid:
+class ParameterGrid:
     """Parameters (s, r), how complete their solutions are, and the share that is missing for certain or by estimate."""
 
     values: Array
@@ -178,7 +178,7 @@ class Solver:
         moves[list(self.held)] = False
         return MovingArm(self.screws, moves)
 
-    def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None, poses: Array) -> Grid:
+    def values(self, parameters: ArrayLike | None, samples: int | Sequence[int] | None, poses: Array) -> ParameterGrid:
         """Parameters (s, r): the given ones, or a grid for poses (p, 4, 4)."""
         r = len(self.names)
         if parameters is None:
@@ -187,7 +187,7 @@ class Solver:
             raise InvalidInputError("samples", samples, "nothing where parameters are given")
         given = np.atleast_1d(number_array("parameters", parameters))
         values = finite_array("parameters", given, (r,) if given.ndim < 2 else (None, r))
-        return Grid(values=np.atleast_2d(values), complete=Completeness.EXACT)
+        return ParameterGrid(values=np.atleast_2d(values), complete=Completeness.EXACT)
 
     def grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Array:
         """A grid of parameters (s, r) for poses (p, 4, 4).
@@ -232,7 +232,7 @@ class Solver:
         """Whether the grid holds slides, so that it depends on the poses."""
         return not set(self.held).isdisjoint(slides_of(self.robot))
 
-    def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> Grid:
+    def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> ParameterGrid:
         counts = sample_counts(samples, self.names, usual)
         if math.prod(counts) > MOST_SAMPLES:
             raise InvalidInputError("samples", samples, f"at most {MOST_SAMPLES:,} in all, not {' x '.join(map(str, counts))}")
@@ -243,7 +243,7 @@ class Solver:
         values = np.hstack([np.repeat(held.values, len(rest), axis=0), np.tile(np.array(rest), (len(held.values), 1))])
         usual_label = Completeness.TO_RESOLUTION if self.names else Completeness.EXACT
         label = Completeness.STATISTICAL if held.missing else usual_label
-        return Grid(values=values, complete=label, missing=held.missing)
+        return ParameterGrid(values=values, complete=label, missing=held.missing)
 
     def _held_values(self, counts: Sequence[int], poses: Array) -> HeldValues:
         """Values of the held joints: their ranges with both ends, or where slides let the others reach one of the poses."""

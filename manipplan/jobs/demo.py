@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 
 
 @dataclass(frozen=True, kw_only=True)
-class Problem:
+class DemoProblem:
     """A robot, its scene, start and goal (n,), the exponent of m, and the clearance [m]."""
 
     robot: Robot
@@ -23,7 +23,7 @@ class Problem:
     clearance: float
 
 
-def panda_among_boxes() -> Problem:
+def panda_among_boxes() -> DemoProblem:
     """From beside a post on one side of a table to the other side; the straight motion passes close to a singularity."""
     scene = Scene(
         [
@@ -34,7 +34,7 @@ def panda_among_boxes() -> Problem:
             Box(size=(0.30, 0.30, 0.06), position=(0.25, 0.0, 1.15), name="lamp"),
         ]
     )
-    return Problem(
+    return DemoProblem(
         robot=load_robot("panda"),
         scene=scene,
         start=np.array([-0.18, 0.07, -0.53, -2.09, -0.28, 1.93, -0.86]),
@@ -44,9 +44,9 @@ def panda_among_boxes() -> Problem:
     )
 
 
-def planar_path() -> Problem:
-    """Problem (6.13) of kth2012: three unit links; its tables use the exponent 2."""
-    return Problem(
+def planar_path() -> DemoProblem:
+    """DemoProblem (6.13) of kth2012: three unit links; its tables use the exponent 2."""
+    return DemoProblem(
         robot=planar_arm([1.0, 1.0, 1.0]),
         scene=Scene(),
         start=np.array([0.0, 1.5, -2.0]),

@@ -11,7 +11,7 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
-from manipplan.robots.attached import Part, with_part
+from manipplan.robots.attached import CarriedPart, with_part
 from manipplan.robots.hulls import box_around
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
@@ -165,7 +165,9 @@ def with_parts(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) ->
     solids = scene_of(path, data["carried"], folder, None).named
     for solid, (name, _, frame) in zip(solids, data["parts"], strict=True):
         geometry, bodies = with_part(arm.model, arm.geometry, frame, solid, name)
-        arm = replace(arm, geometry=geometry, carried={**arm.carried, name: Part(solid=solid, bodies=bodies, frame=frame)})
+        arm = replace(
+            arm, geometry=geometry, carried={**arm.carried, name: CarriedPart(solid=solid, bodies=bodies, frame=frame)}
+        )
     return arm
 
 

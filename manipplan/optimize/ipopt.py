@@ -40,19 +40,19 @@ class Integral:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Hull:
+class LimitHull:
     """Points start + line (goal - start) + rows x, whose joint limits are those of the curve: (r,) and (r, size)."""
 
     line: Array
     rows: Array
 
-    def none(self) -> "Hull":
+    def none(self) -> "LimitHull":
         """A hull without points, for no limits."""
-        return Hull(line=self.line[:0], rows=self.rows[:0])
+        return LimitHull(line=self.line[:0], rows=self.rows[:0])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Curve:
+class _SymbolicCurve:
     """The curve start + s (goal - start) + Σ_j x_j φ_j(s) in symbols; x (n, size) depends on the unknowns through `free`."""
 
     start: ca.MX
@@ -74,7 +74,7 @@ def ipopt_solver(
     *,
     basis: Basis,
     free: Array,
-    hull: Hull,
+    hull: LimitHull,
     rows: tuple[ca.Function, ...],
     capacity: int,
     n: int,
@@ -96,7 +96,7 @@ def ipopt_solver(
     p = ca.MX.sym("p", fixed + height * capacity)
     kept = ca.reshape(p[2 * n + 2 : fixed], n, basis.size)
     x = kept + ca.reshape(z[:size], n, free.shape[1]) @ ca.sparsify(ca.DM(free)).T
-    curve = _Curve(start=p[:n], goal=p[n : 2 * n], x=x, free=free)
+    curve = _SymbolicCurve(start=p[:n], goal=p[n : 2 * n], x=x, free=free)
     scale, floor = p[2 * n], p[2 * n + 1]
     slack = z[size:]
 
@@ -139,7 +139,9 @@ def ipopt_solver(
     return ca.nlpsol("path", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
 
 
-def _objective(integral: Integral, basis: Basis, curve: _Curve, scale: ca.MX, numbers: ca.MX) -> tuple[ca.MX, ca.MX, ca.MX]:
+def _objective(
+    integral: Integral, basis: Basis, curve: _SymbolicCurve, scale: ca.MX, numbers: ca.MX
+) -> tuple[ca.MX, ca.MX, ca.MX]:
     """scale · Σ_i w_i e(q_i, v_i) over the nodes, with gradient (n f) and Hessian (n f, n f)."""
     n, nodes = curve.n, len(integral.s)
     values, slopes = basis.values(integral.s), basis.values(integral.s, 1)
@@ -161,14 +163,14 @@ def _objective(integral: Integral, basis: Basis, curve: _Curve, scale: ca.MX, nu
     return ca.dot(value, weights), ca.vec(grad_x), stacked.T @ blocks @ stacked
 
 
-def _limits(hull: Hull, curve: _Curve) -> tuple[ca.MX, ca.DM]:
+def _limits(hull: LimitHull, curve: _SymbolicCurve) -> tuple[ca.MX, ca.DM]:
     """The hull's points (n r), which are linear in the unknowns, and their Jacobian."""
     points = curve.at(ca.DM(hull.line).T, ca.DM(hull.rows).T)
     return ca.vec(points), ca.kron(ca.sparsify(ca.DM(hull.rows @ curve.free)), ca.DM.eye(curve.n))
 
 
 def _clearance(
-    functions: tuple[ca.Function, ...], curve: _Curve, table: ca.MX, multipliers: ca.MX
+    functions: tuple[ca.Function, ...], curve: _SymbolicCurve, table: ca.MX, multipliers: ca.MX
 ) -> tuple[ca.MX, ca.MX, ca.MX]:
     """Distances of the rows (c), their Jacobian, and the sum of their Hessians times multipliers (c)."""
     size, capacity = curve.x.size2(), table.size2()
@@ -198,7 +200,7 @@ class IpoptEnergy:
     integral: Integral
     basis: Basis
     free: Array
-    hull: Hull
+    hull: LimitHull
     rows: tuple[ca.Function, ...]
     limits: JointLimits
     power: float

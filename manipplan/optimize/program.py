@@ -18,7 +18,7 @@ from manipplan.optimize.descents.fixed_rows import FixedRows
 from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import LimitRows, RowFunctions
-from manipplan.optimize.ipopt import Hull, Integral, IpoptEnergy
+from manipplan.optimize.ipopt import Integral, IpoptEnergy, LimitHull
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
@@ -65,11 +65,11 @@ class PathProgram:
         self._along = np.linalg.pinv(self.free).T
         self._hull, self._fine_hull = self._moving_hull(LIMIT_PARTS), self._moving_hull(FINE_PARTS)
 
-    def _moving_hull(self, parts: int) -> Hull:
+    def _moving_hull(self, parts: int) -> LimitHull:
         """The control points that can move when the curve is cut into this number of parts."""
         line, rows = self.basis.hull(parts)
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
-        return Hull(line=line[moving], rows=rows[moving])
+        return LimitHull(line=line[moving], rows=rows[moving])
 
     @cached_property
     @building()
@@ -182,7 +182,7 @@ class PathProgram:
         kept = self._rounded(coefficients - (directions @ z).T)
         return Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal), on_grid(z, SPACING)
 
-    def _limit_rows(self, hull: Hull, curves: Curves, *, limited: bool = True) -> LimitRows:
+    def _limit_rows(self, hull: LimitHull, curves: Curves, *, limited: bool = True) -> LimitRows:
         """The joint limits of the points of a hull; without any, they are infinite."""
         limits, unlimited = self.kinematics.robot.limits, np.full(self.n, np.inf)
         return LimitRows(

@@ -132,7 +132,7 @@ class IntegratedLegendre(Series):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Spline(Basis):
+class BSplineBasis(Basis):
     """Clamped B-splines [deboor1978]; with continuity C¹ their coefficients are Bernstein points of the pieces.
 
     Attributes:
@@ -214,7 +214,7 @@ def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
         raise InvalidInputError(
             "degree", degree, f"at least {SPLINES[name]} with basis {name!r}, whose pieces join with the same slope"
         )
-    return Spline(degree=degree, breaks=breaks, continuity=1 if name == "composite" else degree - 1)
+    return BSplineBasis(degree=degree, breaks=breaks, continuity=1 if name == "composite" else degree - 1)
 
 
 def subdivision(degree: int, pieces: int) -> Array:

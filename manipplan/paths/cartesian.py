@@ -112,7 +112,7 @@ class CartesianPath(ABC):
         """
         axis = finite_array("axis", axis, (3,))
         length = number("the length of axis", float(np.linalg.norm(axis)), above=1e-9)
-        return Arc(
+        return ArcPath(
             start=pose_matrix("start", start),
             centre=finite_array("centre", centre, (3,)),
             axis=axis / length,
@@ -152,7 +152,7 @@ class CartesianPath(ABC):
         steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + RADIAN * np.linalg.norm(turns, axis=1)
         s = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
         s[-1] = 1.0
-        return Spline(s=s, poses=matrices)
+        return SplinePath(s=s, poses=matrices)
 
     @classmethod
     def from_csv(cls, file: str | Path) -> "CartesianPath":
@@ -194,7 +194,7 @@ class Line(CartesianPath):
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Arc(CartesianPath):
+class ArcPath(CartesianPath):
     """An arc of a circle from pose `start` (4, 4) by `angle` about an axis through `centre`."""
 
     start: Array
@@ -211,7 +211,7 @@ class Arc(CartesianPath):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Spline(CartesianPath):
+class SplinePath(CartesianPath):
     """The path through `poses` (k, 4, 4) at s (k,), near their polygon."""
 
     s: Array
@@ -270,4 +270,4 @@ class Offset(CartesianPath):
 
 
 #: The subclasses by name.
-PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, Arc, Spline, Stretch, Offset)}
+PATHS: dict[str, type[CartesianPath]] = {kind.__name__: kind for kind in (Line, ArcPath, SplinePath, Stretch, Offset)}

@@ -21,7 +21,7 @@ _P, _N = ctypes.c_void_p, ctypes.c_long
 _CALL = ctypes.PYFUNCTYPE(_N, _P, _P, _N, ctypes.c_double, _P)
 
 
-class _Curve(ctypes.Structure):
+class _CurveStruct(ctypes.Structure):
     """`Curve` of curves.c."""
 
     _fields_ = [("pieces", _N), ("degree", _N), ("n", _N), ("breaks", _P), ("control", _P)]
@@ -53,7 +53,7 @@ class Curve:
         pieces, points, n = control.shape
         self._curve, self.address = None, 0
         if points - 1 <= MOST_DEGREE and _call() is not None:
-            self._curve = _Curve(pieces, points - 1, n, self._breaks.ctypes.data, self._control.ctypes.data)
+            self._curve = _CurveStruct(pieces, points - 1, n, self._breaks.ctypes.data, self._control.ctypes.data)
             self.address = ctypes.addressof(self._curve)
 
     def __reduce__(self) -> tuple[object, ...]:

@@ -38,7 +38,7 @@ class Solid(Protocol):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part:
+class CarriedPart:
     """A carried part: its shape, the names of its bodies in the robot's geometry, and the tool frame that it is posed in."""
 
     solid: Solid
@@ -80,7 +80,7 @@ def with_frame(model: pin.Model, parent: str, pose: pin.SE3, name: str) -> pin.M
     return model
 
 
-def in_new_frame(carried: Mapping[str, Part], old: str, pose: pin.SE3, new: str) -> dict[str, Part]:
+def in_new_frame(carried: Mapping[str, CarriedPart], old: str, pose: pin.SE3, new: str) -> dict[str, CarriedPart]:
     """The carried parts, those posed in the frame `old` now in the frame `new`, which is at `pose` in it."""
     return {
         name: replace(part, solid=part.solid.at(pose.inverse()), frame=new) if part.frame == old else part
@@ -120,7 +120,7 @@ def with_part(
     if not shapes or any(isinstance(shape, coal.Halfspace | coal.Plane) for shape in shapes):
         raise InvalidInputError("shape", part, "a bounded shape: Box, Sphere, Capsule, Cylinder or Mesh")
     if hasattr(part, "parts") and any(each.radius for each in part.parts()):  # obstacles have parts
-        raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its Part)")
+        raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its CarriedPart)")
     most = largest_size(model)
     for shape in shapes:
         shape.computeLocalAABB()

@@ -25,7 +25,7 @@ FILES = (".urdf", ".xacro", ".xml", ".mjcf")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Entry:
+class CatalogEntry:
     """One arm of the catalogue: where its files are and which part of them is the arm.
 
     Attributes:
@@ -53,11 +53,11 @@ class Entry:
 
 # Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in data_sheets);
 # otherwise the default of JointLimits applies.
-_PANDA = Entry(
+_PANDA = CatalogEntry(
     folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", joints=7, ik="spherical"
 )
 _UR_NEUTRAL = (0.0, -1.5708, 1.5708, -1.5708, -1.5708, 0.0)
-_UR = Entry(
+_UR = CatalogEntry(
     folder="ur_description",
     urdf="urdf/ur5_robot.urdf",
     srdf="srdf/ur5.srdf",
@@ -67,7 +67,7 @@ _UR = Entry(
     neutral=_UR_NEUTRAL,
 )
 _BAXTER_NEUTRAL = (0.0, -0.55, 0.0, 0.75, 0.0, 1.26, 0.0)
-_BAXTER = Entry(
+_BAXTER = CatalogEntry(
     folder="baxter_description",
     urdf="urdf/baxter.urdf",
     srdf="srdf/baxter_manipulation.srdf",
@@ -75,7 +75,7 @@ _BAXTER = Entry(
     joints=14,
     neutral=_BAXTER_NEUTRAL * 2,
 )
-_KINOVA = Entry(
+_KINOVA = CatalogEntry(
     folder="kinova_description",
     urdf="robots/kinova.urdf",
     srdf="srdf/kinova.srdf",
@@ -84,7 +84,7 @@ _KINOVA = Entry(
     ik="spherical",
     neutral=(4.8, 2.9, 1.0, 4.2, 1.4, 0.0),
 )
-_Z1 = Entry(
+_Z1 = CatalogEntry(
     folder="z1_description",
     urdf="urdf/z1.urdf",
     srdf="srdf/z1.srdf",
@@ -93,7 +93,7 @@ _Z1 = Entry(
     ik="parallel",
     neutral=(0.0, 1.5, -1.0, -0.54, 0.0, 0.0),
 )
-_BRAVO = Entry(
+_BRAVO = CatalogEntry(
     folder="bravo7_description",
     urdf="urdf/bravo7_no_ee.urdf",
     srdf="srdf/bravo7_no_ee.srdf",
@@ -101,7 +101,7 @@ _BRAVO = Entry(
     joints=6,
 )
 _BRAVO_HAND = "bravo_finger_jaws_base_link"
-_TALOS = Entry(
+_TALOS = CatalogEntry(
     folder="talos_data",
     urdf="robots/talos_reduced.urdf",
     srdf="srdf/talos.srdf",
@@ -109,7 +109,7 @@ _TALOS = Entry(
     joints=16,
     ik="spherical",
 )
-_HUMANOID = Entry(
+_HUMANOID = CatalogEntry(
     folder="simple_humanoid_description",
     urdf="urdf/simple_humanoid.urdf",
     srdf="srdf/simple_humanoid.srdf",
@@ -117,10 +117,10 @@ _HUMANOID = Entry(
     joints=7,
     ik="swivel",
 )
-_ICUB = Entry(
+_ICUB = CatalogEntry(
     folder="icub_description", urdf="robots/icub.urdf", srdf="srdf/icub.srdf", tool=("l_hand", "r_hand"), joints=7, ik="swivel"
 )
-_PR2 = Entry(
+_PR2 = CatalogEntry(
     folder="pr2_description",
     urdf="urdf/pr2.urdf",
     srdf="srdf/pr2.srdf",
@@ -128,7 +128,7 @@ _PR2 = Entry(
     joints=15,
     ik="spherical",
 )
-_ROMEO = Entry(
+_ROMEO = CatalogEntry(
     folder="romeo_description",
     urdf="urdf/romeo.urdf",
     srdf="srdf/romeo.srdf",
@@ -136,17 +136,17 @@ _ROMEO = Entry(
     joints=7,
     ik="swivel",
 )
-_G1 = Entry(
+_G1 = CatalogEntry(
     folder="g1_description", urdf="urdf/g1_29dof_rev_1_0.urdf", tool=("left_rubber_hand", "right_rubber_hand"), joints=7
 )
-_ALEX = Entry(
+_ALEX = CatalogEntry(
     folder="alex_description",
     urdf="urdf/alex_nub_hands.urdf",
     srdf="srdf/alex_nub_hands.srdf",
     tool=("leftNub", "rightNub"),
     joints=7,
 )
-_CENTAURO = Entry(
+_CENTAURO = CatalogEntry(
     folder="centauro_description",
     urdf="urdf/centauro.urdf",
     srdf="srdf/centauro.srdf",
@@ -154,7 +154,7 @@ _CENTAURO = Entry(
     joints=13,
     ik="spherical",
 )
-_TIAGO_PRO = Entry(
+_TIAGO_PRO = CatalogEntry(
     folder="tiago_pro_description",
     urdf="robots/tiago_pro.urdf",
     tool=("arm_left_tool_link", "arm_right_tool_link"),
@@ -162,7 +162,7 @@ _TIAGO_PRO = Entry(
 )
 _TIAGO_ARM = (0.2, -0.6, 1.5, 1.6, -1.57, 0.2, 0.0)  # mirror images have the same values on both sides
 
-CATALOG: Mapping[str, Entry] = {
+CATALOG: Mapping[str, CatalogEntry] = {
     "panda": _PANDA,
     "panda_collision": replace(_PANDA, urdf="urdf/panda_collision.urdf"),
     "ur3": replace(_UR, urdf="urdf/ur3_robot.urdf"),
@@ -173,7 +173,7 @@ CATALOG: Mapping[str, Entry] = {
     "ur5_limited": replace(_UR, urdf="urdf/ur5_joint_limited_robot.urdf", srdf="srdf/ur5_joint_limited_robot.srdf"),
     "ur10": replace(_UR, urdf="urdf/ur10_robot.urdf"),
     "ur10_limited": replace(_UR, urdf="urdf/ur10_joint_limited_robot.urdf"),
-    "xarm7": Entry(
+    "xarm7": CatalogEntry(
         folder="xarm_description",
         urdf="urdf/xarm7.urdf",
         srdf="srdf/xarm7.srdf",
@@ -229,11 +229,11 @@ CATALOG: Mapping[str, Entry] = {
     "centauro": _CENTAURO,
     "centauro_left_arm": replace(_CENTAURO, tool="ball1_tip", first="j_arm1_1", joints=6),
     "centauro_right_arm": replace(_CENTAURO, tool="ball2_tip", first="j_arm2_1", joints=6),
-    "tiago": Entry(folder="tiago_description", urdf="robots/tiago.urdf", tool="arm_tool_link", joints=8, ik="spherical"),
-    "tiago_no_hand": Entry(
+    "tiago": CatalogEntry(folder="tiago_description", urdf="robots/tiago.urdf", tool="arm_tool_link", joints=8, ik="spherical"),
+    "tiago_no_hand": CatalogEntry(
         folder="tiago_description", urdf="robots/tiago_no_hand.urdf", tool="wrist_ft_tool_link", joints=8, ik="spherical"
     ),
-    "tiago_dual": Entry(
+    "tiago_dual": CatalogEntry(
         folder="tiago_description",
         urdf="robots/tiago_dual.urdf",
         tool=("arm_left_tool_link", "arm_right_tool_link"),
@@ -246,9 +246,9 @@ CATALOG: Mapping[str, Entry] = {
     "tiago_pro_right_arm": replace(_TIAGO_PRO, tool="arm_right_tool_link", first="arm_right_1_joint", joints=7),
     "icub": replace(_ICUB, tool="r_hand", first="r_shoulder_pitch"),
     "icub_left_arm": replace(_ICUB, tool="l_hand", first="l_shoulder_pitch", neutral=(-0.5, 0.8, 0.0, 1.0, 0.0, 0.0, 0.0)),
-    "so100": Entry(folder="so_arm_description", urdf="urdf/so100.urdf", tool="gripper", joints=5),
-    "so101": Entry(folder="so_arm_description", urdf="urdf/so101.urdf", tool="gripper_frame_link", joints=5),
-    "asr_twodof": Entry(folder="asr_twodof_description", urdf="urdf/TwoDofs.urdf", tool="Tip", joints=2),
+    "so100": CatalogEntry(folder="so_arm_description", urdf="urdf/so100.urdf", tool="gripper", joints=5),
+    "so101": CatalogEntry(folder="so_arm_description", urdf="urdf/so101.urdf", tool="gripper_frame_link", joints=5),
+    "asr_twodof": CatalogEntry(folder="asr_twodof_description", urdf="urdf/TwoDofs.urdf", tool="Tip", joints=2),
 }
 
 

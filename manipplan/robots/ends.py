@@ -76,7 +76,7 @@ LISTED = 8
 
 def default_tool(read: Description, semantic: Semantics | None) -> str:
     """The tool frame by the rule above; raises InvalidInputError, which lists the ends, where it does not decide."""
-    tree = _Tree(read)
+    tree = _LinkTree(read)
     if semantic is not None and semantic.end_effector is not None:
         return semantic.end_effector
     if semantic is not None and semantic.chains:
@@ -117,7 +117,7 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
     return site
 
 
-def _several(tree: "_Tree", what: str, names: Sequence[str]) -> InvalidInputError:
+def _several(tree: "_LinkTree", what: str, names: Sequence[str]) -> InvalidInputError:
     """The error that lists the ends, with the calls that work."""
     shown = ", ".join(names[:LISTED]) + (f" and {len(names) - LISTED} more" if len(names) > LISTED else "")
     call = f"tool={names[0]!r}"
@@ -127,7 +127,7 @@ def _several(tree: "_Tree", what: str, names: Sequence[str]) -> InvalidInputErro
 
 
 @dataclass(frozen=True)
-class _Tree:
+class _LinkTree:
     """The bodies and joints of a description, by the index of their frame and joint."""
 
     read: Description

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.robots import attached, description, mjcf, model_tree, reduced
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
-from manipplan.robots.attached import AddedFrame, Part, Solid
+from manipplan.robots.attached import AddedFrame, CarriedPart, Solid
 from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, checked_configuration
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
@@ -86,7 +86,7 @@ class Robot(Pictured):
     source: RobotSource | None = None
     base: Array = field(default_factory=lambda: pose_matrix("base", np.eye(4)))
     added_frames: tuple[AddedFrame, ...] = ()
-    carried: Mapping[str, Part] = field(default_factory=dict)
+    carried: Mapping[str, CarriedPart] = field(default_factory=dict)
     limit_tolerance: float = LIMIT_TOLERANCE
 
     @classmethod
@@ -441,7 +441,7 @@ class Robot(Pictured):
         attached.check_new_name(name, self.model, self.geometry, self.carried)
         frame = self.tool if tool is None else known_tool(self, "tool", tool)
         geometry, bodies = attached.with_part(self.model, self.geometry, frame, shape, name)
-        carried = {**self.carried, name: Part(solid=shape, bodies=bodies, frame=frame)}
+        carried = {**self.carried, name: CarriedPart(solid=shape, bodies=bodies, frame=frame)}
         return replace(self, geometry=geometry, carried=carried)
 
     def detach(self, name: str = "part") -> "Robot":

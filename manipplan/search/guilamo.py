@@ -140,7 +140,7 @@ UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
 _P, _N = ctypes.c_void_p, ctypes.c_long
 
 
-class _Problem(ctypes.Structure):
+class _ProblemStruct(ctypes.Structure):
     """`Problem` of restarts.c."""
 
     _fields_ = [
@@ -150,7 +150,7 @@ class _Problem(ctypes.Structure):
     ]
 
 
-class _State(ctypes.Structure):
+class _StateStruct(ctypes.Structure):
     """`State` of restarts.c."""
 
     _fields_ = [
@@ -199,10 +199,10 @@ class Restarts:
         arrays: tuple[NDArray[Any], ...] = tuple(np.ascontiguousarray(each) for each in (q, m, offset, starts, layer_of, reach))
         self._arrays = (*arrays, np.ascontiguousarray(turns))
         addresses = (each.ctypes.data for each in self._arrays)
-        self._problem = _Problem(q.shape[1], layers, len(m), *addresses, len(starts), memoised, most_branches)
+        self._problem = _ProblemStruct(q.shape[1], layers, len(m), *addresses, len(starts), memoised, most_branches)
         self.path, self._pointer = np.zeros(layers, dtype=np.int64), np.zeros(layers, dtype=np.int64)
         self._seen = np.zeros(len(m), dtype=np.int64)
-        self._state = _State(0, 0, 0, 0, 0, *(each.ctypes.data for each in (self.path, self._pointer, self._seen)))
+        self._state = _StateStruct(0, 0, 0, 0, 0, *(each.ctypes.data for each in (self.path, self._pointer, self._seen)))
 
     def __call__(self, budget: int) -> int:
         """Continue for about `budget` comparisons of configurations; returns UNFINISHED, FOUND, EXHAUSTED or TOO_MANY."""

@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.kinematics.batch import all_cores
 from manipplan.search.candidates.layers import Layers
 from manipplan.search.max_min import THREADED
-from manipplan.search.search import Search
+from manipplan.search.search import ThresholdSearch
 from manipplan.search.steps import check_epsilon, exclusive
-from manipplan.search.sweep import Part, ThreadPool
+from manipplan.search.sweep import Subset, ThreadPool
 from manipplan.support.checks import Array, flag, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
@@ -76,12 +76,12 @@ def fewest_interruptions(
     with _search(layers, progress) as search:
 
         def first_above(k: int) -> NDArray[np.int64]:
-            return search.first_positions(Part(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
+            return search.first_positions(Subset(threshold=values[k]), reach, f"interruptions with m >= {values[k]:.6g}")
 
         first = first_above(0)
         edges = _edges(first, closed=layers.closed)
         if not edges:
-            raise PlanningError(_gap(search.first_positions(Part(), reach, "gaps"), len(layers.q)), None)
+            raise PlanningError(_gap(search.first_positions(Subset(), reach, "gaps"), len(layers.q)), None)
         # values[low] allows so few parts, values[high] does not
         low, high, stride = 0, len(values), FIRST
         while high - low > 1:
@@ -99,14 +99,14 @@ def fewest_interruptions(
 def fewest_parts(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> int | None:
     """The number of parts that `fewest_interruptions` finds, by one sweep; None where a step has no path."""
     with _search(layers, progress) as search:
-        edges = _edges(search.first_positions(Part(), _reach(layers, epsilon, strict), "parts"), closed=layers.closed)
+        edges = _edges(search.first_positions(Subset(), _reach(layers, epsilon, strict), "parts"), closed=layers.closed)
     return len(edges) - 1 if edges else None
 
 
 @contextmanager
-def _search(layers: Layers, progress: Progress | None) -> Iterator[Search]:
+def _search(layers: Layers, progress: Progress | None) -> Iterator[ThresholdSearch]:
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        yield Search(layers, pool, teller(progress), work=WORK * layers.count)
+        yield ThresholdSearch(layers, pool, teller(progress), work=WORK * layers.count)
 
 
 def _reach(layers: Layers, epsilon: ArrayLike, strict: bool) -> Array:

@@ -34,39 +34,39 @@ def calls() -> Mapping[str, Callable[..., Any]]:
     return needed_code(Path(__file__).with_name("sweep.c"), "searches through layers").functions("manipplan_", SIGNATURES)
 
 
-class _Grid(ctypes.Structure):
+class _GridStruct(ctypes.Structure):
     """`Grid` of sweep.c."""
 
     _fields_ = [("n", _N), *((name, _P) for name in ("joints", "low", "per", "count", "wraps", "order", "reach", "turns"))]
 
 
-class _Cells(ctypes.Structure):
+class _CellsStruct(ctypes.Structure):
     """`Cells` of sweep.c."""
 
     _fields_ = [(name, _P) for name in ("ids", "rows", "m", "start")]
 
 
-class _Step(ctypes.Structure):
+class _StepStruct(ctypes.Structure):
     """`Step` of sweep.c."""
 
     _fields_ = [
         ("grid", _P),
-        ("from", _Cells),
+        ("from", _CellsStruct),
         ("known", 2 * _P),
-        ("to", _Cells),
+        ("to", _CellsStruct),
         ("made", 2 * _P),
         *((name, _P) for name in ("source", "rank", "epsilon")),
     ]
 
 
-def _grid(grid: "Grid") -> _Grid:
+def _grid(grid: "Grid") -> _GridStruct:
     """It points to the arrays of the grid, which has to outlive it."""
     arrays = (grid.joints, grid.low, grid.per, grid.count, grid.wraps, grid.order, grid.reach, grid.turns)
-    return _Grid(len(grid.order), *(each.ctypes.data for each in arrays))
+    return _GridStruct(len(grid.order), *(each.ctypes.data for each in arrays))
 
 
-def _cells(cells: "Cells") -> _Cells:
-    return _Cells(*(each.ctypes.data for each in cells))
+def _cells(cells: "Cells") -> _CellsStruct:
+    return _CellsStruct(*(each.ctypes.data for each in cells))
 
 
 def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
@@ -136,7 +136,7 @@ class StepKernel:
         self.source = np.empty(count, dtype=np.int32)
         self._call, self._grid = calls()[name], _grid(grid)
         self._kept = (old, value, top, cells, grid, rank, epsilon)
-        self._step = _Step(
+        self._step = _StepStruct(
             ctypes.addressof(self._grid),
             _cells(old),
             (2 * _P)(value.ctypes.data, top.ctypes.data),

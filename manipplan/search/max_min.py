@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.search.candidates.layers import Layers
-from manipplan.search.search import CandidatePath, Search
+from manipplan.search.search import CandidatePath, ThresholdSearch
 from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
-from manipplan.search.sweep import Lexicographic, Part, Shortest, ThreadPool, Widest
+from manipplan.search.sweep import Lexicographic, Shortest, Subset, ThreadPool, Widest
 from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
@@ -240,7 +240,7 @@ def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True
     reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=strict)
     backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], closed=False)
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        return Search(backwards, pool, silent, work=layers.count).last_values(Part(cap=cap), reach)
+        return ThresholdSearch(backwards, pool, silent, work=layers.count).last_values(Subset(cap=cap), reach)
 
 
 def _results(
@@ -250,7 +250,7 @@ def _results(
     reach = exclusive(epsilon, strict=strict)
     # samples and rounds grow fourfold up to all candidates; a preference other than "first" takes one more pass
     with ThreadPool(threads) as pool:
-        search = Search(layers, pool, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
+        search = ThresholdSearch(layers, pool, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
         search.tell(0.0, "searching")
         path, certified = None, layers.bound
         for path, certified, exact in _rounds(search, reach):
@@ -262,13 +262,13 @@ def _results(
             return
         if prefer is not Prefer.FIRST:
             objective = Shortest() if prefer is Prefer.SHORTEST else Lexicographic()
-            path = search.best(objective, Part(threshold=certified), reach, f"{prefer.value} path")
+            path = search.best(objective, Subset(threshold=certified), reach, f"{prefer.value} path")
         final = _result(search, path, Status.PROVEN_OPTIMAL, epsilon, strict, certified)
         search.tell(1.0, "done")
         yield final
 
 
-def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None, float, bool]]:
+def _rounds(search: ThresholdSearch, reach: Array) -> Iterator[tuple[CandidatePath | None, float, bool]]:
     """Rounds up to the exact one: each yields the best path so far, the certified bound, and whether the path is optimal."""
     layers = search.layers
     quantiles = Quantiles.of(layers.m, layers.bound)
@@ -277,7 +277,7 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
     threshold = quantiles.first()
     # from the top: either the optimum is found, or it is below the threshold
     while threshold > -np.inf and quantiles.share(threshold) < max(TOP, 2 * FIRST / layers.count):
-        path = search.best(Widest(), Part(threshold=threshold, cap=certified), reach, f"candidates with m >= {threshold:.6g}")
+        path = search.best(Widest(), Subset(threshold=threshold, cap=certified), reach, f"candidates with m >= {threshold:.6g}")
         if path is not None:
             yield path, search.minimum_manipulability(path), True
             return
@@ -288,7 +288,7 @@ def _rounds(search: Search, reach: Array) -> Iterator[tuple[CandidatePath | None
     # samples of the candidates: each may raise the best minimum found; later ones leave out candidates below it
     while True:
         share = quantiles.sampled(GROWTH * nodes, least)
-        part = Part(threshold=least, share=share, cap=certified)
+        part = Subset(threshold=least, share=share, cap=certified)
         text = "all candidates" if share == 1 else f"a sample of {share:.1%} of the candidates"
         found = search.best(Widest(), part, reach, text if path is None else f"{text} with m >= {least:.6g}")
         path = found or path
@@ -311,7 +311,7 @@ def _raise_if_not_connected(results: Iterator[SearchResult]) -> Iterator[SearchR
 
 
 def _result(
-    search: Search, path: CandidatePath | None, status: Status, epsilon: Array, strict: bool, certified: float
+    search: ThresholdSearch, path: CandidatePath | None, status: Status, epsilon: Array, strict: bool, certified: float
 ) -> SearchResult:
     layers = search.layers
     if path is None:
@@ -339,7 +339,7 @@ def _result(
     )
 
 
-def _not_connected(search: Search, epsilon: Array, reach: Array, strict: bool, explain: bool) -> SearchResult:
+def _not_connected(search: ThresholdSearch, epsilon: Array, reach: Array, strict: bool, explain: bool) -> SearchResult:
     result = _result(search, None, Status.NOT_CONNECTED, epsilon, strict, -np.inf)
     count = len(search.layers.q)
     place = search.reached(reach) % count  # 0: all reached, but no cycle closes

@@ -17,10 +17,10 @@ from manipplan.search.sweep import (
     Cells,
     Closest,
     Longest,
-    Objective,
-    Part,
     Reached,
-    Stage,
+    Subset,
+    SweepObjective,
+    SweepStage,
     ThreadPool,
     Trace,
     Widest,
@@ -93,7 +93,7 @@ class CandidatePath:
     value: float
 
 
-class Search:
+class ThresholdSearch:
     """Searches of one set of layers. `rounds` counts its sweeps, `nodes` the candidates of the last sweep."""
 
     def __init__(self, layers: Layers, pool: ThreadPool, tell: Progress, *, work: float) -> None:
@@ -106,7 +106,7 @@ class Search:
         self._passed = 0
         self._told = -np.inf
 
-    def best(self, objective: Objective, part: Part, reach: Array, text: str) -> CandidatePath | None:
+    def best(self, objective: SweepObjective, part: Subset, reach: Array, text: str) -> CandidatePath | None:
         """The best path for the objective through the candidates that take part, with steps below `reach` (n,)."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
@@ -114,23 +114,23 @@ class Search:
         grid = self._grid(reach, part.share * sum(active))
         if self.layers.closed:
             return self._cycle(objective, part, grid, text, active)
-        stages = [Stage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
+        stages = [SweepStage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
         trace = self._sweep(self._sorted(stages, part, grid), grid, objective, text)
         return CandidatePath(indices=trace.indices, value=trace.value) if len(trace.indices) else None
 
     def reached(self, reach: Array) -> int:
         """The first position that no path from position 0 reaches; L when all are reached."""
-        stages = [Stage(q, np.zeros(len(q))) for q in self.layers.q]
+        stages = [SweepStage(q, np.zeros(len(q))) for q in self.layers.q]
         grid = self._grid(reach, self.layers.count)
-        return self._sweep(self._sorted(stages, Part(), grid), grid, Widest(), "gaps").depth
+        return self._sweep(self._sorted(stages, Subset(), grid), grid, Widest(), "gaps").depth
 
-    def first_positions(self, part: Part, reach: Array, text: str) -> NDArray[np.int64]:
+    def first_positions(self, part: Subset, reach: Array, text: str) -> NDArray[np.int64]:
         """For each position (L,), the first one from which a path leads to it; for a cycle (2 L,), twice around it.
 
         No layer may be empty of candidates that take part.
         """
         layers = self.layers
-        stages = [Stage(q, m) for q, m in zip(layers.q, layers.m, strict=True)] * (2 if layers.closed else 1)
+        stages = [SweepStage(q, m) for q, m in zip(layers.q, layers.m, strict=True)] * (2 if layers.closed else 1)
         grid = self._grid(reach, sum(int(np.count_nonzero(m >= part.threshold)) for m in layers.m))
         lengths = np.zeros(len(stages), dtype=np.int64)  # number of steps of the longest path to each position
         old: Cells | None = None
@@ -143,9 +143,9 @@ class Search:
         self.rounds += 1
         return np.arange(len(stages)) - lengths
 
-    def last_values(self, part: Part, reach: Array) -> Array:
+    def last_values(self, part: Subset, reach: Array) -> Array:
         """The largest minimum manipulability of a path to each candidate of the last layer (k,); -inf where none leads."""
-        stages = [Stage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
+        stages = [SweepStage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
         grid = self._grid(reach, self.layers.count)
         values, objective = np.full(len(stages[-1].m), -np.inf), Widest()
         old: Cells | None = None
@@ -167,7 +167,7 @@ class Search:
     def least_epsilon(self, epsilon: Array) -> Array:
         """The smallest multiple of `epsilon` (n,) that connects the layers, where epsilon itself does not. Exact."""
         low, high = 1.0, np.inf
-        alike = Part(cap=min(float(m.min()) for m in self.layers.m))  # any path is enough
+        alike = Subset(cap=min(float(m.min()) for m in self.layers.m))  # any path is enough
         while high > CLOSE * low:
             factor = 4 * low if np.isinf(high) else np.sqrt(low * high)
             path = self.best(Widest(), alike, factor * epsilon * (1 + 1e-12), "smallest epsilon")
@@ -176,7 +176,7 @@ class Search:
             else:
                 high = float((np.abs(self.steps(path)) / epsilon).max())
                 low = min(low, high)
-        path = self.best(Closest(epsilon=epsilon), Part(), high * epsilon * (1 + 1e-12), "smallest epsilon")
+        path = self.best(Closest(epsilon=epsilon), Subset(), high * epsilon * (1 + 1e-12), "smallest epsilon")
         assert path is not None
         # the product of factor and epsilon may be rounded below the actual step
         least: Array = np.maximum(-path.value * epsilon, np.abs(self.steps(path)).max(axis=0))
@@ -195,10 +195,10 @@ class Search:
         most = int(max(FEWEST_CELLS, CELLS * active / len(self.layers.q)))
         return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, reach, self.layers.continuous, most)
 
-    def _sorted(self, stages: list[Stage], part: Part, grid: Grid) -> Iterator[Cells]:
+    def _sorted(self, stages: list[SweepStage], part: Subset, grid: Grid) -> Iterator[Cells]:
         return self.pool.ahead(lambda stage: sort_stage(stage, part, grid), stages)
 
-    def _sweep(self, cells: Iterator[Cells], grid: Grid, objective: Objective, text: str) -> Trace:
+    def _sweep(self, cells: Iterator[Cells], grid: Grid, objective: SweepObjective, text: str) -> Trace:
         trace = sweep(cells, grid, objective, self.pool, lambda nodes: self._tick(nodes, text))
         self.rounds += 1
         self.nodes = trace.nodes
@@ -212,23 +212,23 @@ class Search:
             self._told = now
             self.tell(min(0.99, self._passed / self._work), text)
 
-    def _cycle(self, objective: Objective, part: Part, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
+    def _cycle(self, objective: SweepObjective, part: Subset, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
         layers, count = self.layers, len(self.layers.q)
         begin = int(np.argmin(active))  # the layer with the fewest first candidates
         turned = [(begin + i) % count for i in range(count)]
-        inner = [Stage(layers.q[i], layers.m[i]) for i in turned[1:]]
-        begins = np.sort(sort_stage(Stage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
+        inner = [SweepStage(layers.q[i], layers.m[i]) for i in turned[1:]]
+        begins = np.sort(sort_stage(SweepStage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
         kept: list[Cells] | None = None
         if part.share * sum(active) * 8 * (layers.n + 2) < KEPT:
             kept = list(self._sorted(inner, part, grid))
 
-        whole = Part(threshold=part.threshold, cap=part.cap)
+        whole = Subset(threshold=part.threshold, cap=part.cap)
 
         def relax(members: NDArray[np.int64]) -> tuple[tuple[bytes, float], int, int, CandidatePath] | None:
             q = np.ascontiguousarray(layers.q[begin][members])
-            first = sort_stage(Stage(q, layers.m[begin][members]), whole, grid)
+            first = sort_stage(SweepStage(q, layers.m[begin][members]), whole, grid)
             # the layer is passed twice and must count once
-            last = sort_stage(Stage(q, np.full(len(members), np.inf)), Part(), grid)
+            last = sort_stage(SweepStage(q, np.full(len(members), np.inf)), Subset(), grid)
             between = kept if kept is not None else self._sorted(inner, part, grid)
             trace = self._sweep(chain([first], between, [last]), grid, objective, text)
             if len(trace.indices) == 0:

@@ -21,7 +21,7 @@ LEAST = 512
 PIECES = 4
 
 
-class Stage(NamedTuple):
+class SweepStage(NamedTuple):
     """Candidates of one step of a sweep: q (k, n) [rad or m] and m (k,), contiguous."""
 
     q: Array
@@ -57,8 +57,8 @@ Piece = Callable[[int, int], None]
 Share = Callable[[Piece, Cells], None]
 
 
-class Objective(Protocol):
-    """Objective that a sweep maximises: values of the first stage, and the step from one stage to the next."""
+class SweepObjective(Protocol):
+    """SweepObjective that a sweep maximises: values of the first stage, and the step from one stage to the next."""
 
     def first(self, cells: Cells) -> Reached:
         """Values of the first stage."""
@@ -133,7 +133,7 @@ class ThreadPool:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part:
+class Subset:
     """The candidates that take part in a sweep: those with m >= threshold, or a `share` of them; m is limited to `cap`.
 
     At least LEAST candidates of each stage take part, whatever the share is.
@@ -144,7 +144,7 @@ class Part:
     cap: float = np.inf
 
 
-def sort_stage(stage: Stage, part: Part, grid: Grid) -> Cells:
+def sort_stage(stage: SweepStage, part: Subset, grid: Grid) -> Cells:
     """The candidates of a stage that take part, sorted by cell."""
     from manipplan.search.kernels import sorted_into_cells
 
@@ -155,7 +155,7 @@ def sort_stage(stage: Stage, part: Part, grid: Grid) -> Cells:
 def sweep(
     stages: Iterable[Cells],
     grid: Grid,
-    objective: Objective,
+    objective: SweepObjective,
     pool: ThreadPool,
     tick: Callable[[int], None],
 ) -> Trace:

@@ -60,8 +60,8 @@ class Level:
     checks: int = 0
 
 
-class Search(ctypes.Structure):
-    """`Search` of connect.c."""
+class MotionSearch(ctypes.Structure):
+    """`MotionSearch` of connect.c."""
 
     _fields_ = [
         ("n", N),
@@ -121,7 +121,7 @@ class MotionCheck:
     """Checks configurations and straight motions of a search; only where `can_check`. Not safe to share between threads.
 
     Attributes:
-        data: `Search` of connect.c, with room for nothing but the roots of both trees.
+        data: `MotionSearch` of connect.c, with room for nothing but the roots of both trees.
         deadline: in `work_time` [s]; past it, what only coal can decide counts as touching.
     """
 
@@ -149,7 +149,7 @@ class MotionCheck:
             self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
         self._q: Any = (D * (2 * self.n))()
         self._kept = vectors, kernel
-        self.data = Search(
+        self.data = MotionSearch(
             n=self.n,
             near=NEAR,
             around=AROUND,

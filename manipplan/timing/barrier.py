@@ -119,7 +119,7 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
     return np.asarray(np.maximum(answer.x[1:-2], 1e-12 * c.max()), dtype=float)
 
 
-class _Motion(ctypes.Structure):
+class _MotionStruct(ctypes.Structure):
     """`Motion` of barrier.c."""
 
     _fields_ = [
@@ -129,7 +129,7 @@ class _Motion(ctypes.Structure):
     ]
 
 
-class _Descent(ctypes.Structure):
+class _DescentStruct(ctypes.Structure):
     """`Descent` of barrier.c."""
 
     _fields_ = [*((name, _D) for name in ("count", "begin", "heavier", "gap", "rough", "centred", "sufficient")), ("steps", _N)]
@@ -156,7 +156,7 @@ class Centring:
         lines = {name: getattr(problem, name) for name in ("h", "d", "fastest", "most_c")} | {"w": problem.a_rows[0]}
         self._arrays = {name: _filled(each.T, stride, 0.0) for name, each in rows.items()}
         self._arrays |= {name: _filled(each[None], stride, BEYOND[name]) for name, each in lines.items()}
-        self._motion = _Motion(
+        self._motion = _MotionStruct(
             points=len(problem.fastest),
             rows=problem.constant.shape[1],
             limited=problem.jerk.shape[1],
@@ -182,7 +182,7 @@ class Centring:
         z, count = z.copy(), self._problem.count
         if self._functions is None:
             return _by_numpy(self._problem, z)
-        how = _Descent(count, FIRST, HEAVIER, GAP, ROUGH, CENTRED, SUFFICIENT, STEPS)
+        how = _DescentStruct(count, FIRST, HEAVIER, GAP, ROUGH, CENTRED, SUFFICIENT, STEPS)
         if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
             raise ValueError("z is not inside the limits")
         return z

@@ -133,14 +133,14 @@ class TimingProblem:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Piece:
+class TimedPiece:
     """The verified motion between two stops, and its duration without losses from discretisation [s]."""
 
     trajectory: Trajectory
     ideal: float
 
 
-def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> Piece:
+def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """The motion from s = a to s = b without jerk limits, by toppra. `start` and `end` are speeds [rad/s]; 0: a stop."""
     curve = ArcLength(problem.course.path, a, b)
     points = curve.grid(grid, problem.limits.edges)
@@ -169,7 +169,7 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
     return _verified(problem, solve, tightening, ROUNDS, moving=moving, failure=failure)
 
 
-def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array, Array]) -> Piece:
+def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array, Array]) -> TimedPiece:
     """The motion from rest at s = a to rest at s = b, where the path is straight and `is_plain`; `ends`: q there, (n,) each."""
     motion = StraightMotion.between(*ends, problem.limits.at(np.array([(a + b) / 2])))
     factor = 1.0
@@ -177,12 +177,12 @@ def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array
         trajectory = motion.sampled(problem.names, factor)
         slower = slowdown(problem.use(trajectory, np.linspace(a, b, len(trajectory.t))))
         if slower <= 1:
-            return Piece(trajectory=trajectory, ideal=motion.duration)
+            return TimedPiece(trajectory=trajectory, ideal=motion.duration)
         factor *= slower * (1 + SPARE)
     raise PlanningError(f"no motion within the limits was found on the straight line from s = {problem.course.given(a):.4f}")
 
 
-def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> Piece:
+def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """As `stepped_piece`, with jerk limits: solved on two grids, the second made for the motion found on the first."""
     curve = ArcLength(problem.course.path, a, b)
     edges = problem.limits.edges
@@ -240,12 +240,12 @@ def _verified(
     *,
     moving: bool,
     failure: Callable[[Use, Array], Exception],
-) -> Piece:
+) -> TimedPiece:
     """The fastest motion of all rounds that keeps every limit; without any, raises `failure` of the last use and s.
 
     A piece that begins and ends at rest is slowed down until it keeps them; one that begins or ends moving is not slowed.
     """
-    best: Piece | None = None
+    best: TimedPiece | None = None
     use: Use = {}
     ideal, s = np.inf, np.empty(0)
     for _ in range(1 + (ROUNDS_MOVING if moving else rounds)):
@@ -258,11 +258,11 @@ def _verified(
         factor = slowdown(use)
         if moving:
             if factor <= 1 + DIGITS:
-                return Piece(trajectory=trajectory, ideal=ideal)
+                return TimedPiece(trajectory=trajectory, ideal=ideal)
         else:
             slowed = _slowed(problem, profile, factor, trajectory)
             if slowed is not None and (best is None or slowed.duration < best.trajectory.duration):
-                best = Piece(trajectory=slowed, ideal=ideal)
+                best = TimedPiece(trajectory=slowed, ideal=ideal)
             if best is not None and factor <= CLOSE:
                 break
         tightening.tighten(use)

@@ -16,7 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.tolerances import SAME
-from manipplan.timing.piece import Piece, TimingProblem, smooth_piece, stepped_piece, straight_piece
+from manipplan.timing.piece import TimedPiece, TimingProblem, smooth_piece, stepped_piece, straight_piece
 from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
 from manipplan.timing.stops import STANDSTILL, MovingPath, stops
 from manipplan.timing.straight import straight_ends
@@ -98,7 +98,7 @@ def retime(
     return min(found, key=lambda each: each.duration)
 
 
-def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[Piece]:
+def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[TimedPiece]:
     """The motions between all stops."""
     pieces = []
     path = problem.course.path

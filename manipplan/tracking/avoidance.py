@@ -15,8 +15,8 @@ from manipplan.support.checks import Array, flag, instance, number, one_of, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.chain import Placement, SymbolicChain
-from manipplan.tracking.bodies import Bodies, Body
-from manipplan.tracking.distances import Box, Capsule, Nearest, Plane, nearest
+from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
+from manipplan.tracking.distances import NearestPoints, SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
 from manipplan.tracking.error import nearest_rotation
 
 #: Number of values per moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
@@ -88,7 +88,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     an allowed pair.
     """
     check_names(robot, avoidance.scene)
-    bodies = Bodies.of(robot)
+    bodies = CapsuleBodies.of(robot)
     guarded = _guarded(robot, bodies, avoidance)
     symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))
     lines = _lines(chain)
@@ -128,7 +128,7 @@ def obstacle_numbers(pose: Array, velocity: Array) -> Array:
     return np.concatenate([pose[:3, :3].ravel(order="F"), pose[:3, 3], velocity])
 
 
-def _row(avoidance: Avoidance, near: Nearest, rate: ca.SX, approach: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _row(avoidance: Avoidance, near: NearestPoints, rate: ca.SX, approach: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """(A.1) with n from the obstacle to the robot: nᵀ (J q̇ - v) >= - ξ (d - d_s) / (d_i - d_s) where d <= d_i."""
     share = (near.distance - avoidance.security) / (avoidance.influence - avoidance.security)
     bound = approach - avoidance.damping * share
@@ -157,24 +157,24 @@ def _rate(chain: SymbolicChain, lines: ca.SX, joint: int, point: ca.SX, normal: 
     return ca.horzcat(*rates)
 
 
-def _capsule(chain: SymbolicChain, body: Body) -> Capsule:
+def _capsule(chain: SymbolicChain, body: CapsuleBody) -> SymbolicCapsule:
     place = chain.joints[body.joint]
     ends = [place.origin + place.rotation @ ca.SX(ca.DM(point)) for point in (body.start, body.end)]
-    return Capsule(start=ends[0], end=None if np.array_equal(body.start, body.end) else ends[1], radius=body.radius)
+    return SymbolicCapsule(start=ends[0], end=None if np.array_equal(body.start, body.end) else ends[1], radius=body.radius)
 
 
-def _shape(obstacle: Obstacle, placement: Placement) -> Capsule | Box | Plane:
+def _shape(obstacle: Obstacle, placement: Placement) -> SymbolicCapsule | SymbolicBox | SymbolicPlane:
     if isinstance(obstacle, shapes.Box):
         half = tuple((np.asarray(obstacle.size) / 2).tolist())
-        return Box(rotation=placement.rotation, centre=placement.origin, half=half)
+        return SymbolicBox(rotation=placement.rotation, centre=placement.origin, half=half)
     if isinstance(obstacle, shapes.Plane):
         normal = placement.rotation[:, 2]
-        return Plane(normal=normal, offset=ca.dot(normal, placement.origin))
+        return SymbolicPlane(normal=normal, offset=ca.dot(normal, placement.origin))
     if isinstance(obstacle, shapes.Sphere):
-        return Capsule(start=placement.origin, end=None, radius=obstacle.radius)
+        return SymbolicCapsule(start=placement.origin, end=None, radius=obstacle.radius)
     if isinstance(obstacle, shapes.Capsule | shapes.Cylinder):
         along = placement.rotation[:, 2] * (obstacle.length / 2)
-        return Capsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)
+        return SymbolicCapsule(start=placement.origin - along, end=placement.origin + along, radius=obstacle.radius)
     raise InvalidInputError(
         "scene", obstacle, "spheres, capsules, boxes, cylinders or planes, whose distances have closed forms"
     )
@@ -196,7 +196,7 @@ def _velocity_at(motion: tuple[Placement, ca.SX, ca.SX], point: ca.SX) -> ca.SX:
     return linear + ca.cross(angular, point - placement.origin)
 
 
-def _guarded(robot: Robot, bodies: Bodies, avoidance: Avoidance) -> list[Body]:
+def _guarded(robot: Robot, bodies: CapsuleBodies, avoidance: Avoidance) -> list[CapsuleBody]:
     moving = [body for body in bodies.items if body.joint > 0]
     if not moving:
         raise InvalidInputError("avoidance", robot.name, "a robot whose description has collision geometry")

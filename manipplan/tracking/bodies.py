@@ -28,7 +28,7 @@ COARSE = 0.1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Body:
+class CapsuleBody:
     """A capsule that contains a part of a link.
 
     Attributes:
@@ -55,11 +55,11 @@ class Body:
         return capsule_excess(ends[0], ends[1], self.radius, self.geometry.geometry)
 
     def __repr__(self) -> str:
-        return f"Body({self.name!r}, radius={1e3 * self.radius:.0f} mm, excess={1e3 * self.excess:.0f} mm)"
+        return f"CapsuleBody({self.name!r}, radius={1e3 * self.radius:.0f} mm, excess={1e3 * self.excess:.0f} mm)"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Bodies:
+class CapsuleBodies:
     """All bodies of a robot, and the pairs of them that have to be kept apart.
 
     Attributes:
@@ -68,7 +68,7 @@ class Bodies:
         dropped: pairs of names that are not kept apart, with the reason.
     """
 
-    items: tuple[Body, ...]
+    items: tuple[CapsuleBody, ...]
     pairs: tuple[tuple[int, int], ...]
     dropped: dict[tuple[str, str], str]
 
@@ -78,17 +78,17 @@ class Bodies:
         return max((body.excess for body in self.items), default=0.0)
 
     def __repr__(self) -> str:
-        return f"Bodies({len(self.items)} bodies, {len(self.pairs)} pairs, excess={1e3 * self.excess:.0f} mm)"
+        return f"CapsuleBodies({len(self.items)} bodies, {len(self.pairs)} pairs, excess={1e3 * self.excess:.0f} mm)"
 
     @classmethod
-    def of(cls, robot: Robot) -> "Bodies":
+    def of(cls, robot: Robot) -> "CapsuleBodies":
         """The capsules of a robot, fitted once."""
         return _bodies(robot)
 
     @classmethod
-    def _fitted(cls, robot: Robot) -> "Bodies":
+    def _fitted(cls, robot: Robot) -> "CapsuleBodies":
         geometry = pin.GeometryModel()
-        items: list[Body] = []
+        items: list[CapsuleBody] = []
         origins: list[int] = []
         for origin, item in enumerate(robot.geometry.geometryObjects):
             if isinstance(item.geometry, coal.Halfspace | coal.Plane):  # such as the floor of an MJCF
@@ -99,7 +99,9 @@ class Bodies:
                 ends = [item.placement.act(point) for point in (start, end)]
                 link = robot.link_of(item)
                 items.append(
-                    Body(name=name, link=link, joint=item.parentJoint, start=ends[0], end=ends[1], radius=radius, geometry=item)
+                    CapsuleBody(
+                        name=name, link=link, joint=item.parentJoint, start=ends[0], end=ends[1], radius=radius, geometry=item
+                    )
                 )
                 geometry.addGeometryObject(_as_coal(items[-1], item.parentFrame))
                 origins.append(origin)
@@ -126,7 +128,7 @@ def _capsules(name: str, shape: coal.CollisionGeometry) -> list[tuple[Array, Arr
     return found
 
 
-def _as_coal(body: Body, frame: int) -> pin.GeometryObject:
+def _as_coal(body: CapsuleBody, frame: int) -> pin.GeometryObject:
     along = body.end - body.start
     length = float(np.linalg.norm(along))
     rotation = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
@@ -157,5 +159,5 @@ def _that_can_meet(
 
 
 @once_per_owner
-def _bodies(robot: Robot) -> Bodies:
-    return Bodies._fitted(robot)
+def _bodies(robot: Robot) -> CapsuleBodies:
+    return CapsuleBodies._fitted(robot)

@@ -20,7 +20,7 @@ from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
-from manipplan.tracking.bodies import Bodies, Body
+from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.formulations import Formulation
 from manipplan.tracking.machine import MachineCode, Sources
@@ -160,7 +160,7 @@ class Controller:
         self._step = step_of(setup)
         self.pairs = self._step.pairs
         self.unguarded: Mapping[tuple[str, str], str] = (
-            Bodies.of(robot).dropped if avoidance is not None and avoidance.itself else {}
+            CapsuleBodies.of(robot).dropped if avoidance is not None and avoidance.itself else {}
         )
         self._machine: MachineCode | None = None
         function = self._step.function
@@ -179,9 +179,9 @@ class Controller:
         return f"Controller({self.robot!r}, {self.formulation!r}, dt={self.dt:g}, task={self.task.name!r}, {how})"
 
     @property
-    def bodies(self) -> tuple[Body, ...]:
+    def bodies(self) -> tuple[CapsuleBody, ...]:
         """The capsules that an avoidance keeps apart, each with its radius and its excess beyond the link."""
-        return Bodies.of(self.robot).items
+        return CapsuleBodies.of(self.robot).items
 
     def sources(self) -> Sources:
         """The controller in C."""

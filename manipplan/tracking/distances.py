@@ -19,7 +19,7 @@ _TINY, _HUGE = 1e-150, 1e150
 
 
 @dataclass(frozen=True, kw_only=True)
-class Capsule:
+class SymbolicCapsule:
     """All points within `radius` [m] of the segment from `start` to `end`, (3, 1) in the world; a sphere without `end`."""
 
     start: ca.SX
@@ -33,7 +33,7 @@ class Capsule:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Box:
+class SymbolicBox:
     """The box of half sizes `half` [m] along the columns of `rotation` (3, 3), about `centre` (3, 1) in the world."""
 
     rotation: ca.SX
@@ -42,7 +42,7 @@ class Box:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Plane:
+class SymbolicPlane:
     """The half-space normalᵀ x <= offset: unit normal (3, 1) out of the body, offset [m]."""
 
     normal: ca.SX
@@ -50,7 +50,7 @@ class Plane:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Nearest:
+class NearestPoints:
     """The nearest points of two bodies, with first - second = distance · normal.
 
     Attributes:
@@ -66,22 +66,22 @@ class Nearest:
     second: ca.SX
 
 
-def nearest(first: Capsule, second: Capsule | Box | Plane) -> Nearest:
+def nearest(first: SymbolicCapsule, second: SymbolicCapsule | SymbolicBox | SymbolicPlane) -> NearestPoints:
     """Signed distance and nearest points of a capsule or sphere and another body.
 
     If they overlap, the distance is minus the length of the shortest translation that separates them. Its gradient under
     translation of the first body is the normal. It is exact to 1e-9 m for a box, otherwise to rounding.
     """
     match second:
-        case Capsule():
+        case SymbolicCapsule():
             return _from_capsule(first, second)
-        case Box():
+        case SymbolicBox():
             return _from_box(first, second)
-        case Plane():
+        case SymbolicPlane():
             return _from_plane(first, second)
 
 
-def _from_capsule(first: Capsule, second: Capsule) -> Nearest:
+def _from_capsule(first: SymbolicCapsule, second: SymbolicCapsule) -> NearestPoints:
     """The nearest points a + s u and c + t v of two segments minimise a quadratic over the unit square."""
     u, v, offset = first.axis, second.axis, first.start - second.start
     uu, vv, uv, uo, vo = ca.sumsqr(u), ca.sumsqr(v), ca.dot(u, v), ca.dot(u, offset), ca.dot(v, offset)
@@ -102,14 +102,14 @@ def _from_capsule(first: Capsule, second: Capsule) -> Nearest:
     return _parted(point, normal, ca.sqrt(square), first.radius, second.radius)
 
 
-def _from_plane(first: Capsule, second: Plane) -> Nearest:
+def _from_plane(first: SymbolicCapsule, second: SymbolicPlane) -> NearestPoints:
     """The lower end is nearest; the middle if both are equally high."""
     slope = ca.dot(second.normal, first.axis)
     point = first.start + 0.5 * (1 - ca.sign(slope)) * first.axis
     return _parted(point, second.normal, ca.dot(second.normal, point) - second.offset, first.radius, 0.0)
 
 
-def _from_box(first: Capsule, second: Box) -> Nearest:
+def _from_box(first: SymbolicCapsule, second: SymbolicBox) -> NearestPoints:
     """In the box's frame; an axis that enters the box is first moved out, and touches the box where it is nearest."""
     half = ca.SX(ca.DM(second.half))
     start, u = second.rotation.T @ (first.start - second.centre), second.rotation.T @ first.axis
@@ -178,9 +178,9 @@ def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
     return last + share * (first - last)
 
 
-def _parted(point: ca.SX, normal: ca.SX, distance: ca.SX, first: float, second: float) -> Nearest:
+def _parted(point: ca.SX, normal: ca.SX, distance: ca.SX, first: float, second: float) -> NearestPoints:
     """From a point of the axis, its distance from the other body's core, the normal and both radii to the surfaces."""
-    return Nearest(
+    return NearestPoints(
         distance=distance - (first + second),
         normal=normal,
         first=point - first * normal,

@@ -119,7 +119,7 @@ class StepSetup:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Step:
+class ControlStep:
     """The Function of a step and the pairs of bodies of its rows.
 
     Attributes:
@@ -136,7 +136,7 @@ class Step:
 
 
 @making_expressions()
-def step_of(setup: StepSetup) -> Step:
+def step_of(setup: StepSetup) -> ControlStep:
     """Build the step: set up the problem, solve it, check the solution."""
     symbolic = setup.kinematics.symbolic
     n = symbolic.chain.q.shape[0]
@@ -161,7 +161,7 @@ def step_of(setup: StepSetup) -> Step:
     ended = finish.call([solved, answer, *(made[name] for name in finish.name_in()[2:])])
     outputs = [*ended, made["next_memory"]]
     function = ca.Function(STEP_NAME, given, outputs, list(INPUTS), ["velocity", "report", "next_memory"])
-    return Step(function=function, problem=problem, pairs=rows.names if rows else ())
+    return ControlStep(function=function, problem=problem, pairs=rows.names if rows else ())
 
 
 def _soundness(inputs: list[ca.SX]) -> tuple[ca.SX, ca.SX]:

@@ -6,7 +6,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.tracking.controller import Controller
 
 DT = 0.01
@@ -52,7 +52,7 @@ def distance(first, second):
 
 def distances(robot, avoidance, names, q, moved):
     """Of all pairs by coal, with obstacles at the poses `moved` where these name one."""
-    bodies = {body.name: body for body in Bodies.of(robot).items}
+    bodies = {body.name: body for body in CapsuleBodies.of(robot).items}
     scene = dict(zip(avoidance.scene.names, avoidance.scene.obstacles, strict=True))
     found = []
     for first, second in names:

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.jobs.programs.hull import Hull
+from manipplan.jobs.programs.hull import BlendHull
 from manipplan.jobs.programs.program_file import ProgramFile
 
 START = {
@@ -198,7 +198,7 @@ def test_distances_from_a_hull(rank, count, seed):
     rng = np.random.default_rng(seed)
     points = rng.normal(size=(count, rank)) @ rng.normal(size=(rank, 3)) * 0.05 + rng.normal(size=3)
     places = np.concatenate([points.mean(axis=0) + 0.2 * rng.normal(size=(8, 3)), points, [points.mean(axis=0)]])
-    beyond = Hull.of(points).beyond(places)
+    beyond = BlendHull.of(points).beyond(places)
     ends = places - beyond
     for place, off, end in zip(places, beyond, ends, strict=True):
         size = np.linalg.norm(off)

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.coarse import CELLS, Hull, coarse_scene
+from manipplan.collision.covers.coarse import CELLS, PieceHull, coarse_scene
 from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.proven import Until
 
@@ -25,7 +25,7 @@ def plates(*boxes, spacing=0.01):
 
 
 def pieces(scene):
-    return [each for each in scene.obstacles if isinstance(each, Hull)]
+    return [each for each in scene.obstacles if isinstance(each, PieceHull)]
 
 
 def depth(scene, points):

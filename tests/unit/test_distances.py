@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from manipplan.support.compiling.compiler import find_compiler
 from manipplan.symbolic.machine_code import compiled
-from manipplan.tracking.distances import Box, Capsule, Plane, nearest
+from manipplan.tracking.distances import SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
 
 FIRST = ["sphere", "capsule"]
 SECOND = ["sphere", "capsule", "box", "plane"]
@@ -28,12 +28,12 @@ def function(first, second, half=HALF):
     """(a, b, R, c, d) to (distance, normal, point, point); what a shape has no use for is ignored."""
     a, b, c, d = (ca.SX.sym(name, 3) for name in "abcd")
     rotation = ca.SX.sym("R", 3, 3)
-    mine = Capsule(start=a, end=b if first == "capsule" else None, radius=RADIUS)
+    mine = SymbolicCapsule(start=a, end=b if first == "capsule" else None, radius=RADIUS)
     other = {
-        "sphere": Capsule(start=c, radius=RADII["sphere"]),
-        "capsule": Capsule(start=c, end=d, radius=RADII["capsule"]),
-        "box": Box(rotation=rotation, centre=c, half=half),
-        "plane": Plane(normal=rotation[:, 2], offset=ca.dot(rotation[:, 2], c)),
+        "sphere": SymbolicCapsule(start=c, radius=RADII["sphere"]),
+        "capsule": SymbolicCapsule(start=c, end=d, radius=RADII["capsule"]),
+        "box": SymbolicBox(rotation=rotation, centre=c, half=half),
+        "plane": SymbolicPlane(normal=rotation[:, 2], offset=ca.dot(rotation[:, 2], c)),
     }[second]
     found = nearest(mine, other)
     outputs = [found.distance, found.normal, found.first, found.second]
@@ -93,7 +93,7 @@ def brute_force(first, second, pairs):
 
 def coal_capsule(start, end, radius):
     turn = Rotation.align_vectors([end - start], [Z])[0].as_matrix()
-    return coal.Capsule(radius, np.linalg.norm(end - start)), coal.Transform3s(turn, (start + end) / 2)
+    return coal.SymbolicCapsule(radius, np.linalg.norm(end - start)), coal.Transform3s(turn, (start + end) / 2)
 
 
 def coal_second(second, rotation, c, d):
@@ -101,7 +101,7 @@ def coal_second(second, rotation, c, d):
         return coal_capsule(c, d, RADII[second])
     shape = {
         "sphere": coal.Sphere(RADII["sphere"]),
-        "box": coal.Box(*(2 * h for h in HALF)),
+        "box": coal.SymbolicBox(*(2 * h for h in HALF)),
         "plane": coal.Halfspace(Z, 0.0),
     }[second]
     return shape, coal.Transform3s(rotation, c)
@@ -318,13 +318,13 @@ def test_sparse_constants(second):
     a, b = ca.SX.sym("a", 3), ca.SX.sym("b", 3)
     origin, ahead = ca.SX(3, 1), ca.SX(ca.sparsify(ca.DM([0.0, 0.7, 0.0])))
     other = {
-        "sphere": Capsule(start=origin, radius=RADII["sphere"]),
-        "capsule": Capsule(start=origin, end=ahead, radius=RADII["capsule"]),
-        "box": Box(rotation=ca.SX.eye(3), centre=origin, half=HALF),
-        "plane": Plane(normal=ca.SX.eye(3)[:, 2], offset=ca.SX(1, 1)),
+        "sphere": SymbolicCapsule(start=origin, radius=RADII["sphere"]),
+        "capsule": SymbolicCapsule(start=origin, end=ahead, radius=RADII["capsule"]),
+        "box": SymbolicBox(rotation=ca.SX.eye(3), centre=origin, half=HALF),
+        "plane": SymbolicPlane(normal=ca.SX.eye(3)[:, 2], offset=ca.SX(1, 1)),
     }[second]
     for start, end in ((a, b), (a, None), (origin, b), (ahead, None)):
-        found = nearest(Capsule(start=start, end=end, radius=RADIUS), other)
+        found = nearest(SymbolicCapsule(start=start, end=end, radius=RADIUS), other)
         values = ca.Function("f", [a, b], [ca.densify(x) for x in vars(found).values()])([0.6, 0.1, 0.8], [0.5, 0.3, -0.2])
         numbers = {id(a): [0.6, 0.1, 0.8], id(b): [0.5, 0.3, -0.2], id(origin): [0, 0, 0], id(ahead): [0, 0.7, 0]}
         pair = one(numbers[id(start)], None if end is None else numbers[id(end)], d=(0, 0.7, 0))

@@ -9,7 +9,7 @@ import trimesh
 import manipplan as mp
 from manipplan.collision.covers.excess import SAMPLES, capsule_excess, capsule_points
 from manipplan.collision.primitives import mesh_triangles
-from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bodies import CapsuleBodies
 
 
 def as_mesh(shape):
@@ -65,7 +65,7 @@ def test_what_is_inside_a_mesh_does_not_stick_out():
 def test_the_capsules_of_an_arm_against_its_meshes():
     """The excess of every capsule of a UR5, measured by trimesh at points of its own."""
     robot = mp.load_robot("ur5")
-    bodies = Bodies.of(robot)
+    bodies = CapsuleBodies.of(robot)
     assert bodies.excess == max(body.excess for body in bodies.items)
     compared = 0
     for body in bodies.items:
@@ -111,11 +111,11 @@ def test_bodies_say_how_far_they_stick_out(tmp_path):
     file.write_text("""<robot name="arm"><link name="base"/><link name="b"><collision><origin xyz="0 0 0.3"/><geometry>
       <cylinder radius="0.05" length="0.4"/></geometry></collision></link><joint name="x" type="revolute"><parent link="base"/>
       <child link="b"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>""")
-    bodies = Bodies.of(mp.load_robot(file))
+    bodies = CapsuleBodies.of(mp.load_robot(file))
     [body] = bodies.items
     assert body.excess == pytest.approx(0.05, abs=1e-6)
     assert repr(body) == "Body('b_0', radius=50 mm, excess=50 mm)"
-    assert repr(bodies) == "Bodies(1 bodies, 0 pairs, excess=50 mm)"
+    assert repr(bodies) == "CapsuleBodies(1 bodies, 0 pairs, excess=50 mm)"
 
 
 def test_a_collision_model_says_what_it_checks(tmp_path):

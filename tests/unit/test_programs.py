@@ -14,7 +14,7 @@ import manipplan as mp
 from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
-from manipplan.jobs.programs.courses import Motion
+from manipplan.jobs.programs.courses import RawMotion
 from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
@@ -323,7 +323,7 @@ def test_a_part_that_touches_is_told(hand, cell, picked, placed, message):
 @pytest.mark.parametrize("step", [mp.MoveTo(pose_at(0.45, 0.3, 0.3)), mp.MoveTo("default"), "along"])
 def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
     state, start = State(robot=hand, scene=mp.Scene()), hand.neutral
-    motion = Motion(step=0, path=mp.JointPath.line(start, start + 0.1), state=state)
+    motion = RawMotion(step=0, path=mp.JointPath.line(start, start + 0.1), state=state)
     if step == "along":
         begin, end = hand.kinematics().pose(np.array([start, start + 0.1]))
         begin[2, 3] += 0.01

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -110,3 +111,14 @@ def test_there_is_no_circle_at_import_time():
     while ready := {module for module in left if not needs[module] & left}:
         left -= ready
     assert not left
+
+
+def test_no_class_name_stands_twice():
+    """One name has one meaning, with or without an underscore in front."""
+    names = Counter(
+        node.name.lstrip("_")
+        for file in MODULES.values()
+        for node in ast.parse(file.read_text()).body
+        if isinstance(node, ast.ClassDef)
+    )
+    assert [name for name, count in names.items() if count > 1] == []

@@ -11,7 +11,7 @@ from manipplan.viz.arm import plot_arm
 from manipplan.viz.ellipsoids import plot_ellipsoids
 from manipplan.viz.plan import plan_figure
 from manipplan.viz.viewer.bodies import _rods
-from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.plan_viewer import about
 
 
@@ -53,7 +53,7 @@ def test_ellipsoids_of_an_animation_are_at_their_tools(plan, monkeypatch):
 
 
 def test_the_viewer_shows_all_tools(plan):
-    shown = Motion.of(plan)
+    shown = ShownMotion.of(plan)
     assert len(shown.tools) == len(shown.ours.tools) == 2
     for way, tool, first, last in zip(
         shown.ours.tools, shown.tools, places(plan.robot, plan.path.start), places(plan.robot, plan.path.goal), strict=True

@@ -283,13 +283,13 @@ def straight_plan(robot, scene):
 
 @pytest.mark.parametrize("kind", ["a script", "the end of a string"])
 def test_pages_show_names_as_text(kind, tmp_path):
-    from manipplan.viz.viewer.motion import Motion
+    from manipplan.viz.viewer.motion import ShownMotion
     from manipplan.viz.viewer.plan_viewer import about
 
     robot, mark = loaded(urdf, HOSTILE[kind], tmp_path)
     plan = straight_plan(robot, scene_of(HOSTILE[kind].replace("@MARK@", str(mark))))
     page = Path(plan.record(tmp_path / "page.html")).read_text()
-    for text in (page, about(Motion.of(plan))):
+    for text in (page, about(ShownMotion.of(plan))):
         assert html.escape(robot.name) in text
         assert robot.name not in text
         assert "<script>document" not in text and "<img src=x" not in text

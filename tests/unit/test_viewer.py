@@ -27,7 +27,7 @@ from manipplan.viz import viewer
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.chart import Chart, ChartLine
 from manipplan.viz.viewer.checked import capsules, convex_bodies
 from manipplan.viz.viewer.triangles import MOST, triangles_of
 
@@ -482,7 +482,7 @@ def test_shapes_are_drawn_in_their_size(shape, volume, size):
 
 def test_the_chart_marks_the_place():
     chart = Chart(
-        t=np.linspace(0, 2, 5), curves=[Curve(name="a<b", colour="#123456", values=np.array([0, 1, 2, 1, 0.0]))], label="m"
+        t=np.linspace(0, 2, 5), curves=[ChartLine(name="a<b", colour="#123456", values=np.array([0, 1, 2, 1, 0.0]))], label="m"
     )
     assert 'class="now"' not in chart.svg()
     left, right = (float(chart.svg(t).split('class="now" x1="')[1].split('"')[0]) for t in (0.0, 2.0))
@@ -496,7 +496,9 @@ def test_the_chart_marks_the_place():
 def test_the_chart_holds_its_curves(first, last):
     """Also those of a logarithm, which are negative."""
     t = np.linspace(0.0, 1.0, 5)
-    svg = Chart(t=t, curves=[Curve(name="a", colour="#000000", values=np.linspace(first, last, 5))], label="log_det").svg(0.5)
+    svg = Chart(t=t, curves=[ChartLine(name="a", colour="#000000", values=np.linspace(first, last, 5))], label="log_det").svg(
+        0.5
+    )
     places = [float(place.partition(",")[2]) for place in re.search(r'polyline points="([^"]*)"', svg)[1].split()]
     assert 10 <= min(places) <= max(places) <= 140
     assert np.sign(places[0] - places[-1]) == np.sign(last - first)

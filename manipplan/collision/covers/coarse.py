@@ -45,7 +45,7 @@ BESIDE = 10
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Hull(Obstacle):
+class PieceHull(Obstacle):
     """The convex hull of `corners` (k, 3) [m]."""
 
     corners: Array
@@ -92,7 +92,7 @@ def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     for cell in CELLS:
         pieces = _pieces(points, radii, cell, middle)
         if pieces is not None:
-            kept += [Hull(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
+            kept += [PieceHull(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
             return Scene(kept, allowed=scene.allowed)
     return None
 
@@ -102,7 +102,7 @@ def without_pieces_at(scene: Scene, robot: Robot, q: Array, clearance: float) ->
     model = scene.collision_model(robot)
     near = model.near_pairs(q, clearance)
     touching = {name for pair in np.unique(near.pairs) for name in model.pair_names[pair]}
-    pieces = {name for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if isinstance(obstacle, Hull)}
+    pieces = {name for name, obstacle in zip(scene.names, scene.obstacles, strict=True) if isinstance(obstacle, PieceHull)}
     return scene.without(*sorted(touching & pieces)) if touching & pieces else scene
 
 
@@ -199,7 +199,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
     """Corners (c, 3) of convex pieces around balls of `radii` (k,) about points (k, 3); None for too many pieces or cells."""
     if not len(points):
         return []
-    grid = _Grid.of(points, radii, cell, middle)
+    grid = _BallGrid.of(points, radii, cell, middle)
     if grid is None or grid.groups > MOST_PIECES:
         return None
     open_parts = [np.flatnonzero(grid.group == number) for number in range(1, grid.groups + 1)]
@@ -224,7 +224,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Grid:
+class _BallGrid:
     """Cells of a grid around balls.
 
     Attributes:
@@ -245,7 +245,7 @@ class _Grid:
     owner: NDArray[np.intp]
 
     @classmethod
-    def of(cls, points: Array, radii: Array, cell: float, middle: Array) -> "_Grid | None":
+    def of(cls, points: Array, radii: Array, cell: float, middle: Array) -> "_BallGrid | None":
         from scipy import ndimage
 
         wide = radii > cell / 2

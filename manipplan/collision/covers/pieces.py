@@ -51,8 +51,8 @@ class Piece:
 
 def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
     """At most `most` convex pieces that contain `triangles` (t, 3, 3) [m] and, if they are closed, their inside."""
-    mesh = _Mesh(triangles)
-    found = _cut_up(mesh, [_Part(mesh, triangles, np.empty((0, 3)), ())], most)
+    mesh = _WholeMesh(triangles)
+    found = _cut_up(mesh, [_CutPart(mesh, triangles, np.empty((0, 3)), ())], most)
     if most > MOST_PIECES:
         for count in (most, most // 2):
             around = _cut_up(mesh, _sectors(mesh, triangles, count), most)
@@ -60,9 +60,9 @@ def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
     return [part.piece() for part in found]
 
 
-def _cut_up(mesh: "_Mesh", open_pieces: list["_Part"], most: int) -> list["_Part"]:
+def _cut_up(mesh: "_WholeMesh", open_pieces: list["_CutPart"], most: int) -> list["_CutPart"]:
     """Cut the part that sticks out most until none does, or there are `most`."""
-    done: list[_Part] = []
+    done: list[_CutPart] = []
     while open_pieces and len(open_pieces) + len(done) < most:
         part = open_pieces.pop(int(np.argmax([each.excess for each in open_pieces])))
         cut = part.best_cut(LONG if most > MOST_PIECES else 0.0) if part.excess > GOOD else None
@@ -74,11 +74,11 @@ def _cut_up(mesh: "_Mesh", open_pieces: list["_Part"], most: int) -> list["_Part
             side, cuts = _clip(part.triangles, sign * axis, sign * offset), (*part.cuts, (sign * axis, sign * offset))
             inner = mesh.inner_corners(cuts)
             if len(side) or len(inner) > 3:
-                open_pieces.append(_Part(mesh, side, inner, cuts))
+                open_pieces.append(_CutPart(mesh, side, inner, cuts))
     return [*done, *open_pieces]
 
 
-def _sectors(mesh: "_Mesh", triangles: Array, count: int) -> list["_Part"]:
+def _sectors(mesh: "_WholeMesh", triangles: Array, count: int) -> list["_CutPart"]:
     """`count` equal sectors of a mesh around the main axis through its middle for which they need the smallest volume.
 
     A tube has the same hull as its halves together, so that single cuts do not find sectors.
@@ -102,13 +102,13 @@ def _sectors(mesh: "_Mesh", triangles: Array, count: int) -> list["_Part"]:
         volume = sum(_volume(side.reshape(-1, 3)) for side, _ in sectors)
         if volume < least:
             best, least = sectors, volume
-    return [_Part(mesh, side, np.empty((0, 3)), cuts) for side, cuts in best]
+    return [_CutPart(mesh, side, np.empty((0, 3)), cuts) for side, cuts in best]
 
 
-class _Part:
+class _CutPart:
     """The part of a mesh between some cuts, by its triangles (t, 3, 3) and its corners inside the mesh (c, 3), and its hull."""
 
-    def __init__(self, mesh: "_Mesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
+    def __init__(self, mesh: "_WholeMesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
         self.triangles, self.cuts = triangles, cuts
         points = np.concatenate([triangles.reshape(-1, 3), inner])
         points = points[sorted_rows(points)]
@@ -155,7 +155,7 @@ class _Part:
         return best
 
 
-class _Mesh:
+class _WholeMesh:
     """A whole mesh, from which distances are measured."""
 
     def __init__(self, triangles: Array) -> None:

@@ -37,7 +37,7 @@ _Stored = tuple[Array, NDArray[np.int64], float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Choice:
+class FitChoice:
     """How a robot's own pairs are checked, as it takes long to find out.
 
     Attributes:
@@ -54,7 +54,7 @@ class Choice:
         return json.dumps([levels, [[*sorted(links), count] for links, count in self.touching.items()]]).encode()
 
     @classmethod
-    def of(cls, plain: bytes) -> "Choice":
+    def of(cls, plain: bytes) -> "FitChoice":
         """What `plain` made a file of."""
         levels, touching = json.loads(plain)
         return cls(
@@ -115,7 +115,7 @@ def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
     ]
 
 
-def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -> Choice:
+def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], FitChoice]) -> FitChoice:
     """How a robot's own pairs are checked, from the cache folder if an earlier process has chosen it.
 
     Args:
@@ -129,7 +129,7 @@ def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], Choice]) -
     ]
     parts = [_choice_sources(), robot.tree, samples, bodies, dict(robot.unchecked), robot.disabled_pairs]
     plain = _find_or_make("choices", content_key(parts)[:32], lambda: choose().plain())
-    return Choice.of(plain)
+    return FitChoice.of(plain)
 
 
 def _content(shape: coal.CollisionGeometry) -> object:

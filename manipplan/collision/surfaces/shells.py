@@ -40,7 +40,7 @@ class Shell:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Part:
+class _ConnectedPart:
     """A part connected by edges: its triangles with an area, its signed volume, and whether the file gives its orientation."""
 
     triangles: Array
@@ -167,12 +167,12 @@ def _groups(labels: Faces) -> list[Faces]:
     return [parts[k] for k in np.argsort(first)]
 
 
-def _part(corners: Array, faces: Faces) -> _Part:
+def _part(corners: Array, faces: Faces) -> _ConnectedPart:
     """A part connected by edges, oriented if it is closed."""
     faces = _one_sided(faces)
     flat = ~_has_area(corners[faces])
     if flat.all():
-        return _Part(triangles=np.empty((0, 3, 3)), volume=0.0, oriented=False)
+        return _ConnectedPart(triangles=np.empty((0, 3, 3)), volume=0.0, oriented=False)
     tries = [faces, faces[~flat]] if flat.any() else [faces]  # a triangle without an area can join its neighbours, or be loose
     found = next((each for each in tries if _is_cycle(each)), None)
     oriented = found is not None
@@ -180,13 +180,13 @@ def _part(corners: Array, faces: Faces) -> _Part:
         once = [each[first_of_rows(np.sort(each, axis=1))[0]] for each in tries]
         found = next((turned for turned in map(_turned, once) if turned is not None), None)
     if found is None:
-        return _Part(triangles=corners[faces[~flat]], volume=0.0, oriented=False)
+        return _ConnectedPart(triangles=corners[faces[~flat]], volume=0.0, oriented=False)
     triangles = corners[found]
     volume = _volume(triangles)
     triangles = triangles[_has_area(triangles)]
     if not oriented and volume < 0:
         triangles, volume = triangles[:, ::-1], -volume
-    return _Part(triangles=triangles, volume=volume, oriented=oriented)
+    return _ConnectedPart(triangles=triangles, volume=volume, oriented=oriented)
 
 
 def _one_sided(faces: Faces) -> Faces:
@@ -244,7 +244,7 @@ def _edge_keys(edges: Faces) -> Faces:
     return np.asarray(edges.min(axis=1) << 32 | edges.max(axis=1))
 
 
-def _cavities(parts: Sequence[_Part]) -> dict[int, int]:
+def _cavities(parts: Sequence[_ConnectedPart]) -> dict[int, int]:
     """Of each part that is a cavity, the part around it."""
     if len(parts) < 2 or all(part.volume > 0 for part in parts):
         return {}

@@ -21,7 +21,7 @@ Planner = Callable[[Array, float, Progress], PathResult | str]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Choice:
+class GoalChoice:
     """The path that was chosen, None where none was found, and all candidates with what became of them."""
 
     result: PathResult | None
@@ -40,7 +40,9 @@ class Choice:
         return told if len(self.candidates) == 1 else f"no path to any of the {len(tried)} candidates tried; the first: {told}"
 
 
-def choose(candidates: Sequence[GoalCandidate], planner: Planner, seconds: float, deadline: Deadline, tell: Progress) -> Choice:
+def choose(
+    candidates: Sequence[GoalCandidate], planner: Planner, seconds: float, deadline: Deadline, tell: Progress
+) -> GoalChoice:
     """The motion of the largest minimum manipulability and, of those that tie, of the smallest g.
 
     Candidates are tried in their order. After the first path only those are tried whose bound is above its minimum
@@ -111,11 +113,11 @@ class _Search:
         status = f"planned: minimum manipulability {least:.4g}, g {g:.4g}"
         self.rows[k] = replace(self.rows[k], q=found.path.goal, status=status, min_manipulability=least, g=g)
 
-    def choice(self) -> Choice:
+    def choice(self) -> GoalChoice:
         """The best path, and what became of every candidate."""
         best = self.best
         rows = [self._told(k, best) for k in range(len(self.rows))]
-        return Choice(result=None if best is None else self.paths[best], candidates=tuple(rows))
+        return GoalChoice(result=None if best is None else self.paths[best], candidates=tuple(rows))
 
     def _told(self, k: int, best: int | None) -> GoalCandidate:
         row = self.rows[k]

@@ -12,7 +12,7 @@ from manipplan.constraints.proof import prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
-from manipplan.jobs.programs.courses import Motion, Stop
+from manipplan.jobs.programs.courses import RawMotion, Stop
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
@@ -38,7 +38,7 @@ PLACES, BLEND_PLACES = 800, 200
 
 
 def assemble(
-    items: Sequence[Motion | Stop],
+    items: Sequence[RawMotion | Stop],
     first: State,
     last: State,
     steps: Sequence[ProgramStep],
@@ -109,9 +109,9 @@ def assemble(
     )
 
 
-def _groups(items: Sequence[Motion | Stop]) -> list[list[Motion] | Stop]:
+def _groups(items: Sequence[RawMotion | Stop]) -> list[list[RawMotion] | Stop]:
     """Runs of motions, and the stops between them."""
-    groups: list[list[Motion] | Stop] = []
+    groups: list[list[RawMotion] | Stop] = []
     for item in items:
         if isinstance(item, Stop):
             groups.append(item)
@@ -122,7 +122,7 @@ def _groups(items: Sequence[Motion | Stop]) -> list[list[Motion] | Stop]:
     return groups
 
 
-def _corners(group: list[Motion], steps: Sequence[ProgramStep], blend: float) -> list[float | None]:
+def _corners(group: list[RawMotion], steps: Sequence[ProgramStep], blend: float) -> list[float | None]:
     """The radius asked for at each corner between motions; None where the arm goes straight on."""
     asked: list[float | None] = []
     for one, other in pairwise(group):
@@ -133,7 +133,7 @@ def _corners(group: list[Motion], steps: Sequence[ProgramStep], blend: float) ->
 
 
 def _blends(
-    group: list[Motion], corners: list[float | None], clearance: float, legs: Mapping[int, Leg]
+    group: list[RawMotion], corners: list[float | None], clearance: float, legs: Mapping[int, Leg]
 ) -> list[Blend | str | None]:
     """The blends of motions, or why there is none; None where none is asked for."""
     made: list[Blend | str | None] = []
@@ -147,7 +147,7 @@ def _blends(
     return made
 
 
-def _smaller(group: list[Motion], corners: list[float | None], blends: list[Blend | str | None]) -> list[str]:
+def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[Blend | str | None]) -> list[str]:
     """A warning for each blend that is smaller than asked for, or replaced by a stop."""
     warnings = []
     for (one, other), asked, made in zip(pairwise(group), corners, blends, strict=True):
@@ -161,7 +161,7 @@ def _smaller(group: list[Motion], corners: list[float | None], blends: list[Blen
 
 
 def _part(
-    group: list[Motion],
+    group: list[RawMotion],
     blends: list[Blend | None],
     clock: float,
     legs: Mapping[int, Leg],
@@ -236,7 +236,7 @@ def _part(
 
 
 def _constraint_figures(
-    group: list[Motion], trajectory: Trajectory, begins: list[float], legs: Mapping[int, Leg]
+    group: list[RawMotion], trajectory: Trajectory, begins: list[float], legs: Mapping[int, Leg]
 ) -> list[ConstraintFigure]:
     """How each free motion keeps its constraints over its time."""
     whole, edges = trajectory.path(), np.array([0.0, *begins, trajectory.duration]) / trajectory.duration
@@ -252,7 +252,11 @@ def _constraint_figures(
 
 
 def _off_paths(
-    group: list[Motion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
+    group: list[RawMotion],
+    blends: list[Blend | None],
+    own: list[tuple[float, float]],
+    trajectory: Trajectory,
+    path: JointPath,
 ) -> list[str]:
     """Which motions leave their paths of the tool, but for their blends: in order as planned, and over their time."""
     faults = []
@@ -275,7 +279,11 @@ def _off_paths(
 
 
 def _off_hulls(
-    group: list[Motion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
+    group: list[RawMotion],
+    blends: list[Blend | None],
+    own: list[tuple[float, float]],
+    trajectory: Trajectory,
+    path: JointPath,
 ) -> list[str]:
     """At which blends the tool leaves the convex hull of the pieces that the blend replaces."""
     faults = []
@@ -292,7 +300,11 @@ def _off_hulls(
 
 
 def _missed(
-    group: list[Motion], blends: list[Blend | None], goals: Mapping[int, int], legs: Mapping[int, Leg], trajectory: Trajectory
+    group: list[RawMotion],
+    blends: list[Blend | None],
+    goals: Mapping[int, int],
+    legs: Mapping[int, Leg],
+    trajectory: Trajectory,
 ) -> list[str]:
     """Which motions do not reach their goals, but for those that a blend rounds off."""
     faults = []

@@ -12,8 +12,8 @@ import numpy as np
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.constraints.proof import prove
-from manipplan.jobs.programs.courses import Motion
-from manipplan.jobs.programs.hull import Hull
+from manipplan.jobs.programs.courses import RawMotion
+from manipplan.jobs.programs.hull import BlendHull
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.curves import bernstein
 from manipplan.paths.joint import JointPath, cut, raised
@@ -54,7 +54,7 @@ class Blend:
     radius: float
     note: str
     tools: Sequence["ToolWay"]
-    hulls: Sequence[Hull]
+    hulls: Sequence[BlendHull]
 
     def beyond(self, q: Array) -> float:
         """Largest distance of a tool from its hull at configurations (k, n) [m]."""
@@ -86,8 +86,8 @@ class ToolWay:
 
 
 def blend_of(
-    before: Motion,
-    after: Motion,
+    before: RawMotion,
+    after: RawMotion,
     asked: float,
     clearance: float,
     constraints: tuple[ConstraintSet, ...],
@@ -119,7 +119,7 @@ def blend_of(
         leaves = 1 - _reach(lambda s: away(before.path, 1 - s), distance)
         joins = _reach(lambda s: away(after.path, s), distance)
         replaced = np.concatenate([before.path(_between(leaves, 1.0)), after.path(_between(0.0, joins))])
-        hulls = [Hull.of(each.places(replaced)) for each in tools]
+        hulls = [BlendHull.of(each.places(replaced)) for each in tools]
         path = _inside(_quintic(before.path, leaves, after.path, joins), hulls, tools, distance)
         if path is None:
             reason = "it would leave the convex hull of the pieces that it replaces"
@@ -150,7 +150,7 @@ def unblended(blends: list[Blend | None]) -> list[tuple[float, float]]:
     return list(zip(begins, ends, strict=True))
 
 
-def with_blends(motions: list[Motion], blends: list[Blend | None]) -> tuple[JointPath, list[tuple[float, float]]]:
+def with_blends(motions: list[RawMotion], blends: list[Blend | None]) -> tuple[JointPath, list[tuple[float, float]]]:
     """One path through motions with their blends, and the s of it between which it keeps the path of each motion."""
     pieces: list[JointPath] = []
     kept: list[tuple[float, float]] = []  # in lengths from the start
@@ -180,7 +180,7 @@ def _between(begin: float, end: float) -> Array:
     return np.linspace(begin, end, OF_PIECE + 1)
 
 
-def _inside(path: JointPath, hulls: Sequence[Hull], tools: Sequence[ToolWay], size: float) -> JointPath | None:
+def _inside(path: JointPath, hulls: Sequence[BlendHull], tools: Sequence[ToolWay], size: float) -> JointPath | None:
     """A path with the same ends on which each tool stays in its hull, found from one of degree 5; None where none was found.
 
     The places where a tool is outside are moved to the nearest of the hull, by Gauss-Newton steps of the control points that do
@@ -222,7 +222,7 @@ def _arc(path: JointPath, s: float) -> tuple[Array, Array, Array]:
     return at, tangent, (second - (second @ tangent) * tangent) / speed**2
 
 
-def _forbidden(path: JointPath, motion: Motion, clearance: float, constraints: tuple[ConstraintSet, ...]) -> str:
+def _forbidden(path: JointPath, motion: RawMotion, clearance: float, constraints: tuple[ConstraintSet, ...]) -> str:
     """What a path violates; "" for nothing."""
     if (motion.state.robot.limits.outside(np.array(path.bounds())) > 0).any():
         return "it would leave the joint limits"

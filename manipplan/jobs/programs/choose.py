@@ -16,7 +16,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.goals.reach import nearest
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.goals.straight import straight_lines
-from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Motion, course_of
+from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, RawMotion, course_of
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.nodes import Node
 from manipplan.jobs.programs.places import rounded
@@ -265,7 +265,7 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
 def _turned(course: LegMotion, q: Array, state: State) -> LegMotion:
     """The course with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
     robot = state.robot
-    bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, Motion)])
+    bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, RawMotion)])
     low, high = (course.entry, course.entry) if not len(bounds) else (bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0))
     turn = np.where(robot.turns, 2 * np.pi, np.inf)
     least, most = np.ceil((robot.limits.lower - low) / turn), np.floor((robot.limits.upper - high) / turn)
@@ -275,7 +275,7 @@ def _turned(course: LegMotion, q: Array, state: State) -> LegMotion:
         return course
     items = tuple(
         replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + shift))
-        if isinstance(each, Motion)
+        if isinstance(each, RawMotion)
         else replace(each, q=each.q + shift)
         for each in course.items
     )

@@ -36,7 +36,7 @@ KEPT = 32
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Motion:
+class RawMotion:
     """A motion of a program, before it is timed.
 
     Attributes:
@@ -81,7 +81,7 @@ class LegMotion:
     """
 
     entry: Array
-    items: tuple[Motion | Stop, ...]
+    items: tuple[RawMotion | Stop, ...]
     exit: Array
     state: State
     minimum: float
@@ -158,7 +158,7 @@ def course_of(
 
     `found`: for a leg that begins on a path, the configurations in which it can begin, and the index of q among them.
     """
-    items: list[Motion | Stop] = []
+    items: list[RawMotion | Stop] = []
     entry = q
     if leg.approach is not None:
         pose = state.robot.kinematics(Task.pose()).pose(q)
@@ -179,7 +179,7 @@ def course_of(
                 made = _along(number, step, workspace, q, state, finders)
             if isinstance(made, LegFailure):
                 # where the tool is after a path that leaves a motion free depends on the configuration
-                tasks = [each.task for each in items if isinstance(each, Motion) and each.task is not None]
+                tasks = [each.task for each in items if isinstance(each, RawMotion) and each.task is not None]
                 turned = any(FreeMotion.of(task, planar=state.robot.planar).names for task in tasks)
                 return LegFailure(message=f"steps[{number}]: {made.message}", always=made.always and not turned)
             items.append(made)
@@ -194,7 +194,7 @@ def course_of(
         elif isinstance(step, Wait):
             items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
     integral = finders.objective.integral(state.robot)
-    least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, Motion)]
+    least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, RawMotion)]
     at_entry = float(integral.kinematics.manipulability(entry))
     return LegMotion(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
@@ -204,7 +204,9 @@ def has_closer(step: MoveAlong) -> bool:
     return isinstance(step.path, CartesianPath) and step.positions is None
 
 
-def _along(number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders) -> Motion | LegFailure:
+def _along(
+    number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders
+) -> RawMotion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
     epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
     failure = LegFailure(message="")
@@ -228,15 +230,15 @@ def has_several_parameters(finder: ToolPathPlanner) -> bool:
     return finder.layers.sampler is not None and len(finder.layers.sampler.solver.names) > 1
 
 
-def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> Motion | LegFailure:
+def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
     path = configurations.finder.along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return LegFailure(message=outside) if outside else _motion(number, step, configurations.finder.path, path, state)
 
 
-def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> Motion:
-    return Motion(
+def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> RawMotion:
+    return RawMotion(
         step=number,
         path=path,
         state=state,

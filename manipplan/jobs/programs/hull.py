@@ -13,7 +13,7 @@ SMALLEST = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Hull:
+class BlendHull:
     """The convex hull of places.
 
     Attributes:
@@ -25,7 +25,7 @@ class Hull:
     size: float
 
     @classmethod
-    def of(cls, places: Array) -> "Hull":
+    def of(cls, places: Array) -> "BlendHull":
         """The hull of places (k, 3)."""
         return cls(places=places, size=max(float(np.linalg.norm(places - places[0], axis=1).max()), SMALLEST))
 

@@ -13,7 +13,7 @@ from manipplan.jobs.goals.candidates import find_candidates
 from manipplan.jobs.goals.read import Target
 from manipplan.jobs.programs.courses import EPSILON, Finders, has_closer
 from manipplan.jobs.programs.legs import Leg
-from manipplan.jobs.programs.places import NOWHERE, Places, different, rounded
+from manipplan.jobs.programs.places import NOWHERE, PartPoses, different, rounded
 from manipplan.jobs.programs.states import State
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.search.max_min import max_min_search
@@ -46,8 +46,8 @@ class Node:
     found: tuple[FirstConfigurations, int] | None = None
     turned: Array | None = None
     is_given: bool = False
-    before: Places = NOWHERE
-    after: Places = NOWHERE
+    before: PartPoses = NOWHERE
+    after: PartPoses = NOWHERE
 
 
 def nodes_of(
@@ -56,7 +56,7 @@ def nodes_of(
     start: Array,
     objective: PathObjective,
     clearance: float,
-    places: Sequence[Places],
+    places: Sequence[PartPoses],
     needed: set[str],
 ) -> list[Node]:
     """The nodes of a leg, those with the largest bound first.
@@ -77,7 +77,7 @@ def nodes_of(
     return [replace(node, after=node.before.after(leg, pose(node.q)).of(needed)) for node in nodes]
 
 
-def places_after(nodes: Sequence[Node]) -> list[Places]:
+def places_after(nodes: Sequence[Node]) -> list[PartPoses]:
     """Where parts may be after a leg with these nodes."""
     return different([each.after for each in nodes])
 
@@ -93,7 +93,7 @@ def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clear
 
 
 def _at_targets(
-    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, places: Sequence[Places]
+    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, places: Sequence[PartPoses]
 ) -> list[Node]:
     """Nodes at the goals of a leg, for each of the places where parts may be."""
     kinematics = objective.kinematics(state.robot)
@@ -135,12 +135,12 @@ def _at_targets(
     return nodes
 
 
-def _tool_goals(leg: Leg, places: Sequence[Places]) -> tuple[list[Target], list[list[tuple[int, Places]]]]:
+def _tool_goals(leg: Leg, places: Sequence[PartPoses]) -> tuple[list[Target], list[list[tuple[int, PartPoses]]]]:
     """The goals of a leg that are poses as poses of the tool, each once, and for each the goals and places that it stands for.
 
     Raises InvalidInputError where no place allows any.
     """
-    owners: dict[object, tuple[Target, list[tuple[int, Places]]]] = {}
+    owners: dict[object, tuple[Target, list[tuple[int, PartPoses]]]] = {}
     refused: list[InvalidInputError] = []
     for k, target in enumerate(leg.targets):
         for before in places:

@@ -1,4 +1,4 @@
-"""Places: where parts are, in the hand or in the world, as the configurations of the legs before determine it.
+"""PartPoses: where parts are, in the hand or in the world, as the configurations of the legs before determine it.
 
 A part is carried as it was grasped, so each grasp has configurations of its own in which the part is at a given pose. The nodes
 of a leg are found for every way in which the parts may be there, and go with those nodes before that lead to it.
@@ -21,7 +21,7 @@ from manipplan.support.tolerances import SAME
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Places:
+class PartPoses:
     """Where the parts are on which later goals depend.
 
     Attributes:
@@ -33,7 +33,7 @@ class Places:
     placed: Mapping[str, Array] = field(default_factory=dict)
 
     @classmethod
-    def at_first(cls, robot: Robot, scene: Scene, names: set[str]) -> "Places":
+    def at_first(cls, robot: Robot, scene: Scene, names: set[str]) -> "PartPoses":
         """Where these parts are at the beginning of a program."""
         held, placed = {}, {each.name: each.pose.homogeneous for each in scene.named}
         for name, part in robot.carried.items():
@@ -50,14 +50,14 @@ class Places:
         poses = [(kind, name, pose) for kind in ("held", "placed") for name, pose in sorted(getattr(self, kind).items())]
         return tuple((kind, name, *rounded(pose)) for kind, name, pose in poses)
 
-    def of(self, names: set[str]) -> "Places":
+    def of(self, names: set[str]) -> "PartPoses":
         """Of these parts only."""
-        return Places(
+        return PartPoses(
             held={name: pose for name, pose in self.held.items() if name in names},
             placed={name: pose for name, pose in self.placed.items() if name in names},
         )
 
-    def after(self, leg: Leg, tool: Array) -> "Places":
+    def after(self, leg: Leg, tool: Array) -> "PartPoses":
         """Where the parts are after a leg whose goal is reached with the tool at a pose (4, 4)."""
         held, placed = dict(self.held), dict(self.placed)
         for _, step in leg.rest:
@@ -70,11 +70,11 @@ class Places:
                     held[step.part] = np.linalg.inv(tool) @ placed.pop(step.part)
             elif isinstance(step, Detach) and step.name in held:
                 placed[step.name] = tool @ held.pop(step.name)
-        return Places(held=held, placed=placed)
+        return PartPoses(held=held, placed=placed)
 
 
 #: Without any part.
-NOWHERE = Places()
+NOWHERE = PartPoses()
 
 
 def rounded(pose: Array) -> tuple[int, ...]:
@@ -88,6 +88,6 @@ def needed_by(legs: Sequence[Leg]) -> list[set[str]]:
     return [set().union(*parts[k:]) for k in range(len(legs) + 1)]
 
 
-def different(places: Sequence[Places]) -> list[Places]:
+def different(places: Sequence[PartPoses]) -> list[PartPoses]:
     """Each once."""
     return list({each.key: each for each in places}.values())

@@ -11,10 +11,10 @@ from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.plan import plan
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.jobs.programs.courses import Motion, Stop
+from manipplan.jobs.programs.courses import RawMotion, Stop
 from manipplan.jobs.programs.legs import Leg, read_steps
 from manipplan.jobs.programs.nodes import Node, nodes_of, places_after
-from manipplan.jobs.programs.places import Places, needed_by
+from manipplan.jobs.programs.places import PartPoses, needed_by
 from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.states import State, check_parts
 from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
@@ -104,7 +104,7 @@ def sequence(
     first = State(robot=robot, scene=scene)
     nodes: list[list[Node]] = []
     known, needed = first, needed_by(legs)
-    places = [Places.at_first(robot, scene, needed[0])]
+    places = [PartPoses.at_first(robot, scene, needed[0])]
     for k, leg in enumerate(legs):
         tell(0.2 * k / len(legs), f"configurations of step {leg.number}")
         nodes.append(nodes_of(leg, known, q_start, objective, clearance, places, needed[k + 1]))
@@ -125,7 +125,7 @@ def sequence(
         told = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
         raise PlanningError(f"no program was found: {told}")
     items = list(_items(legs, chosen))
-    if not any(isinstance(each, Motion) for each in items):
+    if not any(isinstance(each, RawMotion) for each in items):
         raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")
     tell(0.9, "timing and checking")
     program = assemble(
@@ -186,9 +186,9 @@ def _known_after(leg: Leg, state: State) -> State:
     return state
 
 
-def _items(legs: Sequence[Leg], chosen: Chosen) -> Iterator[Motion | Stop]:
+def _items(legs: Sequence[Leg], chosen: Chosen) -> Iterator[RawMotion | Stop]:
     """All motions and stops of a program in their order."""
     for leg, free, course in zip(legs, chosen.free, chosen.courses, strict=True):
         if free is not None:
-            yield Motion(step=leg.number, path=free.path, state=State(robot=free.robot, scene=free.scene))
+            yield RawMotion(step=leg.number, path=free.path, state=State(robot=free.robot, scene=free.scene))
         yield from course.items

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.jobs.programs.courses import Motion
+from manipplan.jobs.programs.courses import RawMotion
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
@@ -46,7 +46,7 @@ class Timing:
 
     robot: Robot
     path: JointPath
-    motions: Sequence[Motion]
+    motions: Sequence[RawMotion]
     spans: Sequence[tuple[float, float]]
     own: Sequence[tuple[float, float]]
     torque: bool

@@ -81,7 +81,7 @@ def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | N
     """
     shortest = np.inf
     for factor in FINER:
-        search = _Search(tube, smooth.finer(factor))
+        search = _PieceSearch(tube, smooth.finer(factor))
         first, ratio = search.within_limits()
         if ratio <= 1.0:
             return search.run(first)
@@ -93,7 +93,7 @@ def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | N
     raise InvalidInputError("duration", tube.duration, wanted)
 
 
-class _Search:
+class _PieceSearch:
     """The search for the best motion over the pieces of a smooth one."""
 
     def __init__(self, tube: Tube, smooth: Smooth) -> None:

@@ -43,7 +43,7 @@ def read_motion(
     joints are converted.
     """
     degrees = flag("degrees", degrees)
-    places = Places(
+    places = ValueNames(
         argument=argument, file=Path(given) if isinstance(given, str | Path) else None, degrees=degrees, robot=robot
     )
     is_csv = isinstance(given, str | Path) and Path(given).suffix.lower() == ".csv"
@@ -88,7 +88,7 @@ def read_recording(
     motion = read_motion(
         robot, "recorded", recorded, joints=robot.joint_names, degrees=degrees, columns=columns, fastest=DRIVEN
     )
-    _check(robot, motion, Places(argument="recorded", file=file, degrees=degrees, robot=robot))
+    _check(robot, motion, ValueNames(argument="recorded", file=file, degrees=degrees, robot=robot))
     return motion
 
 
@@ -102,7 +102,7 @@ def noise_beyond_limits(robot: Robot, motion: Trajectory) -> tuple[TakenToLimit,
     )
 
 
-class Places:
+class ValueNames:
     """Names and values of single numbers of a motion, as its user gave them."""
 
     def __init__(self, *, argument: str, file: Path | None, degrees: bool, robot: Robot) -> None:
@@ -121,7 +121,7 @@ class Places:
         return float(np.rad2deg(q)) if self.degrees[joint] else float(q)
 
 
-def _check(robot: Robot, motion: Trajectory, places: Places) -> None:
+def _check(robot: Robot, motion: Trajectory, places: ValueNames) -> None:
     """Raise InvalidInputError for positions that the robot cannot have had, or that do not change."""
     limits, names = robot.limits, robot.joint_names
     outside, allowed = limits.outside(motion.q), max(OUTSIDE, robot.limit_tolerance)

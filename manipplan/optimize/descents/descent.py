@@ -17,7 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from manipplan.optimize.descents.point import DescentProgram, Point
-from manipplan.optimize.descents.quadratic import LARGEST_PENALTY, Step, convex, solve_step
+from manipplan.optimize.descents.quadratic import LARGEST_PENALTY, QuadraticStep, convex, solve_step
 from manipplan.optimize.descents.rows import LinearRows, rejected_rows
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
@@ -98,7 +98,7 @@ class _Model:
     active: LinearRows
     bend: float
     curvature: Array
-    first: tuple[Array, float, Step] | None
+    first: tuple[Array, float, QuadraticStep] | None
 
     @classmethod
     def of(cls, program: DescentProgram, at: Point, radius: float, penalty: float, previous: Array) -> "_Model | None":
@@ -129,7 +129,7 @@ class _Model:
             first=None if active.any() or previous.any() else (quadratic, radius, step),
         )
 
-    def step(self, here: Point, radius: float, penalty: float, *, is_plain: bool) -> Step | None:
+    def step(self, here: Point, radius: float, penalty: float, *, is_plain: bool) -> QuadraticStep | None:
         """The step of the model in a trust region; None where DAQP fails."""
         if self.first is not None and self.first[1] == radius:
             return self.first[2]
@@ -162,7 +162,7 @@ class _Model:
         more = rejected_rows(program.functions, curves, program.clearance_search, here.z, there.curve, there.samples)
         return self if more is None else replace(self, near=self.near.with_rows(more), first=None)
 
-    def predicted_decrease(self, step: Step, restored: float, penalty: float) -> float:
+    def predicted_decrease(self, step: QuadraticStep, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
 
         -(∇gᵀ p + ½ pᵀ H p) + ν restored, where H is the Hessian of the Lagrangian and not a convex one.
@@ -270,7 +270,7 @@ def _tried(
     program: DescentProgram,
     quadratic: tuple[Array, Array],
     here: Point,
-    step: Step,
+    step: QuadraticStep,
     predicted: float,
     radius: float,
     penalty: float,

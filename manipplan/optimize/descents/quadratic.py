@@ -25,7 +25,7 @@ NONE, QP_TOLERANCES, QP_STEPS = 1e30, (1e-10, 1e-8), 3000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Step:
+class QuadraticStep:
     """A step p (f n,), the violation that its linear rows leave [rad or m], and the multipliers (r,) of these rows."""
 
     p: Array
@@ -45,7 +45,7 @@ def convex(hessian: Array) -> Array:
 
 def solve_step(
     hessian: Array, gradient: Array, rows: LinearRows, radius: float, penalty: float, moving: Any = slice(None)
-) -> Step | None:
+) -> QuadraticStep | None:
     """Minimise ½ pᵀ H p + gᵀ p with value + jacobian p >= 0 and |p_i| <= radius, up to rounding; None where DAQP fails.
 
     Only the entries of p at the index `moving` change; the others are 0. Where no p meets these, or the multipliers are very
@@ -64,7 +64,7 @@ def solve_step(
     step = _daqp(hessian, gradient, jacobian, least, -bound, bound)
     if step is not None and step.multipliers.sum() < LARGEST_PENALTY:
         multipliers[within], p[moving] = step.multipliers, with_bits(step.p, STEP_BITS)
-        return Step(p=p, slack=0.0, multipliers=multipliers)
+        return QuadraticStep(p=p, slack=0.0, multipliers=multipliers)
     # where rows contradict each other DAQP needs some curvature in every unknown, the slack included
     largest = float(np.abs(np.diag(hessian)).max())
     penalty = max(penalty, SOFT_PENALTY)
@@ -75,10 +75,10 @@ def solve_step(
     if soft is None:
         return None
     multipliers[within], p[moving] = soft.multipliers, with_bits(soft.p[:size], STEP_BITS)
-    return Step(p=p, slack=float(soft.p[size]), multipliers=multipliers)
+    return QuadraticStep(p=p, slack=float(soft.p[size]), multipliers=multipliers)
 
 
-def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> Step | None:
+def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: Array, high: Array) -> QuadraticStep | None:
     """Minimise ½ xᵀ H x + gᵀ x with jacobian x >= least and low <= x <= high; None where DAQP finds no solution."""
     lower, upper = np.concatenate([low, least]), np.concatenate([high, np.full(len(least), NONE)])
     sense = np.zeros(len(lower), dtype=np.int32)
@@ -96,5 +96,5 @@ def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: A
         )
         if flag > 0:
             multipliers = np.maximum(-np.asarray(info["lam"])[len(gradient) :], 0.0)
-            return Step(p=np.asarray(x), slack=0.0, multipliers=multipliers)
+            return QuadraticStep(p=np.asarray(x), slack=0.0, multipliers=multipliers)
     return None

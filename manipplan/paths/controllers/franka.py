@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.controllers.sampled import Controller, sampled
+from manipplan.paths.controllers.sampled import ControllerFormat, sampled
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
@@ -29,7 +29,7 @@ class Arm:
             distance from `upper` or `lower` [rad]; None where the velocity limits do not depend on the position.
     """
 
-    controller: Controller
+    controller: ControllerFormat
     velocity: Array
     acceleration: Array
     jerk: Array
@@ -47,7 +47,7 @@ class Arm:
 
 #: libfranka 0.9, franka/rate_limiting.h.
 PANDA = Arm(
-    controller=Controller(
+    controller=ControllerFormat(
         name="a Franka Panda",
         joints=tuple((f"panda_joint{k}", f"fer_joint{k}") for k in range(1, 8)),
         lower=np.array([-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]) - 1e-9,
@@ -59,7 +59,7 @@ PANDA = Arm(
 )
 #: Franka Robotics, control interface, limits of the Franka Research 3; libfranka 0.10, franka/rate_limiting.h.
 FR3 = Arm(
-    controller=Controller(
+    controller=ControllerFormat(
         name="a Franka Research 3",
         joints=tuple((f"fr3_joint{k}",) for k in range(1, 8)),
         lower=np.array([-2.7437, -1.7837, -2.9007, -3.0421, -2.8065, 0.5445, -3.0159]) - 1e-9,

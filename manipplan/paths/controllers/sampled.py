@@ -16,7 +16,7 @@ MOST = 300_000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Controller:
+class ControllerFormat:
     """What a controller takes.
 
     Attributes:
@@ -31,7 +31,7 @@ class Controller:
     upper: Array
 
 
-def sampled(trajectory: Trajectory, controller: Controller, rate: float) -> Array:
+def sampled(trajectory: Trajectory, controller: ControllerFormat, rate: float) -> Array:
     """The positions (m, n) at multiples of 1 / rate [s], in the controller's order; the last one is the end of the motion.
 
     Raises InvalidInputError for other joints, positions outside the limits, a motion that does not begin and end at rest, or
@@ -59,7 +59,7 @@ def sampled(trajectory: Trajectory, controller: Controller, rate: float) -> Arra
     return q
 
 
-def _columns(names: Sequence[str], controller: Controller) -> list[int]:
+def _columns(names: Sequence[str], controller: ControllerFormat) -> list[int]:
     """For each joint of the controller the column of the trajectory."""
     found = [[k for k, name in enumerate(names) if name.endswith(ends)] for ends in controller.joints]
     if len(names) != len(found) or any(len(each) != 1 for each in found):

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.controllers.sampled import Controller, sampled
+from manipplan.paths.controllers.sampled import ControllerFormat, sampled
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError
@@ -16,7 +16,7 @@ RATES = (125, 500)
 #: Distance of a joint from the first configuration up to which the program begins [rad].
 NEAR = 0.01
 #: The arms, and the largest speed of any of their joints, that of the UR3's wrist [rad/s].
-UR = Controller(
+UR = ControllerFormat(
     name="a UR arm",
     joints=tuple((f"{each}_joint",) for each in ("shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3")),
     lower=np.full(6, -2 * np.pi - 1e-9),

@@ -36,7 +36,7 @@ def bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Elemen
         if size > MOST_BYTES:
             raise FileFormatError(argument, f"{file} of {size:,} bytes", f"XML of at most {MOST_BYTES:,} bytes")
         text = file.read_bytes().decode("utf-8-sig") if text is None else text
-        return _Tree(argument, file).read(text.lstrip())
+        return _TreeBuilder(argument, file).read(text.lstrip())
     except FileFormatError:
         raise
     except expat.ExpatError as error:
@@ -47,7 +47,7 @@ def bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Elemen
         raise FileFormatError(argument, str(file), f"a file that can be read ({error.strerror})") from error
 
 
-class _Tree:
+class _TreeBuilder:
     """Builds the elements of a file, with names as they are written: ElementTree's own parser refuses an unbound prefix."""
 
     def __init__(self, argument: str, file: Path) -> None:

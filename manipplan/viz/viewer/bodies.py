@@ -20,7 +20,7 @@ GREY = (0.72, 0.74, 0.77, 1.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Body:
+class DrawnBody:
     """One rigid body: vertices (v, 3) [m] in the frame of its joint, faces (f, 3), colour and opacity (4,) in [0, 1]."""
 
     name: str
@@ -34,7 +34,7 @@ class Body:
 class Appearance:
     """The bodies of a robot, and a text on the geometry they were made from."""
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[DrawnBody, ...]
     origin: str
 
 
@@ -61,7 +61,7 @@ def appearance_of(robot: Robot) -> Appearance:
     return Appearance(bodies=bodies, origin=origin)
 
 
-def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
+def _bodies(geometry: pin.GeometryModel) -> tuple[DrawnBody, ...]:
     made = []
     for item in geometry.geometryObjects:
         triangles = triangles_of(item.geometry, MOST if item.parentJoint else STILL)
@@ -71,11 +71,11 @@ def _bodies(geometry: pin.GeometryModel) -> tuple[Body, ...]:
         placed = vertices @ item.placement.rotation.T + item.placement.translation
         red, green, blue, alpha = (float(c) for c in item.meshColor)
         colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
-        made.append(Body(name=item.name, joint=item.parentJoint, vertices=placed, faces=faces, colour=colour))
+        made.append(DrawnBody(name=item.name, joint=item.parentJoint, vertices=placed, faces=faces, colour=colour))
     return tuple(made)
 
 
-def _rods(robot: Robot) -> tuple[Body, ...]:
+def _rods(robot: Robot) -> tuple[DrawnBody, ...]:
     """A capsule from each joint to the next, and from the last to each tool."""
     import coal
 
@@ -95,5 +95,5 @@ def _rods(robot: Robot) -> tuple[Body, ...]:
         triangles = triangles_of(coal.Capsule(min(radius, 0.3 * length), length))
         assert triangles is not None
         placed = triangles[0] @ turn.T + np.asarray(end) / 2
-        made.append(Body(name=f"rod{k}", joint=joint, vertices=placed, faces=triangles[1], colour=GREY))
+        made.append(DrawnBody(name=f"rod{k}", joint=joint, vertices=placed, faces=triangles[1], colour=GREY))
     return tuple(made)

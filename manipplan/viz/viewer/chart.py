@@ -14,7 +14,7 @@ LEFT, RIGHT, TOP, BOTTOM = 42, 8, 10, 30
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Curve:
+class ChartLine:
     """One curve: its name in the legend, its colour, and its values at the chart's times."""
 
     name: str
@@ -30,7 +30,7 @@ class Chart:
     """
 
     t: Array
-    curves: Sequence[Curve]
+    curves: Sequence[ChartLine]
     label: str
     marks: Sequence[tuple[float, str]] = ()
 

@@ -11,9 +11,9 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.tracking.bodies import Bodies
+from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz import style
-from manipplan.viz.viewer.bodies import Body
+from manipplan.viz.viewer.bodies import DrawnBody
 from manipplan.viz.viewer.figures import RobotFigure, draw_body, rgb
 from manipplan.viz.viewer.triangles import triangles_of
 
@@ -22,10 +22,10 @@ AROUND = 0.35
 
 
 class CheckedFigure:
-    """Bodies on the joint frames of a robot's figure. They are made when they are shown for the first time."""
+    """CapsuleBodies on the joint frames of a robot's figure. They are made when they are shown for the first time."""
 
     def __init__(
-        self, scene: Any, figure: RobotFigure, name: str, make: Callable[[Robot], Sequence[Body]], *, replaces: bool
+        self, scene: Any, figure: RobotFigure, name: str, make: Callable[[Robot], Sequence[DrawnBody]], *, replaces: bool
     ) -> None:
         """`name`: in the scene; `make` gives the bodies of a robot; `replaces`: whether its links are hidden meanwhile."""
         self._scene, self._figure, self._name, self._make, self._replaces = scene, figure, name, make, replaces
@@ -68,7 +68,7 @@ def checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
     }
 
 
-def convex_bodies(robot: Robot) -> list[Body]:
+def convex_bodies(robot: Robot) -> list[DrawnBody]:
     """The bodies of the collision model; neighbouring ones differ in colour."""
     model = Scene().collision_model(robot)
     found = []
@@ -77,10 +77,10 @@ def convex_bodies(robot: Robot) -> list[Body]:
     return found
 
 
-def capsules(robot: Robot) -> list[Body]:
+def capsules(robot: Robot) -> list[DrawnBody]:
     """The capsules and balls that a controller keeps apart."""
     found = []
-    for body in Bodies.of(robot).items:
+    for body in CapsuleBodies.of(robot).items:
         along = body.end - body.start
         length = float(np.linalg.norm(along))
         turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
@@ -92,10 +92,10 @@ def capsules(robot: Robot) -> list[Body]:
 
 def _drawn(
     name: str, joint: int, place: pin.SE3, shape: coal.CollisionGeometry, colour: tuple[float, float, float, float]
-) -> list[Body]:
+) -> list[DrawnBody]:
     """The body, or nothing for a mesh without triangles and for an endless plane."""
     triangles = None if isinstance(shape, coal.Halfspace | coal.Plane) else triangles_of(shape)
     if triangles is None:
         return []
     vertices = triangles[0] @ place.rotation.T + place.translation
-    return [Body(name=name, joint=joint, vertices=vertices, faces=triangles[1], colour=colour)]
+    return [DrawnBody(name=name, joint=joint, vertices=vertices, faces=triangles[1], colour=colour)]

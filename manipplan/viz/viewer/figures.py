@@ -12,7 +12,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool
-from manipplan.viz.viewer.bodies import Body, appearance_of
+from manipplan.viz.viewer.bodies import DrawnBody, appearance_of
 from manipplan.viz.viewer.triangles import triangles_of
 
 #: Opacity of the ghost robot shown for comparison.
@@ -70,7 +70,7 @@ class PartFigure:
             put(self.root, solid.pose)
 
 
-def draw_body(scene: Any, name: str, body: Body, colour: tuple[float, ...], *, casts: bool) -> Any:
+def draw_body(scene: Any, name: str, body: DrawnBody, colour: tuple[float, ...], *, casts: bool) -> Any:
     """Draw a body in a colour with opacity (4,); `casts`: whether it casts a shadow. Returns viser's handle."""
     return scene.add_mesh_simple(
         name,

@@ -19,7 +19,7 @@ from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
 from manipplan.viz.motions import drawn_tools
-from manipplan.viz.viewer.chart import Chart, Curve
+from manipplan.viz.viewer.chart import Chart, ChartLine
 from manipplan.viz.viewer.checked import checked_layers
 from manipplan.viz.viewer.figures import EllipsoidFigure, RobotFigure, corners, ellipsoid_scale, put
 from manipplan.viz.viewer.motion import limits_now
@@ -211,7 +211,7 @@ class LiveViewer(Page):
             self.ellipsoid.place(q)
             if figures and len(self._past) > 1:
                 t, m = np.array(self._past).T
-                curve = Curve(name="measure", colour=style.OPTIMUM, values=m)
+                curve = ChartLine(name="measure", colour=style.OPTIMUM, values=m)
                 self._picture.content = Chart(t=t, curves=[curve], label=style.measure_label(self._kinematics)).html(now)
                 self._values.content = table(self._rows(q, m[-1]))
 

@@ -28,7 +28,7 @@ PLACES = 7
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MotionSamples:
-    """The motion, or the seed beside it, at the times of a `Motion`.
+    """The motion, or the seed beside it, at the times of a `ShownMotion`.
 
     Attributes:
         name: name in the legend.
@@ -46,7 +46,7 @@ class MotionSamples:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Motion:
+class ShownMotion:
     """The data behind the pictures of a plan or program, at SAMPLES evenly spaced times.
 
     Attributes:
@@ -80,7 +80,7 @@ class Motion:
     moved: tuple[MovedPart, ...] = ()
 
     @classmethod
-    def of(cls, shown: "Plan | Program") -> "Motion":
+    def of(cls, shown: "Plan | Program") -> "ShownMotion":
         """The motion of a plan or program; raises PlanningError when it has none."""
         if isinstance(shown, Program):
             robot, moved = bare(shown.robot), moved_parts(shown)
@@ -101,7 +101,7 @@ class Motion:
         result: PathResult,
         paths: Mapping[str, JointPath | None],
         status: str,
-    ) -> "Motion":
+    ) -> "ShownMotion":
         """A motion under the first name of `paths`, beside the path of the second name where there is one."""
         if trajectory.n != robot.n:
             raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")

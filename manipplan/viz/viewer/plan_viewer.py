@@ -10,8 +10,8 @@ import numpy as np
 from manipplan.support.checks import flag, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.chart import Chart, Curve
-from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.chart import Chart, ChartLine
+from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.panel import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
@@ -42,7 +42,7 @@ def show(plan: "Plan | Program", *, port: int = PORT, host: str = HOST, open_bro
     """
     require_extra()
     flag("open_browser", open_browser)
-    viewer = PlanViewer(Motion.of(plan), port=port, host=host)
+    viewer = PlanViewer(ShownMotion.of(plan), port=port, host=host)
     if open_browser:
         viewer.open()
     return viewer
@@ -57,7 +57,7 @@ class PlanViewer(Page):
         speed: playback speed relative to real time, above zero.
     """
 
-    def __init__(self, motion: Motion, *, port: int, host: str) -> None:
+    def __init__(self, motion: ShownMotion, *, port: int, host: str) -> None:
         super().__init__(port, host, motion.robot.name)
         self.motion = motion
         self._speed = 1.0
@@ -156,17 +156,17 @@ class PlanViewer(Page):
                 last = now
 
 
-def chart_of(motion: Motion) -> Chart:
+def chart_of(motion: ShownMotion) -> Chart:
     """The measure over time, of the motion and of the seed."""
     curves = [
-        Curve(name=course.name, colour=colour, values=np.nan_to_num(course.manipulability, posinf=0.0))
+        ChartLine(name=course.name, colour=colour, values=np.nan_to_num(course.manipulability, posinf=0.0))
         for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
     ]
     marks = [(mark.begin, f"{mark.step} {mark.name}") for mark in motion.marks]
     return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics), marks=marks)
 
 
-def about(motion: Motion) -> str:
+def about(motion: ShownMotion) -> str:
     """A description of the scene as HTML, with names escaped."""
     robot = motion.robot
     frames = f"tool frame{'s' * (len(robot.tools) > 1)} {' and '.join(robot.tools)}"

@@ -9,7 +9,7 @@ import numpy as np
 from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import write_text
-from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.panel import table
 from manipplan.viz.viewer.plan_viewer import chart_of
 from manipplan.viz.viewer.server import Page, require_extra
@@ -47,7 +47,7 @@ def record(plan: "Plan | Program", file: str | Path, *, rate: float = 25.0) -> P
     if not isinstance(file, str | Path) or Path(file).suffix.lower() not in (".html", ".htm"):
         raise InvalidInputError("file", file, "a file whose name ends in .html")
     path = Path(file).expanduser()
-    motion = Motion.of(plan)
+    motion = ShownMotion.of(plan)
     with Page(0, "localhost", motion.robot.name) as page:
         stage = Stage(page.server, motion)
         label = page.server.scene.add_label("/time", "", anchor="bottom-left", font_screen_scale=0.8)
@@ -64,7 +64,7 @@ def record(plan: "Plan | Program", file: str | Path, *, rate: float = 25.0) -> P
     return path
 
 
-def _panel(motion: Motion) -> str:
+def _panel(motion: ShownMotion) -> str:
     """The panel beside the scene; it can be folded, so that it covers nothing on a small screen."""
     rows = [("duration", f"{motion.trajectory.duration:.2f} s"), *motion.least()]
     return (

@@ -9,7 +9,7 @@ from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.viewer.checked import checked_layers
 from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, rgb
-from manipplan.viz.viewer.motion import Motion
+from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.surroundings import surround
 
 #: Thickness of a drawn path [px].
@@ -27,7 +27,7 @@ class Stage:
         layers: viser's handles, or a CheckedFigure, by the name of a switch; their `visible` shows and hides them.
     """
 
-    def __init__(self, server: Any, motion: Motion) -> None:
+    def __init__(self, server: Any, motion: ShownMotion) -> None:
         scene = server.scene
         self.motion = motion
         self.robot = RobotFigure(scene, "/robot", motion.robot)
