@@ -93,7 +93,7 @@ def brute_force(first, second, pairs):
 
 def coal_capsule(start, end, radius):
     turn = Rotation.align_vectors([end - start], [Z])[0].as_matrix()
-    return coal.SymbolicCapsule(radius, np.linalg.norm(end - start)), coal.Transform3s(turn, (start + end) / 2)
+    return coal.Capsule(radius, np.linalg.norm(end - start)), coal.Transform3s(turn, (start + end) / 2)
 
 
 def coal_second(second, rotation, c, d):
@@ -101,7 +101,7 @@ def coal_second(second, rotation, c, d):
         return coal_capsule(c, d, RADII[second])
     shape = {
         "sphere": coal.Sphere(RADII["sphere"]),
-        "box": coal.SymbolicBox(*(2 * h for h in HALF)),
+        "box": coal.Box(*(2 * h for h in HALF)),
         "plane": coal.Halfspace(Z, 0.0),
     }[second]
     return shape, coal.Transform3s(rotation, c)

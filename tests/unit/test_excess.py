@@ -114,7 +114,7 @@ def test_bodies_say_how_far_they_stick_out(tmp_path):
     bodies = CapsuleBodies.of(mp.load_robot(file))
     [body] = bodies.items
     assert body.excess == pytest.approx(0.05, abs=1e-6)
-    assert repr(body) == "Body('b_0', radius=50 mm, excess=50 mm)"
+    assert repr(body) == "CapsuleBody('b_0', radius=50 mm, excess=50 mm)"
     assert repr(bodies) == "CapsuleBodies(1 bodies, 0 pairs, excess=50 mm)"
 
 
