@@ -6,7 +6,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _Mesh, _Part, convex_pieces
+from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _WholeMesh, _CutPart, convex_pieces
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.shells import winding_number
 
@@ -96,7 +96,7 @@ def test_a_part_without_triangles_is_not_cut():
     triangles = box([-0.1] * 3, [0.1] * 3)
     cuts = tuple((sign * axis, 0.05) for axis in np.eye(3) for sign in (1.0, -1.0))
     corners = 0.05 * np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T
-    assert _Part(_Mesh(triangles), np.empty((0, 3, 3)), corners, cuts).best_cut(0.0) is None
+    assert _CutPart(_WholeMesh(triangles), np.empty((0, 3, 3)), corners, cuts).best_cut(0.0) is None
 
 
 def ring(inner, outer, length, sides=96):
