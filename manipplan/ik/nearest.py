@@ -46,8 +46,7 @@ class Nearest:
     @property
     def away(self) -> str:
         """How far it is away."""
-        apart = f"{1e3 * self.position:.4g} mm" if self.position < FAR else f"{self.position:.4g} m"
-        return f"{apart} and {np.rad2deg(self.rotation):.3g}° away"
+        return f"{1e3 * self.position:.4g} mm and {np.rad2deg(self.rotation):.3g}° away"
 
     def __str__(self) -> str:
         return self.away + (f", with {' and '.join(self.stopped)} at the limit" if self.stopped else "")

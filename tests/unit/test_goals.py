@@ -292,7 +292,7 @@ def test_of_equal_minima_the_smaller_g_is_taken(planar):
 
 
 def test_what_is_out_of_reach_is_told(panda, pose):
-    with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* m and .* away"):
+    with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* mm and .* away"):
         mp.plan(panda, panda.neutral, moved(pose, by=[2.0, 0.0, 0.0]), POST)
     plan = mp.plan(panda, panda.neutral, [moved(pose, by=[2.0, 0.0, 0.0]), pose], POST)
     assert plan.goal_index == 1
