@@ -365,7 +365,7 @@ def test_goals_of_random_configurations_are_reached(name):
     for q in some[~model.in_collision_rows(some, clearance=1e-3)][:60]:
         goals = {tool: mp.PoseGoal(place(robot, tool, q)) for tool in robot.tools}
         found = reaching_tools(goals, robot.neutral, model, integral, 0.0, np.zeros(robot.n, dtype=bool))
-        assert len(found.q) and not found.useless
+        assert len(found.q) and not found.rejected
         assert not model.in_collision_rows(found.q).any()
         assert (found.q >= robot.limits.lower).all() and (found.q <= robot.limits.upper).all()
         for tool in robot.tools:
@@ -394,7 +394,7 @@ def test_two_poses_that_need_different_torsos():
         goals[tool] = mp.PoseGoal(poses[(sign * poses[:, 2, 3]).argmax()])
     found = reaching_tools(goals, robot.neutral, model, integral, 0.0, np.zeros(robot.n, dtype=bool))
     assert not len(found.q)
-    assert "each tool reaches its pose alone, but no value of torso_lift_joint was found" in found.useless[0][1]
+    assert "each tool reaches its pose alone, but no value of torso_lift_joint was found" in found.rejected[0][1]
 
 
 def test_held_joints_stay_where_both_arms_and_a_torso_move():
