@@ -45,21 +45,22 @@ def making_expressions() -> Iterator[None]:
             _turn.unused.clear()
 
 
-def _free(owner: Any) -> None:
+def _free(owner: Any, turn: _Turn = _turn) -> None:
     """Free what belongs to an expression or a function now, or when another thread has made its own.
 
-    It does not wait: the garbage collector may call it where this thread has a lock that the other one needs.
+    It does not wait: the garbage collector may call it where this thread has a lock that the other one needs. It may be called
+    when the interpreter ends and this module's names are gone.
     """
     owned = vars(owner).pop("this", None)
     if owned is None:
         return
-    _turn.unused.append(owned)
+    turn.unused.append(owned)
     del owned
-    if _turn.lock.acquire(blocking=False):
+    if turn.lock.acquire(blocking=False):
         try:
-            _turn.unused.clear()
+            turn.unused.clear()
         finally:
-            _turn.lock.release()
+            turn.lock.release()
 
 
 for _kind in (ca.SX, ca.Function):

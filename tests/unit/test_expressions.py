@@ -132,3 +132,11 @@ ended.set()
 thread.join()
 """
     subprocess.run([sys.executable, "-W", "ignore", "-c", program], check=True, timeout=60)
+
+
+def test_expressions_that_are_left_when_the_process_ends_say_nothing():
+    program = (
+        "import sys, casadi as ca, manipplan as mp; sys.left = [ca.SX.sym('x'), mp.planar_arm([1.0, 1.0, 1.0]).kinematics()]"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stderr == ""

@@ -6,7 +6,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _WholeMesh, _CutPart, convex_pieces
+from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _CutPart, _WholeMesh, convex_pieces
 from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.shells import winding_number
 
