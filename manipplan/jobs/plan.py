@@ -20,6 +20,7 @@ from manipplan.jobs.goals.pose_goal import Goal
 from manipplan.jobs.goals.read import named_configuration, read_goals
 from manipplan.jobs.reports.tools import with_goals
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.optimize.homotopy import shifted_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
@@ -189,6 +190,8 @@ def plan(
 
     def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | str:
         """The path to a configuration, or why there is none."""
+        shifts = seeding.shifts if all(each.q is not None for each in targets) else AS_GIVEN
+        goals = len(shifted_goals(robot, q_start, q, shifts))
         try:
             found = optimize_path(
                 robot,
@@ -198,7 +201,7 @@ def plan(
                 constraints=kept.constraints,
                 objective=objective,
                 shape=shape,
-                seeding=replace(seeding, time_limit=max(seconds, SHORTEST_TIME)),
+                seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(goals, 1), SHORTEST_TIME)),
                 clearance=clearance,
                 executor=executor,
                 progress=tell,

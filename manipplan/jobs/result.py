@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 Given = TypeVar("Given", bound="PartialPlan")
 
 
-@dataclass(frozen=True, kw_only=True, repr=False)
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class PartialPlan(Pictured):
     """What a job returns with throw=False when it ends before there is a trajectory: missing parts are None.
 
@@ -174,7 +174,7 @@ class PartialPlan(Pictured):
         return self
 
 
-@dataclass(frozen=True, kw_only=True, repr=False)
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Plan(PartialPlan):
     """A motion with its path, its trajectory and its report; `status` tells whether the request was met.
 

@@ -89,8 +89,9 @@ class JointPath:
 
         closed = flag("closed", closed)
         places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
-        if len(places) != len(points) or len(places) < 2 or not (np.diff(places) > 0).all():
-            raise InvalidInputError("s", places, "increasing numbers, one per row of q")
+        increasing = len(places) == len(points) and len(places) >= 2 and (np.diff(places) > 0).all()
+        if not increasing or places[0] != 0 or places[-1] != 1:
+            raise InvalidInputError("s", places, f"{len(points)} increasing numbers from 0 to 1, one per row of q")
         own = distinct(
             len(places),
             lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(places[i] - places[j])),

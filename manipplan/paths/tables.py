@@ -52,8 +52,9 @@ class Table:
         header = tuple(cell.removeprefix("#").strip() for cell in first)
         for line, row in rows:
             if len(row) != len(header):
-                more = "; a decimal comma makes two cells of a number: write 0.5" if len(row) > len(header) else ""
-                wanted = f"{len(header)} cells, as in the first row{more}"
+                several = 1 < len(header) < len(row)
+                more = "; a decimal comma makes two cells of a number: write 0.5" if several else f": {first[0]}"
+                wanted = f"{len(header)} cells, as in the first row, which names the columns{more}"
                 raise FileFormatError("file", f"{path}, row {line}, with {len(row)} cells", wanted)
         return cls(path=path, header=header, rows=tuple(rows))
 

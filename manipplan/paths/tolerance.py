@@ -41,13 +41,17 @@ class StiffnessProfile:
 Stiffness = float | Callable[[float], float]
 
 
+#: Smallest tolerance [m, rad]: a fraction of it is the rounding error of the kinematics.
+SMALLEST = 1e-9
+
+
 @dataclass(frozen=True, kw_only=True)
 class Tolerance:
     """A tube around the path: how far the tool may leave its target.
 
     Attributes:
-        position: maximum distance [m] > 0; None: no limit.
-        rotation: maximum angle [rad] > 0; None: no limit.
+        position: maximum distance [m], at least 1e-9; None: no limit.
+        rotation: maximum angle [rad], at least 1e-9; None: no limit.
     """
 
     position: float | None = None
@@ -56,7 +60,7 @@ class Tolerance:
     def __post_init__(self) -> None:
         for name in ("position", "rotation"):
             if getattr(self, name) is not None:
-                number(name, getattr(self, name), above=0.0)
+                number(name, getattr(self, name), least=SMALLEST)
         if self.position is None and self.rotation is None:
             raise InvalidInputError("tolerance", None, "a position [m], a rotation [rad], or both")
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, configurations, number
+from manipplan.support.display import rounded_up
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -131,7 +132,7 @@ def _allowed(robot: "Robot", joint: int, value: float) -> str:
     off = max(lower - value, value - upper)
     told = limits_missed(lower, upper, value, "m" if slides else "rad")
     if off <= LARGEST_TOLERANCE:
-        return f"{told}; robot.with_limits(limit_tolerance={_rounded_up(off)}) takes it to the limit"
+        return f"{told}; robot.with_limits(limit_tolerance={rounded_up(off, 1):g}) takes it to the limit"
     if slides:
         far = off > upper - lower and lower <= value / 1e3 <= upper
         return f"{told}; {value:g} mm are {value / 1e3:.4g} m" if far else told
@@ -144,11 +145,3 @@ def _allowed(robot: "Robot", joint: int, value: float) -> str:
     if robot.turns[joint] and lower <= turned <= upper:
         return f"{told}; {turned:.9g} rad is the same posture"
     return told
-
-
-def _rounded_up(value: float) -> str:
-    """A number above zero with one digit, not below it."""
-    text = f"{value:.0e}"
-    if float(text) < value:
-        text = f"{value + 0.5 * 10.0 ** np.floor(np.log10(value)):.0e}"
-    return f"{float(text):g}"

@@ -95,7 +95,7 @@ def check_sizes(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> No
             raise FileFormatError("file", str(file), wanted)
         if (item.parentJoint and size > max(LONG * reach, _travel(model))) or (is_mesh and size < SHORT * reach):
             odd.append(f"{item.name} of link {frame.name} is {size:.2g} m long")
-    if odd and reach > 0:
+    if odd and _reach(model, base=False) > 0:
         log.warning(
             "%s: lengths are in metres; beside an arm of %.2g m these look like another unit: %s",
             file,
@@ -109,11 +109,12 @@ def largest_size(model: pin.Model) -> float:
     return max(REACHES * _reach(model), _travel(model), ROOM)
 
 
-def _reach(model: pin.Model) -> float:
-    """The length of the longest chain of links [m]."""
+def _reach(model: pin.Model, *, base: bool = True) -> float:
+    """The length of the longest chain of links [m], with or without the way from the base to the first joint."""
     lengths = [0.0]
     for k in range(1, model.njoints):
-        lengths.append(lengths[model.parents[k]] + float(np.linalg.norm(model.jointPlacements[k].translation)))
+        link = float(np.linalg.norm(model.jointPlacements[k].translation)) if base or model.parents[k] else 0.0
+        lengths.append(lengths[model.parents[k]] + link)
     ends = (lengths[frame.parentJoint] + float(np.linalg.norm(frame.placement.translation)) for frame in model.frames)
     return max(ends, default=0.0)
 

@@ -135,7 +135,7 @@ class _SomeJoints(_Condition):
         first, second = task.model.pair_names[barrier.pairs[nearest]]
         contact = f"closer than the clearance of {1e3 * task.clearance:.3g} mm" if task.clearance else "into contact"
         turns = task.model.robot.turns[self.joints] & (self.high - self.low >= 2 * np.pi)
-        turned = "; Seeding(shifts='within-limits') tries goals a full turn away as well" if turns.any() else ""
+        turned = "; goals a full turn away are other goals (Seeding.shifts)" if turns.any() else ""
         one = f"{first} and {second} {contact}"
         several = f"two bodies {contact}; at the {ENDS[barrier.end]} {first} and {second} are the nearest of them"
         return (

@@ -46,7 +46,7 @@ class Seeding:
         shifts: full turns of a goal that is a configuration, whose posture is the same. "none": as it is given. "nearest": the
             short way, each revolute joint ends at the turn nearest to the start that its limits allow; of a joint without
             limits any 2 π k counts. "within-limits": goals 2π away in each revolute joint are tried, too, at most 3 to the
-            power of n of them, and the best path is returned. Not together with `initial`.
+            power of n of them, and the best path is returned; `plan` divides its time among them. Not together with `initial`.
         initial: a first path from start to goal: a JointPath, a Trajectory, or a trajectory file (.csv, .json, .yaml, .npz),
             such as a recorded motion. With a scene it must be collision-free. The descent starts from the fit to it, so
             optimising a result again returns it. None: the straight line, or with a scene a path of the planner.

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import fields, is_dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from enum import Enum
 from typing import Any, TypeVar
 
@@ -37,6 +38,16 @@ def _repr(value: Any) -> str:
     parts = [f"{name}={short(part)}" for name, part in given if not _is_empty(part)]
     text = f"{type(value).__name__}({', '.join(parts)})"
     return text if len(text) <= LONGEST else text[: LONGEST - 4] + "...)"
+
+
+def rounded_up(value: float, digits: int) -> float:
+    """The smallest number with so many digits that is not below `value`."""
+    return float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal_from_float(value))
+
+
+def rounded_down(value: float, digits: int) -> float:
+    """The largest number with so many digits that is not above `value`."""
+    return float(Context(prec=digits, rounding=ROUND_FLOOR).create_decimal_from_float(value))
 
 
 def short(value: Any) -> str:

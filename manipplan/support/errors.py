@@ -35,7 +35,8 @@ class InvalidInputError(ManipplanError, ValueError):
         self.argument = argument
         self.value = value
         self.allowed = allowed
-        super().__init__(f"{_cut(argument, 400)}: got {_short(value)}; allowed: {_cut(allowed, 2000)}")
+        told = plain_numbers(_cut(allowed, 2000))
+        super(ManipplanError, self).__init__(f"{_cut(argument, 400)}: got {_short(value)}; allowed: {told}")  # a text as it is
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.argument, self.value, self.allowed)
@@ -164,7 +165,8 @@ class PlanningError(ManipplanError):
 
 
 def _short(value: object) -> str:
-    return _cut(plain_numbers(" ".join(_SHORT.repr(value).split())), 160)
+    text = " ".join(_SHORT.repr(value).split())
+    return _cut(text if isinstance(value, str) else plain_numbers(text), 160)
 
 
 def _cut(text: str, longest: int) -> str:

@@ -1,8 +1,11 @@
 """Files that are written completely or not at all, files whose folder has moved, and the user's cache folder."""
 
 import errno
+import io
 import os
+import stat
 import tempfile
+import uuid
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO
@@ -20,6 +23,9 @@ def write_text(file: str | Path, text: str) -> None:
 def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     """Let `write` fill a temporary file beside `file`, then rename it to `file`.
 
+    A symbolic link stays: the file that it names is replaced. A file that is replaced keeps its permissions. What is not
+    a file (a pipe, a terminal, a device) is written as it is.
+
     Raises InvalidInputError when the folder does not exist or cannot be written, or the disk is full.
     """
     if not isinstance(file, str | Path):
@@ -28,22 +34,30 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
     try:
         if path.is_dir():
             raise InvalidInputError("file", str(path), "a file, not a folder")
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+        if path.exists() and not path.is_file():
+            content = io.BytesIO()  # a pipe cannot be wound back, which some writers need
+            write(content)
+            path.write_bytes(content.getvalue())
+        else:
+            _replace(Path(os.path.realpath(path)), write)
     except InvalidInputError:
         raise
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         raise InvalidInputError("file", str(path), f"a path that can be written ({_reason(error)})") from error
-    part = Path(name)
-    try:
-        with os.fdopen(handle, "wb") as stream:
+
+
+def _replace(path: Path, write: Callable[[IO[bytes]], object]) -> None:
+    part = path.with_name(f".{path.name[:100]}.{uuid.uuid4().hex}.part")
+    with part.open("xb") as stream:
+        try:
             write(stream)
-        part.chmod(0o644)
-        part.replace(path)
-    except BaseException as error:
-        part.unlink()
-        if isinstance(error, OSError):  # a full disk
-            raise InvalidInputError("file", str(path), f"a path that can be written ({_reason(error)})") from error
-        raise
+            if path.exists():
+                part.chmod(stat.S_IMODE(path.stat().st_mode))
+            stream.close()  # writes what is still in memory, before the rename
+            part.replace(path)
+        except BaseException:
+            part.unlink()
+            raise
 
 
 def absolute_and_relative(path: Path, folder: Path) -> dict[str, str]:

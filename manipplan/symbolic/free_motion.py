@@ -66,7 +66,10 @@ class FreeMotion:
             shifts, in_tool = _free_directions(task, world[:, :3], tool[:, :3])
             turns, axis = _free_rotations(task, world[:, 3:], tool[:, 3:])
         if in_tool and not (turns is Turns.NONE or (turns is Turns.TOOL_AXIS and _is_kept(shifts, axis))):
-            wanted = "shifts that are free along the tool axis about which it turns freely, all across it, or in the world"
+            wanted = (
+                "shifts that are free along the tool axis about which it turns freely, all across it, or in the world, as of "
+                "Task.custom([[1, 0, 0, 0, 0, 0]], frame='world', name='x')"
+            )
             raise InvalidInputError("task", task.name, wanted)
         return cls(shifts=shifts, in_tool=in_tool, turns=turns, axis=axis)
 

@@ -46,7 +46,9 @@ def retime(
 ) -> Trajectory:
     """Find the fastest motion of a robot along `path` within its limits, and verify it.
 
-    The motion goes from rest to rest unless a speed is given. The arm stops where the path turns a corner or stands still.
+    The limits are those of velocity, acceleration, jerk and torque. The path is taken as it is, also outside the position
+    limits or in collision: `check` judges the motion. It goes from rest to rest unless a speed is given. The arm stops where
+    the path turns a corner or stands still.
 
     Args:
         path: the curve q(s), whose parameter is not time. `Trajectory.path` starts and ends so slowly that timing it again

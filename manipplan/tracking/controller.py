@@ -178,6 +178,9 @@ class Controller:
         how = "machine code" if self.compiled else "virtual machine"
         return f"Controller({self.robot!r}, {self.formulation!r}, dt={self.dt:g}, task={self.task.name!r}, {how})"
 
+    def __reduce__(self) -> Any:
+        raise TypeError("a Controller cannot be copied or pickled, as it holds machine code: make one in each process")
+
     @property
     def bodies(self) -> tuple[CapsuleBody, ...]:
         """The capsules that an avoidance keeps apart, each with its radius and its excess beyond the link."""
@@ -356,6 +359,8 @@ class Controller:
 
     def _set_obstacles(self, obstacles: Mapping[str, tuple[Any, ArrayLike]]) -> None:
         moving = self._avoidance.moving if self._avoidance is not None else ()
+        if not isinstance(obstacles, Mapping):
+            raise InvalidInputError("obstacles", obstacles, "a mapping of names to pairs of a pose (4, 4) and a velocity (6,)")
         for name, (pose, velocity) in obstacles.items():
             one_of("obstacles", name, moving)
             at = slice(OBSTACLE_SIZE * moving.index(name), OBSTACLE_SIZE * (moving.index(name) + 1))

@@ -1,5 +1,7 @@
 """Controller: statuses, arguments, machine code against CasADi's virtual machine, rollout against single steps."""
 
+import copy
+import pickle
 from dataclasses import dataclass
 
 import casadi as ca
@@ -112,6 +114,17 @@ def test_what_is_no_usable_number_brakes_within_all_limits(controller, given):
         q = q + DT * qd
         if k == 20:
             assert not qd.any()
+
+
+def test_obstacles_that_are_no_mapping_are_refused(controller, arm):
+    with pytest.raises(mp.InvalidInputError, match="obstacles: got 'ball'; allowed: a mapping"):
+        controller.step(Q, REST, pose_of(arm), obstacles="ball")
+
+
+def test_a_controller_is_not_copied(tracker):
+    for copied in (copy.deepcopy, pickle.dumps):
+        with pytest.raises(TypeError, match="make one in each process"):
+            copied(tracker)
 
 
 def test_braking_near_a_limit_stops_before_it(controller):

@@ -178,12 +178,12 @@ def test_a_closed_spline_of_three_rows():
 @pytest.mark.parametrize(
     ("s", "q", "closed", "message"),
     [
-        ([0.0, 0.5], Q, False, "s: .*increasing numbers, one per row of q"),
+        ([0.0, 0.5], Q, False, "s: .*increasing numbers from 0 to 1, one per row of q"),
         ([0.0], Q[:1], False, "s: "),
         ([0.0, 0.6, 0.5], Q[:3], False, "s: "),
         ([0.0, 0.5, 0.5], Q[:3], False, "s: "),
-        ([0.0, 0.5, 2.0], Q[:3], False, "breaks: "),
-        ([0.1, 0.5, 1.0], Q[:3], False, "breaks: "),
+        ([0.0, 0.5, 2.0], Q[:3], False, "s: "),
+        ([0.1, 0.5, 1.0], Q[:3], False, "s: "),
         ([0.0, np.nan, 1.0], Q[:3], False, "s: .*finite"),
         ([0.0, 0.5, 1.0], [[0.0], [np.inf], [1.0]], False, "q: .*finite"),
         ([0.0, 0.5, 1.0], [0.0, 1.0, 2.0], False, "q: .*shape"),

@@ -527,7 +527,7 @@ def test_goals_of_a_file(panda, tmp_path):
         ("goals: [{position: [0, 0, 0], rotation: [0, 0, 0], tolerance: 1}]", r"goals\[0\]\.tolerance in "),
         (
             "goals: [{position: [0, 0, 0], rotation: [0, 0, 0], tolerance: {position: -1}}]",
-            r"goals\[0\]\.position in .*above 0",
+            r"goals\[0\]\.position in .*at least 1e-09",
         ),
         ("goals: [{position: [0, 0, 0], rotation: [0, 0, 0], free_axis: [0, 0, 0]}]", r"goals\[0\]\.free_axis in .*not zero"),
         ("goals: [{position: [0, 0, 0], rotation: [0, 0, 0], colour: red}]", r"goals\[0\] in "),

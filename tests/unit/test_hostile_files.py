@@ -2,6 +2,9 @@
 
 import errno
 import io
+import os
+import stat
+import threading
 import zipfile
 from pathlib import Path
 
@@ -135,3 +138,53 @@ def test_messages_have_a_longest_length():
     for error in (mp.InvalidInputError(text, text, text), mp.FileFormatError(text, [text] * 100, text)):
         assert len(str(error)) < 3000
         assert error.allowed == text
+
+
+def test_a_link_stays_and_its_file_is_replaced(motion, tmp_path):
+    real, link = tmp_path / "real.csv", tmp_path / "link.csv"
+    real.write_text("old")
+    real.chmod(0o640)
+    link.symlink_to(real)
+    motion.to_csv(link)
+    assert link.is_symlink() and real.stat().st_mode & 0o777 == 0o640
+    assert len(mp.Trajectory.from_csv(real).t) == len(motion.t)
+    beyond = tmp_path / "beyond.csv"
+    beyond.symlink_to(tmp_path / "new.csv")
+    motion.to_csv(beyond)
+    assert beyond.is_symlink() and (tmp_path / "new.csv").is_file()
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_a_pipe_is_written_and_stays_a_pipe(motion, tmp_path):
+    pipe, read = tmp_path / "pipe", []
+    os.mkfifo(pipe)
+    reader = threading.Thread(target=lambda: read.append(pipe.read_bytes()))
+    reader.start()
+    motion.to_csv(tmp_path / "same.csv")
+    motion.to_csv(pipe)
+    reader.join()
+    assert stat.S_ISFIFO(pipe.stat().st_mode) and read == [(tmp_path / "same.csv").read_bytes()]
+
+
+@pytest.mark.parametrize("umask", [0o022, 0o077, 0o002])
+def test_a_new_file_has_the_permissions_that_the_umask_leaves(motion, tmp_path, umask):
+    before = os.umask(umask)
+    try:
+        motion.to_csv(tmp_path / "motion.csv")
+    finally:
+        os.umask(before)
+    assert (tmp_path / "motion.csv").stat().st_mode & 0o777 == 0o666 & ~umask
+
+
+def test_a_comment_as_the_first_row_is_named(tmp_path):
+    file = tmp_path / "noted.csv"
+    file.write_text("# hi\ntime,q_a\n0,0\n1,1\n")
+    with pytest.raises(mp.FileFormatError, match="row 2, with 2 cells'; allowed: 1 cells, as in the first row.*: # hi"):
+        mp.Trajectory.from_csv(file)
+
+
+def test_a_cell_is_told_as_it_stands_in_the_file(tmp_path):
+    file = tmp_path / "printed.csv"
+    file.write_text("time,q_a\n0,np.float64(-0.6)\n1,1\n")
+    with pytest.raises(mp.FileFormatError, match=r"q_a: np\.float64\(-0\.6\)'; allowed: a number"):
+        mp.Trajectory.from_csv(file)

@@ -242,6 +242,9 @@ def test_limits_bound_the_short_way_and_all_turns_pass_their_checks():
     for shifts, ends in (("none", -3.0), ("nearest", TURN - 3.0), ("within-limits", TURN - 3.0)):
         plan = mp.plan(UR5, start, goal, seeding=mp.Seeding(shifts=shifts))
         assert plan.report.passed and plan.path.goal[5] == pytest.approx(ends, abs=1e-9)
+    pose = UR5.kinematics().pose(goal)  # turns of its configurations are tried anyway
+    one, other = (mp.plan(UR5, start, pose, seeding=mp.Seeding(shifts=shifts)) for shifts in ("none", "within-limits"))
+    assert np.array_equal(one.trajectory.q, other.trajectory.q)
     narrow = UR5.with_limits(upper=np.where(np.arange(6) == 5, 3.1, TURN))
     assert mp.plan(narrow, start, goal, seeding=mp.Seeding(shifts="nearest")).path.goal[5] == -3.0
     with pytest.raises(mp.InvalidInputError, match="'nearest' for the short way"):

@@ -183,6 +183,25 @@ def test_stl_files_that_are_cut_off(tmp_path, name):
             robot(tmp_path, name, MESHES[name][: int(share * len(MESHES[name]))])
 
 
+@pytest.mark.parametrize("header", [b"solid of a CAD program", b"made elsewhere"])
+def test_bytes_behind_a_binary_stl_are_told(tmp_path, header):
+    with pytest.raises(mp.FileFormatError, match="its header announces 6 facets, but it holds 6.04"):
+        robot(tmp_path, "wedge.stl", header.ljust(80) + MESHES["wedge.stl"][80:] + bytes(2))
+
+
+def test_a_base_offset_is_no_length_of_the_arm(tmp_path, caplog):
+    """A turntable with a long table: nothing tells its unit."""
+    body = '<collision><geometry><box size="0.9 0.05 0.05"/></geometry></collision>'
+    joint = (
+        '<origin xyz="0 0 0.1"/><parent link="base"/><child link="table"/><limit lower="-2" upper="2" velocity="1" effort="1"/>'
+    )
+    (tmp_path / "r.urdf").write_text(
+        f'<robot name="r"><link name="base"/><link name="table">{body}</link><joint name="j" type="revolute">{joint}</joint></robot>'
+    )
+    mp.load_robot(tmp_path / "r.urdf")
+    assert "another unit" not in caplog.text
+
+
 def collada(tmp_path, unit, transform, up="Z_UP"):
     """The wedge of the samples in a file of another unit and with another transform of its node."""
     text = MESHES["wedge.dae"].decode().replace('<unit meter="1" name="meter"/>', unit).replace("Z_UP", up)

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
+from manipplan.support.display import rounded_down, rounded_up
 
 QUARTER = "1.57079632679"
 numbers = st.one_of(
@@ -24,6 +25,13 @@ def test_numbers_in_messages_are_plain(value):
     error = mp.InvalidInputError("limits", value, f"below {value}")
     for each in (error, pickle.loads(pickle.dumps(error)), mp.PlanningError(f"at {value!r}")):
         assert "np." not in str(each)
+
+
+@given(st.floats(1e-12, 1e12), st.integers(1, 12))
+def test_bounds_are_rounded_to_the_safe_side(value, digits):
+    low, high = rounded_down(value, digits), rounded_up(value, digits)
+    assert low <= value <= high and high - low < 1.1 * 10.0 ** (1 - digits) * value
+    assert float(f"{low:.{digits}g}") == low and float(f"{high:.{digits}g}") == high
 
 
 @pytest.mark.parametrize("value", [10**5000, -(10**5000), [10**5000], {"a": 10**400}], ids=("long", "negative", "list", "dict"))

@@ -1,11 +1,14 @@
 """Timing: limits hold exactly, the motion is fast, and failure says why."""
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pinocchio as pin
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.paths.joint import cut
@@ -330,6 +333,18 @@ def test_segments_hold_where_they_are_and_nowhere_else():
         # 0.8 rad at 0.3, and on both sides ramps of 0 to 1 and 1 to 0.3
         left, right = 0.8 / 1 + 0.5 / 4 + 0.49 / 8, 2.4 / 1 + 0.5 / 4 + 0.49 / 8
         assert trajectory.duration == pytest.approx(left + 0.8 / 0.3 + right, rel=3e-3)
+
+
+@given(limit=st.floats(0.1, 10.0))
+@settings(max_examples=30, deadline=None)
+def test_the_speed_that_a_message_allows_is_allowed(limit):
+    robot, path = (
+        mp.planar_arm([1.0, 1.0]).with_limits(velocity=limit, acceleration=1e3),
+        mp.JointPath.line([0.0, 0.0], [1.0, 0.3]),
+    )
+    with pytest.raises(mp.InvalidInputError, match="the velocity limit of") as told:
+        mp.retime(path, robot, start_speed=20.0)
+    assert mp.retime(path, robot, start_speed=float(re.search(r"0 to ([\d.e+-]+):", str(told.value))[1])).duration > 0
 
 
 def test_segments_overlap_and_survive_pieces_left_out():

@@ -183,6 +183,8 @@ def follow(
     """
     one_tool(instance("robot", robot, Robot), "following a path of the tool")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    if not isinstance(path, CartesianPath):
+        raise InvalidInputError("path", path, "a CartesianPath, such as CartesianPath.through([pose, pose])")
     instance("objective", objective, PathObjective)
     metric = metric_matrix("metric", objective.metric, robot.n)
     if objective.measure is not None:

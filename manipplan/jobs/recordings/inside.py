@@ -16,6 +16,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
+from manipplan.support.display import rounded_up
 from manipplan.support.errors import InvalidInputError
 
 #: Weights for the best motion, for the smoothest one, and for the shortest duration.
@@ -87,10 +88,12 @@ def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | N
             return search.run(first)
         shortest = min(shortest, ratio)
     robot = tube.model.robot.name
-    wanted = (
-        f"at least {_up(shortest * tube.duration):g} s, the shortest found in which {robot} keeps its limits and the tolerance"
-    )
-    raise InvalidInputError("duration", tube.duration, wanted)
+    least = f"{rounded_up(shortest * tube.duration, 4):g}"
+    kept = f"the shortest found in which {robot} keeps its limits and the tolerance"
+    if tube.duration == tube.recorded.duration:
+        wanted = f"duration={least} or longer, {kept}"
+        raise InvalidInputError("recorded", f"a motion of {tube.duration:g} s without a duration", wanted)
+    raise InvalidInputError("duration", tube.duration, f"at least {least} s, {kept}")
 
 
 class _PieceSearch:
@@ -155,8 +158,8 @@ class _PieceSearch:
             raise InvalidInputError(
                 f"tolerance.{name}",
                 float(self.tube.radii[kind]),
-                f"at least {_up(least):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) from the "
-                "smooth motion under the noise",
+                f"at least {rounded_up(least, 4):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) "
+                "from the smooth motion under the noise",
             )
         index = np.clip(np.searchsorted(u, self.program.u), 0, len(u))
         reach = 1.0 / self.smooth.basis.pieces
@@ -201,9 +204,3 @@ class _PieceSearch:
             places, room = more, np.maximum(room - NARROWER * np.maximum(excess, 0.0), LEAST * self.room)
             rows = rows_for(model, path, safe, nearest(model, path, places), clearance) if places else ()
         return control
-
-
-def _up(value: float) -> float:
-    """A number rounded up to four digits."""
-    unit = 10.0 ** (np.floor(np.log10(value)) - 3)
-    return float(np.round(np.ceil(value / unit) * unit, 12))

@@ -121,6 +121,7 @@ class TubeProgram:
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,
+                "max_hessian_perturbation": 1e6,  # beyond it the factors of the matrix fill up: a step takes seconds
             },
         }
         solver = ca.nlpsol("tube", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)

@@ -141,7 +141,7 @@ def _stl(data: bytes) -> Array:
         check_count(count)
     if len(data) == HEADER + FACET.itemsize * count:
         return np.asarray(np.frombuffer(data, FACET, count, HEADER)["corners"], dtype=float)
-    if not re.match(rb"\s*solid", data, re.IGNORECASE):
+    if b"\0" in data or not re.match(rb"\s*solid", data, re.IGNORECASE):  # a binary header may begin with "solid", too
         held = max(len(data) - HEADER, 0) / FACET.itemsize
         raise ValueError(f"its header announces {max(count, 0)} facets, but it holds {held:g}")
     if len(re.findall(rb"(?i)^\s*endsolid", data, re.MULTILINE)) != len(re.findall(rb"(?i)^\s*solid", data, re.MULTILINE)):

@@ -34,6 +34,8 @@ def choose_positions(path: CartesianPath, *, stride: float = STRIDE, closed: boo
     steps = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1)
     steps += RADIAN * angles_between(poses[:-1, :3, :3], poses[1:, :3, :3])
     way = np.concatenate([[0.0], np.cumsum(steps)])
+    if way[-1] < SHARED:
+        raise InvalidInputError("path", f"a path of {way[-1]:.2g} m", f"one on which the tool moves by {SHARED:g} m or turns")
     at = np.interp(knots, places, way)
     own = distinct(len(knots), lambda i, j: np.abs(at[i] - at[j]), SHARED)
     knots, at = knots[own], at[own]

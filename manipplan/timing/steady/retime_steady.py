@@ -9,6 +9,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.display import rounded_down
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.retime import retime
 from manipplan.timing.segment import Segment, ToolSpeed
@@ -110,7 +111,7 @@ def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Tra
 
 def _fastest(keep: Callable[[float], object | None], guess: float, most: float) -> float | None:
     """The fastest constant speed, in three digits, found by bisection up to `most`; None for none."""
-    low, high, speed = 0.0, most, _rounded_down(0.999 * guess)
+    low, high, speed = 0.0, most, rounded_down(0.999 * guess, 3)
     for _ in range(TRIES):
         try:
             kept = keep(speed) is not None
@@ -119,13 +120,7 @@ def _fastest(keep: Callable[[float], object | None], guess: float, most: float) 
         low, high = (speed, high) if kept else (low, speed)
         if high <= CLOSE * low:
             break
-        speed = _rounded_down(np.sqrt(low * high) if low else LESS * high)
+        speed = rounded_down(np.sqrt(low * high) if low else LESS * high, 3)
         if speed <= low:
             break
     return low or None
-
-
-def _rounded_down(value: float) -> float:
-    """A positive number with three digits, at most as large."""
-    unit = 10.0 ** (np.floor(np.log10(value)) - 2)
-    return float(f"{np.floor(value / unit) * unit:.3g}")
