@@ -24,7 +24,7 @@ from path_suite import load
 
 import manipplan as mp
 from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents.constraint_rows import ConstraintSearch
+from manipplan.optimize.descents.rows import ConstraintSearch
 from manipplan.optimize.program import PathProgram, Solution
 from manipplan.support.deadline import NEVER, Deadline
 

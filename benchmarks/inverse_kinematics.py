@@ -21,10 +21,10 @@ import pinocchio as pin
 from rich.progress import Progress
 
 import manipplan as mp
-from manipplan.ik.distinct import distinct
+from manipplan.ik.bridge import swivels_of
 from manipplan.ik.form import closed_form
 from manipplan.ik.geometry import Screws
-from manipplan.ik.native import swivels_of
+from manipplan.ik.solutions import distinct
 from manipplan.ik.solver import REACHED, Solver
 
 ROOT = Path(__file__).parents[1]

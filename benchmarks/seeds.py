@@ -22,11 +22,11 @@ from rich.progress import track
 
 import manipplan as mp
 from manipplan.cost.crossings import least_crossings
-from manipplan.kinematics.sides import sides_of
-from manipplan.seeds import acceptance
-from manipplan.seeds.acceptance import SIDES_STEP
+from manipplan.kinematics.factors import sides_of
+from manipplan.seeds import task
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.ompl import OmplSearch
+from manipplan.seeds.task import SIDES_STEP
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "seeds.md"
 PLANNERS = {"auto": "ours", "RRTConnect": "OMPL's RRTConnect"}
@@ -164,7 +164,7 @@ def main(arguments: Sequence[str] | None = None) -> dict[tuple[str, str], list[O
     for owner, name, part in (
         (TreeSearch, "run", "search"),
         (OmplSearch, "run", "search"),
-        (acceptance, "path_clearance", "proof"),
+        (task, "path_clearance", "proof"),
     ):
         clock.watch(owner, name, part)
     made: dict[tuple[str, str], list[Outcome]] = defaultdict(list)

@@ -14,20 +14,18 @@ Trajectory that anybody made.
 from manipplan.collision.path_clearance import PathClearance
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
-from manipplan.constraints.box import PositionBox
+from manipplan.constraints.built_in import HeldJoints, PositionBox, TiltLimit
 from manipplan.constraints.constraint import Constraint, SymbolicPose
-from manipplan.constraints.figures import ConstraintFigure
-from manipplan.constraints.held import HeldJoints
-from manipplan.constraints.tilt import TiltLimit
+from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost, path_cost
 from manipplan.cost.objective import PathObjective
+from manipplan.goals.candidates import GoalCandidate
+from manipplan.goals.pose_goal import PoseGoal
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
 from manipplan.jobs.carrying.carry import carry
 from manipplan.jobs.check import check
 from manipplan.jobs.following.follow import follow
-from manipplan.jobs.goals.candidates import GoalCandidate
-from manipplan.jobs.goals.pose_goal import PoseGoal
 from manipplan.jobs.improve import improve
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import plan_many
@@ -36,11 +34,9 @@ from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
-from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.reports.report import PlanReport, Report
-from manipplan.jobs.reports.tools import ToolFigure
+from manipplan.jobs.report import PathPart, PlanReport, Report, ToolFigure
 from manipplan.jobs.result import PartialPlan, Plan
-from manipplan.kinematics.evaluate import Evaluator
+from manipplan.kinematics.batch import Evaluator
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
@@ -64,12 +60,12 @@ from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.layers import Layers
-from manipplan.search.candidates.sampling import sample_layers
 from manipplan.search.guilamo import GuilamoResult, guilamo_search
 from manipplan.search.interruptions import Interruptions, fewest_interruptions
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
+from manipplan.search.sampling import sample_layers
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.errors import (
@@ -90,9 +86,9 @@ from manipplan.support.errors import (
 from manipplan.support.status import Status
 from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi, pinocchio_casadi
 from manipplan.symbolic.task import Task
+from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.retime import retime
-from manipplan.timing.segment import Segment
-from manipplan.timing.steady.speed import SteadySpeed
+from manipplan.timing.stops import Segment
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 from manipplan.tracking import formulations
 from manipplan.tracking.avoidance import Avoidance

@@ -19,8 +19,8 @@ from raster import Raster
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.excess import distances_to
-from manipplan.collision.primitives import core_of, mesh_triangles
+from manipplan.collision.covers.fitting import distances_to
+from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz.shapes import surface_of
 from manipplan.viz.style import ARM, ELLIPSOID, PIECES, STYLE

@@ -10,8 +10,8 @@ from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of
 from manipplan.constraints.constraint_file import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
-from manipplan.jobs.goals.pose_goal import Goal
+from manipplan.goals.pose_goal import Goal
+from manipplan.goals.read import goals_from_yaml, pose_of_numbers
 from manipplan.jobs.plan import plan as plan_job
 from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot

@@ -7,8 +7,8 @@ from rich.console import Console
 from tyro.conf import Positional
 
 from manipplan.cli.terminal import show_line
+from manipplan.jobs.programs.program import NAME as PROGRAM
 from manipplan.jobs.programs.program import Program
-from manipplan.jobs.programs.stored import NAME as PROGRAM
 from manipplan.jobs.result import Plan
 
 

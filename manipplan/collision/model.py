@@ -1,6 +1,12 @@
-"""CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked."""
+"""CollisionModel: a robot as convex bodies among the obstacles of a scene, and the pairs that are checked.
+
+Distances of only those pairs that are near: among a thousand obstacles these are few.
+
+The nearest points of pairs of bodies, the direction between them, and the gradients of their distances.
+"""
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 
@@ -10,16 +16,94 @@ import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
-from manipplan.collision.near_pairs import NearPairs, apart_text
-from manipplan.collision.primitives import core_of
 from manipplan.collision.surfaces.shells import connected_parts, winding_number
-from manipplan.collision.witnesses import Witnesses
-from manipplan.collision.world import placed_triangles
+from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
+
+#: Distance below which two bodies touch, for messages [m].
+CONTACT = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class NearPairs:
+    """Distances below a limit at m configurations, ordered by row, then pair; (e,) each.
+
+    Attributes:
+        shape: number of configurations and of all pairs.
+        rows: indices of the configurations.
+        pairs: indices of the pairs.
+        distances: signed distances [m].
+    """
+
+    shape: tuple[int, int]
+    rows: NDArray[np.intp]
+    pairs: NDArray[np.intp]
+    distances: Array
+
+    @classmethod
+    def of(cls, shape: tuple[int, int], where: NDArray[np.intp], distances: Array) -> "NearPairs":
+        """From row * number of pairs + pair (e,), sorted, and distances (e,) [m]."""
+        rows, pairs = np.divmod(where, max(shape[1], 1))
+        return cls(shape=shape, rows=rows, pairs=pairs, distances=distances)
+
+    def at(self, rows: NDArray[np.intp], pairs: NDArray[np.intp], default: float | Array) -> Array:
+        """Distances (k,) of pairs (k,) at rows (k,) [m]; `default` for those that are not near."""
+        where, wanted = self.rows * self.shape[1] + self.pairs, rows * self.shape[1] + pairs
+        place = np.minimum(np.searchsorted(where, wanted), max(len(where) - 1, 0))
+        known = where[place] == wanted if len(where) else np.zeros(len(wanted), dtype=bool)
+        found = np.array(np.broadcast_to(default, wanted.shape), dtype=float)
+        found[known] = self.distances[place[known]]
+        return found
+
+    def beside(self, default: float) -> tuple[Array, Array]:
+        """Distances (e,) of the same pairs at the configurations before and after [m]; inf where there is none."""
+        before, after = (self.at(self.rows + step, self.pairs, default) for step in (-1, 1))
+        before[self.rows == 0] = after[self.rows == self.shape[0] - 1] = np.inf
+        return before, after
+
+
+def apart_text(distance: float) -> str:
+    """What messages say of the distance of two bodies [m], such as "are 3.2 mm apart"."""
+    if abs(distance) < CONTACT:
+        return "touch"
+    return f"are {1e3 * distance:.3g} mm apart" if distance > 0 else f"overlap by {-1e3 * distance:.3g} mm"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Witnesses:
+    """Two points fixed to the bodies of each of m pairs: the pair's distance is at most that of the points minus both `radii`.
+
+    The point of a sphere or capsule lies on its centre or axis, that of any other body on its surface.
+
+    Attributes:
+        distances: (m,) signed distances [m].
+        joints: (m, 2) indices of the joints that carry the two bodies (0: the world).
+        normals: (m, 3) unit vectors from the second body to the first, in the frame of the second's joint. They lead out of a
+            solid that the first body is in.
+        opposites: (m, 3) the opposite vectors, in the frame of the first's joint.
+        points, others: (m, 3) the points of the first and the second bodies, in the frames of their joints [m].
+        radii: (m, 2) of the two bodies around their points [m]; 0 for points on the surface.
+        gradients: (m, n) of the distances [m per rad or m].
+    """
+
+    distances: Array
+    joints: NDArray[np.int64]
+    normals: Array
+    opposites: Array
+    points: Array
+    others: Array
+    radii: Array
+    gradients: Array
+
+    @property
+    def offsets(self) -> Array:
+        """(m,) normals · p [m], with p the points of the second bodies' surfaces: these bodies lie below."""
+        return np.asarray((self.normals * self.others).sum(axis=1) + self.radii[:, 1])
+
 
 #: Accuracy of coal's distances between curved bodies [m]; at coal's default, 1e-6, gradients are off by 5 %.
 GJK_TOLERANCE = 1e-10

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
-from manipplan.paths.curves import Curve, curve_code
+from manipplan.paths.joint import Curve, curve_code
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.compiling.native import needed_code

@@ -98,8 +98,7 @@ class Scene(Pictured):
             FileFormatError: the file is cut off or holds something else; the message names the object and the entry.
             UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
         """
-        from manipplan.collision.formats.moveit_text import read_scene_text
-        from manipplan.collision.formats.moveit_yaml import read_planning_scene
+        from manipplan.collision.formats.moveit import read_planning_scene, read_scene_text
 
         path, folders = existing_file("file", file), UrdfFiles(packages={} if packages is None else packages).packages
         allowed: list[list[str]] = []

@@ -11,8 +11,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces import clouds, meshes, shells
+from manipplan.collision.world import mesh_triangles
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.support.checks import (

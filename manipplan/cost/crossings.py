@@ -12,10 +12,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.cost.floor import floor_of, typical_measure
+from manipplan.cost.density import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
+from manipplan.kinematics.factors import SingularitySigns, sides_of
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.kinematics.sides import SingularitySigns, sides_of
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array

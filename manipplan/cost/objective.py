@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.cost.floor import floor_of, warn_of_floor
-from manipplan.cost.integral import MOST_POWER, PathIntegral
-from manipplan.cost.metric import metric_matrix
+from manipplan.cost.density import floor_of, warn_of_floor
+from manipplan.cost.integral import MOST_POWER, PathIntegral, metric_matrix
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.manipulability import Constant
 from manipplan.measures.measure import Measure

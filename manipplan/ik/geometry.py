@@ -6,10 +6,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.robots.mimics import Mimic
-from manipplan.robots.model_tree import frame_index, joint_tree
-from manipplan.robots.reduced import uncoupled
+from manipplan.robots.model_tree import Mimic, frame_index, joint_tree
 from manipplan.robots.robot import Robot
+from manipplan.robots.subchain import uncoupled
 from manipplan.support.checks import Array
 
 #: Axes that miss a point by less than this meet in it [m]; directions that differ by less are parallel. Descriptions round

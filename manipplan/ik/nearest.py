@@ -6,9 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.descend import descend
-from manipplan.ik.onto_rows import errors_to
-from manipplan.ik.starts import random_near
+from manipplan.ik.newton import descend, errors_to, random_near
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.deviation import distances_between
 from manipplan.robots.limits import JointLimits

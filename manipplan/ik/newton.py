@@ -1,13 +1,28 @@
-"""Newton steps on the arm as described, by `newton.h`: they refine solutions of closed forms, and find others without."""
+"""Newton steps on the arm as described, by `newton.h`: they refine solutions of closed forms, and find others without.
+
+descend: damped steps of joints inside their limits that reduce what is missing to a goal.
+
+Newton and damped steps of an arm until what counts of poses is reached; the rest of them is free.
+
+Where random starts for a pose lie: slides where the other joints bridge what is left to it, near the arm for far poses.
+"""
 
 import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.bridge import bridge, calls, real, truth, whole
 from manipplan.ik.geometry import Screws
-from manipplan.ik.native import calls, real, truth, whole
+from manipplan.ik.ranges import reach_in, slides_of, span, within_reach
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.symbolic.free_motion import FreeMotion
 
 _N, _P = ctypes.c_long, ctypes.c_void_p
 
@@ -84,3 +99,189 @@ class MovingArm:
 
     def _scratch(self) -> tuple[Array, NDArray[np.bool_]]:
         return np.empty(7 * self._n + 6 * self._links), np.empty(self._n, dtype=np.bool_)
+
+
+#: Number of steps, first damping of a step, its factors after a good and a bad step, and the largest change of a joint in one
+#: step [rad or m].
+STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
+#: Size of the miss at which no more steps are made [m].
+DONE = 1e-11
+
+
+def descend(
+    limits: JointLimits, missing: Callable[[NDArray[np.intp], Array], tuple[Array, Array]], q: Array, held: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    """Configurations (k, n) inside the limits after damped steps from q (k, n), and what they miss (k, r) [m].
+
+    `missing` gives what rows (j,) with configurations (j, n) miss (j, r), and its slopes (j, r, n). The held joints stay.
+    """
+    q, lower, upper = q.copy(), limits.lower, limits.upper
+    rows = np.arange(len(q))
+    miss, slopes = missing(rows, q)
+    damping = np.full(len(q), DAMPING)
+    for _ in range(STEPS):
+        slope = slopes[rows] * ~held
+        step = _damped_step(slope, miss[rows], damping[rows])
+        # a joint at a limit that the step would take further does not move
+        stuck = ((q[rows] <= lower) & (step < 0)) | ((q[rows] >= upper) & (step > 0))
+        step = _damped_step(slope * ~stuck[:, None, :], miss[rows], damping[rows])
+        moved = np.clip(q[rows] + step, lower, upper)
+        left, bent = missing(rows, moved)
+        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
+        q[rows[good]], miss[rows[good]], slopes[rows[good]] = moved[good], left[good], bent[good]
+        damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
+        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
+        if not len(rows):
+            break
+    return q, miss
+
+
+def _damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
+    """Damped steps (k, n) of the joints that reduce the miss (k, r)."""
+    turned = np.swapaxes(jacobian, 1, 2)
+    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(miss.shape[1]), miss[:, :, None])
+    return np.asarray(np.clip((turned @ solved)[:, :, 0], -LONGEST, LONGEST))
+
+
+#: Maximum number of steps, and largest change of a joint in one of them [rad or m].
+MOST_ROW_STEPS, LONGEST_ROW_STEP = 50, 0.3
+#: Smallest damping, as a part of the sum of the squared singular values, for configurations where the task itself is singular.
+ROW_DAMPING = 1e-14
+
+
+def onto_rows(
+    kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_], tolerance: float
+) -> Array:
+    """Configurations (k, n) after minimum-norm steps from q (k, n) until what counts of poses (k, 4, 4) is reached.
+
+    A row ends where its error [m, rad] is below the tolerance, or grows no smaller.
+
+    Args:
+        kinematics: of the whole pose.
+        free: what does not count.
+        q: where the steps begin.
+        poses: targets.
+        moves: (n,) the joints that may move.
+        tolerance: see above.
+    """
+    q, best, least, rows = q.copy(), q.copy(), np.full(len(q), np.inf), np.arange(len(q))
+    for _ in range(MOST_ROW_STEPS):
+        error, jacobian = errors_to(kinematics, free, q[rows], poses[rows])
+        size = np.abs(error).max(axis=1, initial=0.0)
+        better = size < least[rows]
+        best[rows[better]], least[rows[better]] = q[rows[better]], size[better]
+        rows, jacobian, error = (each[better & (size > tolerance)] for each in (rows, jacobian, error))
+        if not len(rows):
+            break
+        jacobian = jacobian * moves
+        square = jacobian @ np.swapaxes(jacobian, 1, 2)
+        square += ROW_DAMPING * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1])
+        step = (np.swapaxes(jacobian, 1, 2) @ np.linalg.solve(square, error[:, :, None]))[:, :, 0]
+        q[rows] += step * np.minimum(LONGEST_ROW_STEP / np.maximum(np.abs(step).max(axis=1), 1e-300), 1.0)[:, None]
+    return best
+
+
+def search_rows(
+    kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    """Configurations (k, n) inside the limits after damped steps from far-away ones, and their largest errors (k,) [m, rad]."""
+    q, error = descend(kinematics.robot.limits, lambda rows, q: errors_to(kinematics, free, q, poses[rows]), q, ~moves)
+    return q, np.abs(error).max(axis=1, initial=0.0)
+
+
+def errors_to(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) -> tuple[Array, Array]:
+    """What is missing (k, r) to poses (k, 4, 4) at q (k, n) [m, rad], and the rows (k, r, n) by which joints reduce it."""
+    from scipy.spatial.transform import Rotation
+
+    scale = np.array([1.0] * 3 + [1.0 / kinematics.task.length] * 3)
+    reached = kinematics.pose(q)
+    nearest = free.nearest(reached, poses)
+    turns = Rotation.from_matrix(nearest[:, :3, :3] @ np.swapaxes(reached[:, :3, :3], 1, 2)).as_rotvec()
+    counting = free.fixed_rows(nearest)
+    error = counting @ np.hstack([nearest[:, :3, 3] - reached[:, :3, 3], turns])[:, :, None]
+    return error[:, :, 0], counting @ (kinematics.jacobian(q) * scale[:, None])
+
+
+#: Number of reaches from which a pose is approached, by steps of this ratio.
+FAR_AWAY, FARTHER = 30.0, 10.0
+
+
+def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
+    """Limits lower and upper (n,), in which slides are confined to where one of poses (k, 4, 4) may be reached."""
+    (lower, upper), slides = span(robot), list(slides_of(robot))
+    if slides:
+        lower[slides], upper[slides] = bridge(robot, tuple(slides), True).window(poses)
+    return lower, upper
+
+
+def approach(robot: Robot, pose: Array) -> list[tuple[Array, float]]:
+    """Poses (4, 4) from near the arm to `pose`, in the same direction, and the share of its distance at which each is.
+
+    Only poses that slides carry far beyond the other links are approached; for any other, it is the only one.
+    """
+    (lower, upper), slides = within_reach(robot), list(slides_of(robot))
+    shares = [1.0]
+    if slides:
+        base = np.asarray(robot.model.jointPlacements[1].translation)
+        away, reach = pose[:3, 3] - base, reach_in(robot, (lower, upper))[1]
+        while shares[0] * np.linalg.norm(away) > FAR_AWAY * reach:
+            shares.insert(0, shares[0] / FARTHER)
+    poses = [pose] * len(shares)
+    if len(shares) > 1:
+        poses = [pose.copy() for _ in shares]
+        for each, share in zip(poses, shares, strict=True):
+            each[:3, 3] = base + share * away
+    return list(zip(poses, shares, strict=True))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Starts:
+    """Where random starts for a pose lie: between limits (n,), with the joints `slides` in one of boxes (k, g)."""
+
+    limits: tuple[Array, Array]
+    slides: tuple[int, ...]
+    boxes: tuple[Array, Array]
+
+    @classmethod
+    def near(cls, robot: Robot, pose: Array, *, whole_pose: bool) -> "Starts":
+        """Those for a pose (4, 4), or for its position alone."""
+        slides = slides_of(robot)
+        none = np.zeros((1, 0))
+        boxes = bridge(robot, slides, whole_pose).around(pose) if slides else (none, none)
+        return cls(limits=span(robot), slides=slides, boxes=boxes)
+
+    def random(self, rng: np.random.Generator, count: int) -> Array:
+        """Random configurations (count, n)."""
+        q = rng.uniform(*self.limits, (count, len(self.limits[0])))
+        if self.slides:
+            chosen = rng.integers(len(self.boxes[0]), size=count)
+            q[:, list(self.slides)] = rng.uniform(self.boxes[0][chosen], self.boxes[1][chosen])
+        return q
+
+
+class StartsOfPoses:
+    """The `Starts` of poses, kept for the pose asked for last, as samples of one pose follow each other."""
+
+    def __init__(self, robot: Robot, *, whole_pose: bool) -> None:
+        self._robot, self._whole = robot, whole_pose
+        self._pose: Array = np.zeros(0)
+        self._starts: Starts | None = None
+
+    def of(self, pose: Array) -> Starts:
+        """Those of a pose (4, 4)."""
+        if self._starts is None or not np.array_equal(pose, self._pose):
+            self._pose, self._starts = pose.copy(), Starts.near(self._robot, pose, whole_pose=self._whole)
+        return self._starts
+
+    def random(self, poses: Array, rng: np.random.Generator) -> Array:
+        """A random configuration (k, n) for each of poses (k, 4, 4)."""
+        changes = np.flatnonzero(np.abs(np.diff(poses, axis=0)).max(axis=(1, 2), initial=0.0)) + 1
+        edges = [0, *changes.tolist(), len(poses)]
+        if not slides_of(self._robot):
+            edges = [0, len(poses)]
+        return np.concatenate([self.of(poses[a]).random(rng, b - a) for a, b in pairwise(edges)])
+
+
+def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int, *, whole_pose: bool = True) -> Array:
+    """Random configurations (count, n), with slides where a pose (4, 4), or its position alone, may be reached."""
+    return Starts.near(robot, pose, whole_pose=whole_pose).random(rng, count)

@@ -1,4 +1,9 @@
-"""All inverse kinematics solutions of a pose: every configuration that reaches it, for sampled redundancy parameters."""
+"""All inverse kinematics solutions of a pose: every configuration that reaches it, for sampled redundancy parameters.
+
+Duplicate solutions: at a double root a closed form gives the same configuration twice.
+
+Compiled checks of every pose and every solution: a pose is a rigid motion, and a solution reaches it.
+"""
 
 import logging
 import time
@@ -10,10 +15,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from manipplan.ik.bridge import calls, real, whole
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
+from manipplan.support.tolerances import EXACT, SAME
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -127,7 +134,6 @@ def inverse_kinematics(
 
     The set is empty for a pose out of reach.
     """
-    from manipplan.ik.distinct import distinct
     from manipplan.ik.solver import Solver
 
     flag("turns", turns)
@@ -253,8 +259,6 @@ def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:
 
 def pose_stack(argument: str, pose: Any) -> Array:
     """One or several poses as (p, 4, 4), each the rigid transform nearest to the one given; raises as `pose_matrix`."""
-    from manipplan.ik.verify import are_poses
-
     matrix = getattr(pose, "homogeneous", pose)
     if type(matrix) is np.ndarray and matrix.dtype == np.float64 and matrix.shape[1:] == (4, 4):
         stack = np.array(matrix, order="C")
@@ -278,3 +282,24 @@ def _directions(robot: Robot, q: Array) -> Array:
     """Equal rows for configurations (k, n) that differ by full turns: lengths, then cosines and sines of angles."""
     turns = robot.turns
     return np.hstack([q[:, ~turns], np.cos(q[:, turns]), np.sin(q[:, turns])])
+
+
+def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Indices of the rows of q (k, n), only the first of those of one sample that differ by less than `SAME`."""
+    order = np.argsort(source, kind="stable")
+    q, source, keep = real(q[order]), whole(source[order]), np.empty(len(order), dtype=np.bool_)
+    calls()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, SAME, keep.ctypes.data)
+    return order[keep]
+
+
+def are_poses(poses: Array) -> bool:
+    """Whether every matrix of poses (p, 4, 4) is a rotation and a translation, up to the rounding of double precision."""
+    poses = real(poses)
+    return bool(calls()["are_poses"](poses.ctypes.data, len(poses), EXACT))
+
+
+def residuals(reached: Array, targets: Array, owners: NDArray[np.int64]) -> Array:
+    """The largest entry (k,) of reached - targets[owners], of poses reached (k, 4, 4), targets (p, 4, 4) and owners (k,)."""
+    reached, targets, owners, out = real(reached), real(targets), whole(owners), np.empty(len(reached))
+    calls()["residuals"](reached.ctypes.data, targets.ctypes.data, owners.ctypes.data, len(reached), out.ctypes.data)
+    return out

@@ -9,18 +9,13 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.ik.bridge import HeldValues, bridge
-from manipplan.ik.enumeration import AT_LIMIT, MOST, Enumeration
-from manipplan.ik.form import SWIVEL, ClosedForm, closed_form, held_indices
+from manipplan.ik.bridge import HeldValues, bridge, swivels_of
+from manipplan.ik.form import AT_LIMIT, MOST, SWIVEL, ClosedForm, Enumeration, closed_form, held_indices
 from manipplan.ik.geometry import Screws
-from manipplan.ik.native import swivels_of
-from manipplan.ik.newton import MovingArm
-from manipplan.ik.onto_rows import onto_rows, search_rows
+from manipplan.ik.newton import MovingArm, Starts, StartsOfPoses, approach, onto_rows, search_rows, window
 from manipplan.ik.ranges import in_turn, line, reach_in, slides_of, span, spans_turn
-from manipplan.ik.solutions import Completeness
-from manipplan.ik.starts import Starts, StartsOfPoses, approach, window
+from manipplan.ik.solutions import Completeness, residuals
 from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, random_answers
-from manipplan.ik.verify import residuals
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot

@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.ik.geometry import Screws
-from manipplan.ik.newton import MovingArm
+from manipplan.ik.newton import MovingArm, Starts
 from manipplan.ik.ranges import in_turn, within_reach
-from manipplan.ik.starts import Starts
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline

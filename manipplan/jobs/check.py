@@ -11,11 +11,10 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.read import named_configuration
+from manipplan.goals.read import named_configuration
+from manipplan.jobs.measure import measure
 from manipplan.jobs.recordings.read import read_motion
-from manipplan.jobs.reports.along import PathPart
-from manipplan.jobs.reports.measure import measure
-from manipplan.jobs.reports.report import Report
+from manipplan.jobs.report import PathPart, Report
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -23,8 +22,8 @@ from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
+from manipplan.support.progress import interruptible
 
 #: Distance from a revolute joint's limits above which positions are not in radians [rad], and from a prismatic joint's above
 #: which they are not in metres, as a multiple of its range.

@@ -7,9 +7,8 @@ from typing import Literal, overload
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.recordings.blocked import blocked
 from manipplan.jobs.recordings.comparison import MotionFigures
-from manipplan.jobs.recordings.inside import Tube, best_motion
+from manipplan.jobs.recordings.inside import Tube, best_motion, blocked
 from manipplan.jobs.recordings.read import noise_beyond_limits, read_recording
 from manipplan.jobs.recordings.smooth import smooth
 from manipplan.jobs.result import PartialPlan, Plan, failed, finish
@@ -19,9 +18,8 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, interruptible, teller
 from manipplan.support.status import Status
 
 #: Residual of the smooth motion that is small enough, as a share of the tolerance [rad per m or rad].

@@ -10,15 +10,14 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.ends import check_start
+from manipplan.constraints.constraint_set import ConstraintSet, check_start
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.candidates import GoalCandidate, find_candidates, measured
-from manipplan.jobs.goals.choice import choose
-from manipplan.jobs.goals.pose_goal import Goal
-from manipplan.jobs.goals.read import named_configuration, read_goals
-from manipplan.jobs.reports.tools import with_goals
+from manipplan.goals.candidates import GoalCandidate, find_candidates, measured
+from manipplan.goals.choice import choose
+from manipplan.goals.pose_goal import Goal
+from manipplan.goals.read import named_configuration, read_goals
+from manipplan.jobs.report import with_goals
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.homotopy import shifted_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
@@ -33,9 +32,8 @@ from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, part, teller
+from manipplan.support.progress import Progress, interruptible, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 

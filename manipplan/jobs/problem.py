@@ -10,15 +10,15 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.cost.metric import metric_matrix
+from manipplan.cost.integral import metric_matrix
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.pose_goal import Goal
-from manipplan.jobs.goals.read import named_configuration, read_goals
+from manipplan.goals.pose_goal import Goal
+from manipplan.goals.read import named_configuration, read_goals
 from manipplan.optimize.optimize import check_options
 from manipplan.optimize.problem import initial_path
 from manipplan.paths.basis import PathShape
-from manipplan.robots.reduced import uncoupled
 from manipplan.robots.robot import Robot
+from manipplan.robots.subchain import uncoupled
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.content import content_key

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, TypeVar
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
-from manipplan.jobs.goals.candidates import GoalCandidate
+from manipplan.goals.candidates import GoalCandidate
+from manipplan.jobs.measure import measure_plan
 from manipplan.jobs.recordings.comparison import Comparison
-from manipplan.jobs.reports.measure import measure_plan
-from manipplan.jobs.reports.report import PlanReport
+from manipplan.jobs.report import PlanReport
 from manipplan.measures.measure import Measure
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
@@ -25,8 +25,7 @@ from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array
 from manipplan.support.display import Pictured, short
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.files import write_text
-from manipplan.support.saving import replacing
+from manipplan.support.files import replacing, write_text
 from manipplan.support.status import Status
 
 if TYPE_CHECKING:

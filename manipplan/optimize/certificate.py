@@ -11,15 +11,12 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.figures import ConstraintFigure, figures
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintFigure, ConstraintSet, figures, prove
 from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Constant
-from manipplan.optimize.descents.constraint_rows import ConstraintRows
 from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import LinearRows
+from manipplan.optimize.descents.rows import ConstraintRows, LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

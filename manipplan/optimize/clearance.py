@@ -12,8 +12,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.model import CollisionModel
-from manipplan.collision.near_pairs import NearPairs
+from manipplan.collision.model import CollisionModel, NearPairs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid

@@ -22,8 +22,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.seeds.random_path import random_path
-from manipplan.seeds.seeding import AS_GIVEN, NEAREST
+from manipplan.seeds.seeding import AS_GIVEN, NEAREST, random_path
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError

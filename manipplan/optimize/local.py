@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from manipplan.collision.near_pairs import NearPairs
+from manipplan.collision.model import NearPairs
 from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular_end, runs_along
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN

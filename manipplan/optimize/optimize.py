@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
-from manipplan.constraints.ends import check_ends
+from manipplan.constraints.constraint_set import check_ends
 from manipplan.cost.objective import PathObjective, idle_hint
 from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shifted_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
@@ -23,8 +23,7 @@ from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.interrupts import interruptible
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, interruptible, teller
 from manipplan.support.status import Status
 
 

@@ -13,9 +13,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.figures import figures
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
@@ -30,16 +28,15 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.paths.turns import unwrapped
 from manipplan.robots.robot import Robot
-from manipplan.seeds.acceptance import CHECK_STEP, PROVABLE
-from manipplan.seeds.random_path import random_path
 from manipplan.seeds.seed import seed_path
-from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding
+from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding, random_path
+from manipplan.seeds.task import CHECK_STEP, PROVABLE
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.memo import once_per_owner
 from manipplan.support.processes.one_thread import one_thread
+from manipplan.support.progress import interruptible
 from manipplan.support.status import Status
 
 log = logging.getLogger("manipplan")

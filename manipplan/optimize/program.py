@@ -11,20 +11,18 @@ import numpy as np
 from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.optimize.descents.arithmetic import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import FAILED, descend
-from manipplan.optimize.descents.fixed_rows import FixedRows
-from manipplan.optimize.descents.length import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import LimitRows, RowFunctions
+from manipplan.optimize.descents.rows import ConstraintSearch, FixedRows, LimitRows, RowFunctions
 from manipplan.optimize.ipopt import Integral, IpoptEnergy, LimitHull
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, building
-from manipplan.support.interrupts import interruptible
-from manipplan.symbolic.batch_function import BatchFunction
+from manipplan.support.progress import interruptible
+from manipplan.symbolic.machine_code import BatchFunction
 
 #: Number of Gauss points of the energy on the whole path, and minimum number on each piece.
 NODES, PIECE_NODES = 40, 8

@@ -10,13 +10,12 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import PathClearance, path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import ConstraintProof, prove
+from manipplan.constraints.constraint_set import ConstraintProof, ConstraintSet, prove
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
 from manipplan.optimize.descents.clearance_search import MARGIN, ClearanceSearch
-from manipplan.optimize.descents.constraint_rows import ConstraintSearch
 from manipplan.optimize.descents.descent import LATE, descend
+from manipplan.optimize.descents.rows import ConstraintSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
 from manipplan.paths.basis import EndConditions

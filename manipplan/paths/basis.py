@@ -15,8 +15,7 @@ from numpy.polynomial import Chebyshev, Legendre, Polynomial
 from numpy.polynomial.legendre import legvander
 from numpy.typing import ArrayLike
 
-from manipplan.paths.curves import bernstein
-from manipplan.paths.joint import JointPath, split
+from manipplan.paths.joint import JointPath, bernstein, split
 from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
 from manipplan.support.checks import Array, finite_array, one_of, whole_number
 from manipplan.support.display import one_line

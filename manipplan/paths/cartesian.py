@@ -1,4 +1,19 @@
-"""CartesianPath: the poses T(s) of a tool along a path in space, s in [0, 1]."""
+"""CartesianPath: the poses T(s) of a tool along a path in space, s in [0, 1].
+
+Curves through given poses, twice continuously differentiable, that stay near the polygon of the given ones.
+
+That is the cubic spline through them where it does so. Elsewhere, as at poses that are nearly repeated, it is a PoseCurve.
+
+Between two given poses the tool moves on the straight piece of the polygon, p + u Δp and R exp(u Δω), plus a small shift δ(u)
+of its own, a quintic polynomial (3,) that is zero at both ends. Its slopes there follow from the velocity m that the curve has
+at the given pose, δ' = m - Δ / h, and its second derivatives from the acceleration there. So both are continuous by
+construction, and the distance from the polygon is at most ‖δ‖, which bounds on velocities and accelerations keep small.
+Position and rotation are done alike; velocities of a rotation are those in the tool frame.
+
+At each pose the velocity depends on its two neighbours alone: a mean of the velocities of both pieces, as long as on the circle
+through poses of equal distance, and shorter at sharp turns. Where one piece is much shorter than the other, as at a pose that
+is there twice but for rounding, it counts by its length: its direction means nothing for the longer one.
+"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -11,9 +26,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike
 
-from manipplan.paths.distinct import distinct
-from manipplan.paths.pose_curve import PoseCurve, PoseSpline, curve_through, rotation_vectors
 from manipplan.paths.tables import Table
+from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import (
     Array,
     existing_file,
@@ -28,6 +42,186 @@ from manipplan.support.checks import (
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.tolerances import SAME
+
+#: Distance from the polygon that counts as near, as a share of the longest of a piece and its two neighbours.
+NEAR = 1 / 8
+#: Samples of a spline on each piece, the share of the distance that they may use, and its largest length over the polygon's.
+INSIDE, CERTAIN, LONGEST = 12, 0.9, 1.01
+#: Largest slope of the curve across a piece of the polygon, as a share of its slope along it: as on a circle through poses
+#: every 22°. It is larger on the shorter of two pieces, which adds less to the length, and smaller at turns beyond 90°.
+ACROSS = 0.19
+#: Largest velocity at a pose, as a multiple of that on either piece, and largest change of it over a piece.
+FASTEST, CHANGE = 1.1, 2.0
+#: How many times shorter a piece is whose direction does not count.
+MUCH_SHORTER = 40
+#: Largest factor by which a velocity is longer than the chord between the neighbours of a pose says.
+LONGER = 1.25
+#: What a ratio to zero counts as.
+LARGE = 1e100
+
+
+class PoseSpline:
+    """The cubic splines of positions and rotations through poses (k, 4, 4) at increasing s (k,); k >= 2."""
+
+    def __init__(self, s: Array, poses: Array) -> None:
+        from scipy.interpolate import CubicSpline
+        from scipy.spatial.transform import Rotation, RotationSpline
+
+        self.s, self.poses = s, poses
+        self._positions = CubicSpline(s, poses[:, :3, 3])
+        self._rotations = RotationSpline(s, Rotation.from_matrix(poses[:, :3, :3]))
+
+    def __call__(self, s: Array) -> tuple[Array, Array]:
+        """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
+        return np.asarray(self._positions(s)), np.asarray(self._rotations(s).as_matrix()).reshape(-1, 3, 3)
+
+    @property
+    def stays_near(self) -> bool:
+        """Whether each piece stays within `NEAR` of that of the polygon, and the length within `LONGEST`, at samples."""
+        begins = np.arange(len(self.s) - 1)
+        u = np.linspace(0.0, 1.0, INSIDE + 1)[1:-1]
+        positions, rotations = self((self.s[:-1, None] + np.diff(self.s)[:, None] * u).ravel())
+        turns = rotation_vectors(np.swapaxes(self.poses[:-1, :3, :3], 1, 2) @ self.poses[1:, :3, :3])
+        turned = rotation_vectors(np.swapaxes(np.repeat(self.poses[:-1, :3, :3], len(u), axis=0), 1, 2) @ rotations)
+        moved = positions - np.repeat(self.poses[:-1, :3, 3], len(u), axis=0)
+        for chords, along in ((np.diff(self.poses[:, :3, 3], axis=0), moved), (turns, turned)):
+            sizes = _norms(chords)[:, 0]
+            wide = np.pad(sizes, 1)
+            room = NEAR * np.maximum(np.maximum(wide[:-2], wide[1:-1]), wide[2:])
+            whole = np.repeat(chords, len(u), axis=0)
+            share = np.clip(_ratio((along * whole).sum(axis=1, keepdims=True), _norms(whole) ** 2), 0.0, 1.0)
+            off = _norms(along - share * whole).reshape(len(begins), len(u)).max(axis=1)
+            points = np.concatenate(
+                [np.zeros((len(begins), 1, 3)), along.reshape(len(begins), len(u), 3), chords[:, None]], axis=1
+            )
+            length = float(np.linalg.norm(np.diff(points, axis=1), axis=2).sum())
+            if (off > CERTAIN * room + 1e-12).any() or length > LONGEST * sizes.sum() + 1e-12:
+                return False
+        return True
+
+
+def curve_through(s: Array, poses: Array) -> "PoseSpline | PoseCurve":
+    """The spline through poses where that stays near their polygon, since it needs less acceleration; else the PoseCurve."""
+    spline = PoseSpline(s, poses)
+    return spline if spline.stays_near else PoseCurve(s, poses)
+
+
+class PoseCurve:
+    """The curve through poses (k, 4, 4) at increasing s (k,); k >= 2."""
+
+    def __init__(self, s: Array, poses: Array) -> None:
+        self.s, self.poses = s, poses
+        widths = np.diff(s)[:, None]
+        moves = np.diff(poses[:, :3, 3], axis=0)
+        self.turns = rotation_vectors(np.swapaxes(poses[:-1, :3, :3], 1, 2) @ poses[1:, :3, :3])
+        self.shifts = _shifts(widths, moves, turns=False), _shifts(widths, self.turns, turns=True)
+
+    def __call__(self, s: Array) -> tuple[Array, Array]:
+        """Positions (m, 3) and rotations (m, 3, 3) at s (m,)."""
+        piece = np.clip(np.searchsorted(self.s, s, side="right") - 1, 0, len(self.s) - 2)
+        u = ((s - self.s[piece]) / (self.s[piece + 1] - self.s[piece]))[:, None]
+        begins, ends = self.poses[piece], self.poses[piece + 1]
+        weights = np.stack([u * (1 - u) ** 3 * (1 + 3 * u), (u - 1) * u**3 * (4 - 3 * u)], axis=1)
+        weights = np.concatenate([weights, np.stack([u**2 * (1 - u) ** 3 / 2, (1 - u) ** 2 * u**3 / 2], axis=1)], axis=1)
+        moved, turned = ((weights * shifts[piece]).sum(axis=1) for shifts in self.shifts)
+        positions = (1 - u) * begins[:, :3, 3] + u * ends[:, :3, 3] + moved
+        return positions, begins[:, :3, :3] @ rotations_of(u * self.turns[piece]) @ rotations_of(turned)
+
+
+def rotation_vectors(rotations: Array) -> Array:
+    """Rotation vectors (k, 3) of rotations (k, 3, 3), of at most half a turn."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_matrix(rotations).as_rotvec())
+
+
+def rotations_of(vectors: Array) -> Array:
+    """Rotations (k, 3, 3) of rotation vectors (k, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_rotvec(vectors).as_matrix())
+
+
+def _shifts(widths: Array, chords: Array, *, turns: bool) -> Array:
+    """First derivatives at both ends of each piece and second ones, over u, of the shift δ: (p, 4, 3).
+
+    Args:
+        widths: (p, 1) of the pieces in s.
+        chords: (p, 3), moves or rotation vectors of the pieces.
+        turns: whether these are rotations.
+    """
+    speeds = chords / widths
+    velocity = _velocities(widths, chords, speeds)
+    acceleration = _accelerations(widths, chords, speeds, velocity)
+    slopes = [widths * (each - speeds) for each in (velocity[:-1], velocity[1:])]
+    bends = [widths**2 * each for each in (acceleration[:-1], acceleration[1:])]
+    if turns:  # the tool frame turns along the piece
+        bends = [bend - np.cross(chords, slope) for bend, slope in zip(bends, slopes, strict=True)]
+    return np.stack([*slopes, *bends], axis=1)
+
+
+def _velocities(widths: Array, chords: Array, speeds: Array) -> Array:
+    """The velocity at each pose, (p + 1, 3)."""
+    before, after = speeds[:-1], speeds[1:]
+    left, right = widths[:-1], widths[1:]
+    mean = (chords[:-1] + chords[1:]) / (left + right)
+    smooth = (right * before + left * after) / (left + right)
+    slower = np.minimum(_norms(before), _norms(after))
+    bent = smooth - mean
+    room = slower * np.minimum(left, right) / np.maximum(left, right)
+    mean = mean + bent * np.minimum(1.0, _ratio(room, _norms(bent)))
+    straight = _ratio(_norms(chords[:-1] + chords[1:]), _norms(chords[:-1]) + _norms(chords[1:]))
+    mean = mean * np.minimum(_ratio(2.0, straight * (1 + straight)), LONGER)
+    velocity = np.empty((len(chords) + 1, 3))
+    velocity[1:-1] = mean * _limited(mean, chords, speeds)
+    for end, beside, piece in ((0, 1, 0), (-1, -2, -1)):  # mirrored: as on a circle
+        velocity[end] = speeds[piece]
+        if len(chords) > 1:
+            velocity[end] -= _across(velocity[beside], speeds[piece])
+    return velocity
+
+
+def _limited(velocity: Array, chords: Array, speeds: Array) -> Array:
+    """Factors (p - 1, 1) that keep velocities at inner poses within bounds on the pieces before and after."""
+    factor, lengths = np.ones((len(velocity), 1)), _norms(chords)
+    ahead = speeds * _ratio(1.0, _norms(speeds))
+    half_turn = _norms(ahead[:-1] + ahead[1:]) / 2  # the cosine of half the angle by which the polygon turns
+    uneven = np.maximum(_ratio(lengths[:-1], lengths[1:]), _ratio(lengths[1:], lengths[:-1])) - 1
+    turning = np.minimum(1.0, np.sqrt(2) * half_turn + (np.minimum(uneven, MUCH_SHORTER) / MUCH_SHORTER) ** 2)
+    for mine, other in ((slice(None, -1), slice(1, None)), (slice(1, None), slice(None, -1))):
+        fastest, ratio = turning * _norms(speeds[mine]), np.maximum(1.0, _ratio(lengths[other], lengths[mine]))
+        across = _norms(_across(velocity, speeds[mine]))
+        factor = np.minimum(factor, _ratio(FASTEST * fastest, _norms(velocity)))
+        factor = np.minimum(factor, _ratio(ACROSS * fastest * np.sqrt((1 + ratio) / 2), across))
+    return factor
+
+
+def _accelerations(widths: Array, chords: Array, speeds: Array, velocity: Array) -> Array:
+    """The acceleration at each pose, (p + 1, 3): between those of cubic pieces, nearer to that of the longer one."""
+    ends = 6 * speeds - 2 * velocity[:-1] - 2 * velocity[1:]
+    first, last = ends - 2 * velocity[:-1], 2 * velocity[1:] - ends
+    made = np.concatenate([first[:1] / widths[:1], np.empty((len(chords) - 1, 3)), last[-1:] / widths[-1:]])
+    made[1:-1] = (widths[:-1] * last[:-1] + widths[1:] * first[1:]) / (widths[:-1] ** 2 + widths[1:] ** 2)
+    bound = CHANGE * _norms(speeds) / widths
+    most = np.minimum(np.concatenate([bound[:1], bound]), np.concatenate([bound, bound[-1:]]))
+    return np.asarray(made * np.minimum(1.0, _ratio(most, _norms(made))))
+
+
+def _across(vectors: Array, along: Array) -> Array:
+    """The parts of vectors (..., 3) across directions (..., 3)."""
+    square = (along**2).sum(axis=-1, keepdims=True)
+    return np.asarray(vectors - along * _ratio((vectors * along).sum(axis=-1, keepdims=True), square))
+
+
+def _norms(vectors: Array) -> Array:
+    return np.asarray(np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+def _ratio(above: ArrayLike, below: Array) -> Array:
+    """above / below, where `below` is not zero; a large number there."""
+    shape = np.broadcast_shapes(np.shape(above), below.shape)
+    return np.asarray(np.divide(above, below, out=np.full(shape, LARGE), where=np.broadcast_to(below > 1 / LARGE, shape)))
+
 
 #: Way that an angle of 1 rad counts as, between the poses that a path goes through [m].
 RADIAN = 0.1

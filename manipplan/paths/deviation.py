@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.paths.cartesian import RADIAN, CartesianPath
-from manipplan.paths.pose_curve import NEAR, rotation_vectors
+from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError

@@ -193,9 +193,9 @@ class Trajectory(Pictured):
         Raises InvalidInputError: other joints, a motion that does not begin and end at rest, joint values beyond 2 π, a speed
         above 2 π rad/s, more than 300,000 positions, or another argument is out of its range.
         """
-        from manipplan.paths.controllers import urscript
+        from manipplan.paths import controllers
 
-        urscript.to_urscript(self.named(joint_names), file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
+        controllers.to_urscript(self.named(joint_names), file, rate=rate, name=name, lookahead_time=lookahead_time, gain=gain)
 
     def to_franka_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
         """Write a CSV table of time [s] and the seven joint positions [rad] at 1 kHz, for a Franka arm.
@@ -209,9 +209,9 @@ class Trajectory(Pictured):
         rest or has more than 300,000 positions, or differences of neighbouring positions above the velocity, acceleration or
         jerk that libfranka accepts for that arm.
         """
-        from manipplan.paths.controllers import franka
+        from manipplan.paths import controllers
 
-        franka.to_franka_csv(self.named(joint_names), file)
+        controllers.to_franka_csv(self.named(joint_names), file)
 
     def to_rosbag(
         self, file: str | Path, *, storage: str = "mcap", rate: float = 100.0, joint_names: Sequence[str] | None = None

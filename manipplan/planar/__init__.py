@@ -7,14 +7,15 @@
 """
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.planar.ellipsoids import force_ellipse, matrix_ellipsoid, velocity_ellipse
 from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
 from manipplan.planar.manipulability import (
+    force_ellipse,
     frobenius_norm,
     inverse_condition,
     manipulability,
     manipulability_gradient,
     manipulability_hessian,
+    matrix_ellipsoid,
     minors,
     singular_distance,
     singular_postures,
@@ -22,29 +23,39 @@ from manipplan.planar.manipulability import (
     squared_manipulability,
     squared_manipulability_gradient,
     squared_manipulability_hessian,
+    velocity_ellipse,
 )
-from manipplan.planar.orientations import is_dexterous, is_reachable, reachable_orientations
 from manipplan.planar.postures import PostureSet, optimal_radius, stationary_kind, stationary_postures
-from manipplan.planar.proportions import Proportions, manipulability_bound, optimal_lengths
 from manipplan.planar.theorems import (
     Counterexample,
+    Proportions,
     Theorem,
     condition_theorem,
     convexity_counterexample,
     frobenius_theorem,
+    manipulability_bound,
     manipulability_theorem,
+    optimal_lengths,
 )
-from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series, squared_radius_series
 from manipplan.planar.workspace import (
     Annulus,
     Arc,
     critical_arcs,
     dexterous_annuli,
+    is_dexterous,
+    is_reachable,
     reachable_annulus,
+    reachable_orientations,
     reachable_radii,
     workspace_boundary,
 )
-from manipplan.planar.zeros import Zeros, torus_zeros
+from manipplan.planar.zeros import (
+    TrigonometricPolynomial,
+    Zeros,
+    squared_manipulability_series,
+    squared_radius_series,
+    torus_zeros,
+)
 
 __all__ = [
     "Annulus",

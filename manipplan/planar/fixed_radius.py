@@ -19,7 +19,7 @@ import numpy as np
 
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.inverse import wrapped
-from manipplan.planar.sturm import Polynomial, add, derivative, evaluate, multiply, real_roots, scale
+from manipplan.planar.zeros import Polynomial, add, derivative, evaluate, multiply, real_roots, scale
 from manipplan.support.checks import Array
 
 #: A radius this close (share of the arm's length) to one with collinear links is set to it: rounding must not decide.

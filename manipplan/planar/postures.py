@@ -12,11 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.planar.arm import PlanarArm
 from manipplan.planar.fixed_radius import fixed_radius_postures
-from manipplan.planar.limits import AngleLimits
 from manipplan.planar.manipulability import inverse_condition, manipulability, squared_manipulability_hessian
-from manipplan.planar.trigonometric import TrigonometricPolynomial, squared_manipulability_series
-from manipplan.planar.workspace import reachable_radii
-from manipplan.planar.zeros import torus_zeros
+from manipplan.planar.workspace import AngleLimits, reachable_radii
+from manipplan.planar.zeros import TrigonometricPolynomial, squared_manipulability_series, torus_zeros
 from manipplan.support.checks import Array, configurations, instance, number
 from manipplan.support.errors import InvalidInputError
 

@@ -3,16 +3,119 @@
 A box is discarded when bounds prove that one equation has no zero in it; it is done when Krawczyk's operator proves that it
 contains exactly one [krawczyk1969]; otherwise it is halved along every angle. No zero is lost: a box for which neither can
 be proven down to `SMALLEST` is returned as unresolved.
+
+Trigonometric polynomials on a torus; μ² and the squared radius of the planar arm in this form.
+
+Real roots of a polynomial with rational coefficients, counted by Sturm's theorem in exact arithmetic, so none is missed.
 """
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+from math import gcd
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from manipplan.planar.trigonometric import TrigonometricPolynomial
-from manipplan.support.checks import Array, entries
+from manipplan.planar.arm import PlanarArm
+from manipplan.support.checks import LARGEST_ANGLE, Array, configurations, entries, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TrigonometricPolynomial:
+    """f(x) = Σ_k cosine_k cos(k · x) + sine_k sin(k · x) for x in R^d.
+
+    Attributes:
+        frequencies: (m, d) integer vectors k.
+        cosine: (m,) coefficients.
+        sine: (m,) coefficients.
+    """
+
+    frequencies: Array
+    cosine: Array
+    sine: Array
+
+    @property
+    def dimension(self) -> int:
+        """Number d of angles."""
+        return int(self.frequencies.shape[1])
+
+    def __call__(self, x: ArrayLike) -> Array:
+        """Values (...,) at x (..., d) [rad]."""
+        phases = configurations("x", x, self.dimension) @ self.frequencies.T
+        return np.asarray(np.cos(phases) @ self.cosine + np.sin(phases) @ self.sine)
+
+    def derivative(self, variable: int) -> "TrigonometricPolynomial":
+        """∂f/∂x_variable."""
+        k = self.frequencies[:, whole_number("variable", variable, least=0, most=self.dimension - 1)]
+        return TrigonometricPolynomial(frequencies=self.frequencies, cosine=k * self.sine, sine=-k * self.cosine)
+
+    def restricted(self, variable: int, value: float) -> "TrigonometricPolynomial":
+        """f with x_variable held at `value` [rad], a polynomial in the others."""
+        variable = whole_number("variable", variable, least=0, most=self.dimension - 1)
+        phase = self.frequencies[:, variable] * number("value", value, least=-LARGEST_ANGLE, most=LARGEST_ANGLE)
+        c, s = np.cos(phase), np.sin(phase)
+        return TrigonometricPolynomial(
+            frequencies=np.delete(self.frequencies, variable, axis=1),
+            cosine=self.cosine * c + self.sine * s,
+            sine=self.sine * c - self.cosine * s,
+        )
+
+
+def squared_manipulability_series(arm: PlanarArm) -> TrigonometricPolynomial:
+    """μ² as a cosine polynomial in (θ_2, ..., θ_n), for any link lengths [m⁴].
+
+    From the squared minors with sin a sin b = (cos(a - b) - cos(a + b))/2. For unit links this is (5.2) in kth2012, corrected:
+    5/2 + cos θ_2 - cos 2θ_2/2 + cos θ_3 - cos 2θ_3 - cos(2θ_2 + 2θ_3) - cos(2θ_2 + θ_3) - cos(θ_2 + 2θ_3). The printed version
+    has 3/2 and -cos 2θ_3/2.
+    """
+    instance("arm", arm, PlanarArm)
+    n, lengths = arm.n, arm.lengths
+    terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
+    for i in range(n):
+        for j in range(i + 1, n):
+            minor = [(_sum(n, p, m), lengths[p] * lengths[m]) for p in range(i, j) for m in range(j, n)]
+            for a, first in minor:
+                for b, second in minor:
+                    terms[_upward(a - b)] += first * second / 2
+                    terms[_upward(a + b)] -= first * second / 2
+    return _cosines(terms)
+
+
+def squared_radius_series(arm: PlanarArm) -> TrigonometricPolynomial:
+    """R² = Σ_i l_i² + 2 Σ_(p<m) l_p l_m cos(θ_(p+1) + ... + θ_m) as a cosine polynomial in (θ_2, ..., θ_n) [m²]."""
+    instance("arm", arm, PlanarArm)
+    n, lengths = arm.n, arm.lengths
+    terms: defaultdict[tuple[int, ...], float] = defaultdict(float)
+    terms[(0,) * (n - 1)] = float(lengths @ lengths)
+    for p in range(n):
+        for m in range(p + 1, n):
+            terms[_upward(_sum(n, p, m))] += 2 * lengths[p] * lengths[m]
+    return _cosines(terms)
+
+
+def _sum(n: int, p: int, m: int) -> Array:
+    """The frequency of φ_m - φ_p in (θ_2, ..., θ_n), with p < m counted from 0."""
+    k = np.zeros(n - 1)
+    k[p:m] = 1.0
+    return k
+
+
+def _upward(k: Array) -> tuple[int, ...]:
+    """k or -k, whichever has a positive first nonzero entry: their cosines are the same."""
+    lead = k[np.flatnonzero(k)[:1]]
+    return tuple(int(x) for x in (-k if lead.size and lead[0] < 0 else k))
+
+
+def _cosines(terms: dict[tuple[int, ...], float]) -> TrigonometricPolynomial:
+    kept = {k: c for k, c in sorted(terms.items()) if c}
+    frequencies = np.array(list(kept), dtype=np.float64)
+    cosine = np.array([float(c) for c in kept.values()])
+    return TrigonometricPolynomial(frequencies=frequencies, cosine=cosine, sine=np.zeros(len(cosine)))
+
 
 #: Half width at which boxes are no longer split [rad].
 SMALLEST = 1e-8
@@ -184,3 +287,152 @@ class _System:
             if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > SAME for y in kept):
                 kept.append(turned)
         return np.array(kept).reshape(-1, self.dimension)
+
+
+#: Width of the interval that encloses a root: a square root of it keeps 64-bit accuracy.
+WIDTH = Fraction(1, 2**120)
+
+Polynomial = list[Fraction]
+
+
+def real_roots(coefficients: Sequence[Fraction], lower: Fraction, upper: Fraction) -> list[Fraction]:
+    """All real roots in [lower, upper], ascending, each to within 2⁻¹²⁰ and listed once whatever its multiplicity.
+
+    Args:
+        coefficients: from the constant term up; not all zero.
+        lower: start of the interval.
+        upper: end of the interval, at least `lower`.
+    """
+    p = _primitive(coefficients)
+    if len(p) < 2 or lower > upper:
+        return []
+    chain = _sturm_chain(_square_free(p))
+    roots = [lower] if not _value(chain[0], lower) else []
+    work = [(lower, upper)]  # Sturm counts the roots in (a, b]
+    while work:
+        a, b = work.pop()
+        count = _changes(chain, a) - _changes(chain, b)
+        if count == 1:
+            roots.append(_refined(chain[0], a, b))
+        elif count > 1:
+            middle = (a + b) / 2
+            work += [(a, middle), (middle, b)]
+    return sorted(roots)
+
+
+def add(*polynomials: Sequence[Fraction]) -> Polynomial:
+    """The sum."""
+    size = max(len(p) for p in polynomials)
+    return [sum((p[i] for p in polynomials if i < len(p)), Fraction(0)) for i in range(size)]
+
+
+def multiply(*polynomials: Sequence[Fraction]) -> Polynomial:
+    """The product."""
+    result = [Fraction(1)]
+    for p in polynomials:
+        new = [Fraction(0)] * (len(result) + len(p) - 1)
+        for i, a in enumerate(result):
+            for j, b in enumerate(p):
+                new[i + j] += a * b
+        result = new
+    return result
+
+
+def scale(factor: int, p: Sequence[Fraction]) -> Polynomial:
+    """`factor` times p."""
+    return [factor * a for a in p]
+
+
+def derivative(p: Sequence[Fraction]) -> Polynomial:
+    """p'."""
+    return [i * a for i, a in enumerate(p)][1:] or [Fraction(0)]
+
+
+def evaluate(p: Sequence[Fraction], x: Fraction) -> Fraction:
+    """p(x)."""
+    result = Fraction(0)
+    for a in reversed(p):
+        result = result * x + a
+    return result
+
+
+def _primitive(p: Sequence[Fraction]) -> list[int]:
+    """A positive multiple with integer coefficients that have no common factor, without leading zeros."""
+    kept = list(p)
+    while kept and not kept[-1]:
+        kept.pop()
+    common = 1
+    for a in kept:
+        common = common * a.denominator // gcd(common, a.denominator)
+    whole = [int(a * common) for a in kept]
+    shared = gcd(*whole) if whole else 1
+    return [a // shared for a in whole]
+
+
+def _remainder(p: list[int], d: list[int]) -> list[int]:
+    """A positive multiple of the remainder of p divided by d."""
+    rest = [Fraction(a) for a in p]
+    while len(rest) >= len(d):
+        factor = rest[-1] / d[-1]
+        shift = len(rest) - len(d)
+        for i, a in enumerate(d):
+            rest[shift + i] -= factor * a
+        rest.pop()
+    return _primitive(rest)
+
+
+def _square_free(p: list[int]) -> list[int]:
+    """p divided by its greatest common divisor with p': the same roots, each simple."""
+    a, b = p, _primitive([Fraction(i * c) for i, c in enumerate(p)][1:])
+    while b:
+        a, b = b, _remainder(a, b)
+    if len(a) == 1:
+        return p
+    rest, quotient = [Fraction(c) for c in p], [Fraction(0)] * (len(p) - len(a) + 1)
+    for shift in reversed(range(len(quotient))):
+        quotient[shift] = rest[shift + len(a) - 1] / a[-1]
+        for i, c in enumerate(a):
+            rest[shift + i] -= quotient[shift] * c
+    return _primitive(quotient)
+
+
+def _sturm_chain(p: list[int]) -> list[list[int]]:
+    chain = [p, _primitive([Fraction(i * c) for i, c in enumerate(p)][1:])]
+    while len(chain[-1]) > 1:
+        chain.append([-c for c in _remainder(chain[-2], chain[-1])])
+    return chain
+
+
+def _value(p: list[int], x: Fraction) -> int:
+    """p(x) times the positive power denominator(x)^degree."""
+    result, power = 0, 1
+    for a in reversed(p):
+        result = result * x.numerator + a * power
+        power *= x.denominator
+    return result
+
+
+def _changes(chain: list[list[int]], x: Fraction) -> int:
+    signs = [value > 0 for value in (_value(p, x) for p in chain) if value]
+    return sum(a != b for a, b in pairwise(signs))
+
+
+def _refined(p: list[int], a: Fraction, b: Fraction) -> Fraction:
+    """The one root of the square-free p in (a, b]."""
+    end = _value(p, b)
+    if not end:
+        return b
+    while b - a > WIDTH:
+        middle = _rounded((a + b) / 2, b - a)
+        value = _value(p, middle)
+        if not value:
+            return middle
+        a, b = (a, middle) if (value > 0) == (end > 0) else (middle, b)
+    return (a + b) / 2
+
+
+def _rounded(x: Fraction, width: Fraction) -> Fraction:
+    """A fraction with a small denominator within an eighth of `width` of x."""
+    digits = 8 * (width.denominator // width.numerator + 1)
+    digits = 1 << digits.bit_length()
+    return Fraction(round(x * digits), digits)

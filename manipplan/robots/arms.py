@@ -9,8 +9,8 @@ import pinocchio as pin
 
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import JointTree, frame_index
-from manipplan.robots.reduced import reduce
 from manipplan.robots.srdf import NamedStates
+from manipplan.robots.subchain import reduce
 from manipplan.support.checks import Array, one_of
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner

@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 
 from manipplan.robots.collections import GROUP, MENAGERIE, own_robots, robot_file
 from manipplan.robots.data_sheets import with_published_limits
+from manipplan.robots.description import RobotSource
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
 from manipplan.robots.robot import Robot
-from manipplan.robots.source import RobotSource
 from manipplan.support.checks import number, number_array
 from manipplan.support.errors import InvalidInputError, MissingExtraError, UnknownNameError
 

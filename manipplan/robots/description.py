@@ -1,18 +1,105 @@
-"""Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one."""
+"""Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one.
+
+RobotSource: what an arm was read from, so that the same arm can be built again.
+"""
 
 import logging
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.formats.urdf_check import check_urdf, joined_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_visuals
-from manipplan.robots.mimics import Mimic, read_mimics
-from manipplan.robots.model_tree import plain_angles
+from manipplan.robots.model_tree import Mimic, plain_angles, read_mimics
 from manipplan.robots.sizes import check_origins, check_sizes
+from manipplan.support.errors import UnknownNameError
+
+if TYPE_CHECKING:
+    from manipplan.robots.robot import Robot
+
+KINDS = ("catalogue", "urdf", "mjcf", "planar")
+#: Options of `Robot.from_urdf` that are paths of files and folders.
+FILES, FOLDERS, FOLDERS_BY_NAME = ("srdf",), ("package_dirs",), ("packages",)
+#: Option that maps names to text.
+TEXTS = "arguments"
+#: Option that lets a file run code. It is never stored in a saved plan, nor read from one.
+TRUST = "trust_file"
+
+
+@dataclass(frozen=True, kw_only=True)
+class RobotSource:
+    """What an arm was read from, with the options that were given.
+
+    Attributes:
+        kind: "catalogue", "urdf", "mjcf" or "planar".
+        name: of kind "catalogue" the name that `load_robot` was given, also one of another collection; else "".
+        file: absolute path of the URDF, xacro or MJCF file that was read; None for the planar arm.
+        options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
+            package_dirs, packages, meshes, collision, arguments, trust_file and limits of `Robot.from_urdf`; lengths and
+            radius of `planar_arm`.
+    """
+
+    kind: str
+    name: str = ""
+    file: Path | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise UnknownNameError("kind of a robot's source", str(self.kind), KINDS)
+
+    @classmethod
+    def of(cls, kind: str, file: str | Path | None, options: Mapping[str, Any], *, name: str = "") -> "RobotSource":
+        """The source for the user's options; those that are None or empty are left out."""
+        plain = {key: _plain(key, value) for key, value in options.items() if value is not None}
+        kept = {key: value for key, value in plain.items() if value not in ((), {})}
+        path = Path(file).expanduser().resolve() if file is not None else None
+        return cls(kind=kind, name=name, file=path, options=kept)
+
+    @property
+    def urdf_files(self) -> UrdfFiles:
+        """How a URDF or xacro file is read, and where its meshes are."""
+        names = ("package_dirs", "packages", "collision", "arguments", "trust_file")
+        return UrdfFiles(**{name: self.options[name] for name in names if name in self.options})
+
+    def load(self) -> "Robot":
+        """Build the arm again, with the limits and the neutral posture with which it was read.
+
+        Raises FileFormatError or another InvalidInputError when a file no longer exists, or no longer fits the options.
+        """
+        from manipplan.robots.catalog import load_robot, planar_arm
+        from manipplan.robots.robot import Robot
+
+        if self.kind == "planar":
+            return planar_arm(**self.options)
+        if self.kind == "catalogue" or self.file is None:
+            return load_robot(self.name, **self.options)
+        return Robot.from_mjcf(self.file, **self.options) if self.kind == "mjcf" else Robot.from_urdf(self.file, **self.options)
+
+
+def _plain(key: str, value: Any) -> Any:
+    """The value of an option as plain numbers, strings, tuples and paths, independent of the caller's objects."""
+    if key in FILES:
+        return Path(value).expanduser().resolve()
+    if key in FOLDERS:
+        return tuple(Path(folder).expanduser().resolve() for folder in value)
+    if key in FOLDERS_BY_NAME:
+        return {str(name): Path(folder).expanduser().resolve() for name, folder in value.items()}
+    if key == TEXTS:
+        return {str(name): str(each) for name, each in value.items()}
+    if isinstance(value, bool):
+        return value
+    if isinstance(value, Mapping):
+        return {str(name): float(each) for name, each in value.items()}
+    if isinstance(value, str):
+        return value
+    return tuple(_plain("", each) for each in value) if np.ndim(value) else float(value)
+
 
 log = logging.getLogger("manipplan")
 

@@ -33,8 +33,7 @@ import pinocchio as pin
 
 from manipplan.robots.description import Description
 from manipplan.robots.hulls import box_corners
-from manipplan.robots.mimics import Mimic
-from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute, parent_bodies
+from manipplan.robots.model_tree import Mimic, frame_index, is_prismatic, is_revolute, parent_bodies
 from manipplan.robots.srdf import Semantics
 from manipplan.support.errors import FileFormatError, InvalidInputError
 

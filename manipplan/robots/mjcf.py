@@ -20,8 +20,7 @@ from manipplan.robots.formats.mjcf_files import MOST_HEIGHTS, compile_mjcf
 from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
-from manipplan.robots.mimics import WORLD, Mimic, first_leaders
-from manipplan.robots.model_tree import joint_about
+from manipplan.robots.model_tree import WORLD, Mimic, first_leaders, joint_about
 from manipplan.robots.sizes import check_origins, check_sizes
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError

@@ -10,15 +10,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.robots import attached, description, mjcf, model_tree, reduced
+from manipplan.robots import attached, description, mjcf, model_tree, subchain
 from manipplan.robots import subchain as parts
 from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
 from manipplan.robots.attached import AddedFrame, CarriedPart, Solid
 from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, checked_configuration
+from manipplan.robots.description import RobotSource
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
-from manipplan.robots.mimics import Mimic
-from manipplan.robots.source import RobotSource
+from manipplan.robots.model_tree import Mimic
 from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, existing_file, instance, number, one_of, pose_matrix, text, whole_number
@@ -198,10 +198,10 @@ class Robot(Pictured):
         locked = {} if locked is None else locked
         active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked)
         held = parts.locked_values(whole, active, locked, semantic, read.mimics)
-        model, geometry = reduced.reduce(whole, read.geometry, active, held, read.mimics)
+        model, geometry = subchain.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
         base = parts.limits_of(model, read.source, limits)
-        base = parts.limits_of_leaders(base, whole, reduced.followers_of(model), active, limits)
+        base = parts.limits_of_leaders(base, whole, subchain.followers_of(model), active, limits)
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
                 ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
@@ -269,7 +269,7 @@ class Robot(Pictured):
     @property
     def followers(self) -> dict[str, Mimic]:
         """The joints that move with an active one, by name: position = multiplier * leader's position + offset [rad or m]."""
-        return reduced.followers_of(self.model)
+        return subchain.followers_of(self.model)
 
     @property
     def tree(self) -> model_tree.JointTree:
@@ -483,12 +483,12 @@ class Robot(Pictured):
 
     def __getstate__(self) -> dict[str, Any]:
         # Pinocchio writes mimic joints that end the process when they are read
-        model, geometry, followers = reduced.uncoupled(self.model, self.geometry)
+        model, geometry, followers = subchain.uncoupled(self.model, self.geometry)
         return state_without_memo(self) | {"model": model, "geometry": geometry, "followers": followers}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         followers = state.pop("followers")
-        state["model"], state["geometry"] = reduced.coupled(state["model"], state["geometry"], followers)
+        state["model"], state["geometry"] = subchain.coupled(state["model"], state["geometry"], followers)
         vars(self).update(state)
 
     def __repr__(self) -> str:

@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.search.candidates.layers import Layers
-from manipplan.search.steps import check_epsilon, exclusive, without_jumps
+from manipplan.search.layers import Layers
+from manipplan.search.sweep import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.compiling.native import needed_code
 from manipplan.support.display import one_line

@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.kinematics.batch import all_cores
-from manipplan.search.candidates.layers import Layers
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import THREADED
 from manipplan.search.search import ThresholdSearch
-from manipplan.search.steps import check_epsilon, exclusive
-from manipplan.search.sweep import Subset, ThreadPool
+from manipplan.search.sweep import Subset, ThreadPool, check_epsilon, exclusive
 from manipplan.support.checks import Array, flag, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError

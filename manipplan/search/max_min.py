@@ -15,10 +15,19 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.search.candidates.layers import Layers
+from manipplan.search.layers import Layers
 from manipplan.search.search import CandidatePath, ThresholdSearch
-from manipplan.search.steps import check_epsilon, exclusive, path_length, without_jumps
-from manipplan.search.sweep import Lexicographic, Shortest, Subset, ThreadPool, Widest
+from manipplan.search.sweep import (
+    Lexicographic,
+    Shortest,
+    Subset,
+    ThreadPool,
+    Widest,
+    check_epsilon,
+    exclusive,
+    path_length,
+    without_jumps,
+)
 from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError

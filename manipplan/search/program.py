@@ -13,8 +13,8 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.candidates.layers import INSIDE_LIMITS
-from manipplan.search.steps import full_turns
+from manipplan.search.layers import INSIDE_LIMITS
+from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array
 from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner

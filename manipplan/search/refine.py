@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.candidates.layers import Layers
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
-from manipplan.search.steps import path_length, path_steps, steps_between, within
+from manipplan.search.sweep import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, flag, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.interrupts import interruptible
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, interruptible, teller
 
 if TYPE_CHECKING:
-    from manipplan.search.candidates.sampler import CandidateSampler
+    from manipplan.search.sampling import CandidateSampler
 
 #: Number of values per parameter around the current path, for one, two, three and more parameters, and the factor on their
 #: spread from round to round.

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.search.candidates.layers import Layers
-from manipplan.search.grid import SAMPLE, Grid, choose_grid
-from manipplan.search.steps import path_steps
+from manipplan.search.layers import Layers
 from manipplan.search.sweep import (
+    SAMPLE,
     Cells,
     Closest,
+    Grid,
     Longest,
     Reached,
     Subset,
@@ -24,6 +24,8 @@ from manipplan.search.sweep import (
     ThreadPool,
     Trace,
     Widest,
+    choose_grid,
+    path_steps,
     sort_stage,
     sweep,
 )

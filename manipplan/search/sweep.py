@@ -1,17 +1,322 @@
-"""Sweeps of the dynamic program over the layers, and their objectives."""
+"""Sweeps of the dynamic program over the layers, and their objectives.
 
+The compiled steps of the dynamic program: `sweep.c`.
+
+Steps between neighbouring positions: their bound ε, their size, and configurations without jumps of 2π.
+
+Grid: cells over up to three joints, wide enough that neighbours within ε lie in the same or in adjacent cells.
+"""
+
+import ctypes
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from manipplan.search.grid import Grid
-from manipplan.support.checks import Array
+from manipplan.support.checks import LARGEST, Array, number_array
+from manipplan.support.compiling.native import needed_code
+from manipplan.support.errors import InvalidInputError
+
+_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
+#: Result and arguments of the functions of sweep.c.
+SIGNATURES: dict[str, tuple[Any, ...]] = {
+    "taking_part": (_N, _P, _N, _D, _D, _P),
+    "sort_into_cells": (None, _P, _P, _P, _P, _N, _D, _P, _P),
+    "largest_of_each": (None, _P, _N, _P, _P),
+    "widest": (None, _P, _N, _N),
+    "shortest": (None, _P, _N, _N),
+    "closest": (None, _P, _N, _N),
+}
+
+
+@cache
+def calls() -> Mapping[str, Callable[..., Any]]:
+    """The functions of sweep.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
+    return needed_code(Path(__file__).with_name("sweep.c"), "searches through layers").functions("manipplan_", SIGNATURES)
+
+
+class _GridStruct(ctypes.Structure):
+    """`Grid` of sweep.c."""
+
+    _fields_ = [("n", _N), *((name, _P) for name in ("joints", "low", "per", "count", "wraps", "order", "reach", "turns"))]
+
+
+class _CellsStruct(ctypes.Structure):
+    """`Cells` of sweep.c."""
+
+    _fields_ = [(name, _P) for name in ("ids", "rows", "m", "start")]
+
+
+class _StepStruct(ctypes.Structure):
+    """`Step` of sweep.c."""
+
+    _fields_ = [
+        ("grid", _P),
+        ("from", _CellsStruct),
+        ("known", 2 * _P),
+        ("to", _CellsStruct),
+        ("made", 2 * _P),
+        *((name, _P) for name in ("source", "rank", "epsilon")),
+    ]
+
+
+def _grid(grid: "Grid") -> _GridStruct:
+    """It points to the arrays of the grid, which has to outlive it."""
+    arrays = (grid.joints, grid.low, grid.per, grid.count, grid.wraps, grid.order, grid.reach, grid.turns)
+    return _GridStruct(len(grid.order), *(each.ctypes.data for each in arrays))
+
+
+def _cells(cells: "Cells") -> _CellsStruct:
+    return _CellsStruct(*(each.ctypes.data for each in cells))
+
+
+def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
+    """The candidates q (k, n) with m (k,) >= threshold, sorted by cell, with m limited to `cap`.
+
+    With a share below 1 about that share of them; the choice is pseudo-random but reproducible, and a smaller share is a subset
+    of a larger one.
+    """
+    q, m = np.ascontiguousarray(q), np.ascontiguousarray(m)
+    taken = np.empty(len(m) + 1, dtype=np.int32)
+    k = calls()["taking_part"](m.ctypes.data, len(m), threshold, share, taken.ctypes.data)
+    cells = Cells(np.empty(k, dtype=np.int32), np.empty((k, q.shape[1])), np.empty(k), np.empty(grid.cells + 1, dtype=np.int32))
+    cell, arrays, numbers = np.empty(k, dtype=np.int32), _cells(cells), _grid(grid)
+    calls()["sort_into_cells"](
+        ctypes.addressof(numbers),
+        q.ctypes.data,
+        m.ctypes.data,
+        taken.ctypes.data,
+        k,
+        cap,
+        cell.ctypes.data,
+        ctypes.addressof(arrays),
+    )
+    return cells
+
+
+def largest_of_each(start: NDArray[np.int32], value: Array) -> Array:
+    """The largest value of each cell (cells,), -inf for an empty one; start (cells + 1,) of each cell."""
+    top = np.empty(len(start) - 1)
+    calls()["largest_of_each"](start.ctypes.data, len(top), value.ctypes.data, top.ctypes.data)
+    return top
+
+
+class StepKernel:
+    """One step of a sweep, from candidates `old` with their values (k,) and tops per cell to `cells`; threads share it.
+
+    Args:
+        name: "widest", "shortest" or "closest".
+        old, value, top: the previous stage, with the value of each candidate and the largest one of each cell.
+        cells: the next stage.
+        grid: of both.
+        rank: (k,) of the previous stage for "shortest": candidates of a higher rank go first; None: all are equal.
+        epsilon: (n,) for "closest", in the order of the grid.
+
+    Attributes:
+        value: (k,) of the next stage, -inf where no path leads.
+        top: the largest value of each cell.
+        source: (k,) index of the predecessor, -1 for none.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        old: "Cells",
+        value: Array,
+        top: Array,
+        cells: "Cells",
+        grid: "Grid",
+        *,
+        rank: NDArray[np.int64] | None = None,
+        epsilon: Array | None = None,
+    ) -> None:
+        count = len(cells.ids)
+        self.value, self.top = np.empty(count), np.empty(len(cells.start) - 1)
+        self.source = np.empty(count, dtype=np.int32)
+        self._call, self._grid = calls()[name], _grid(grid)
+        self._kept = (old, value, top, cells, grid, rank, epsilon)
+        self._step = _StepStruct(
+            ctypes.addressof(self._grid),
+            _cells(old),
+            (2 * _P)(value.ctypes.data, top.ctypes.data),
+            _cells(cells),
+            (2 * _P)(self.value.ctypes.data, self.top.ctypes.data),
+            self.source.ctypes.data,
+            None if rank is None else rank.ctypes.data,
+            None if epsilon is None else epsilon.ctypes.data,
+        )
+
+    def __call__(self, first: int, last: int) -> None:
+        """Process cells first to last - 1."""
+        self._call(ctypes.addressof(self._step), first, last)
+
+
+TAU = 2 * np.pi
+#: Smallest step that is allowed [rad or m].
+LEAST_EPSILON = 1e-300
+
+
+def steps_between(a: Array, b: Array, continuous: NDArray[np.bool_]) -> Array:
+    """Steps from configurations a to b (..., n); continuous joints take the shorter way."""
+    d = b - a
+    return np.where(continuous, d - TAU * np.floor(d / TAU + 0.5), d)
+
+
+def path_steps(q: Array, continuous: NDArray[np.bool_], *, closed: bool) -> Array:
+    """Steps along the path q (L, n), including the closing step of a cycle: (L - 1, n) or (L, n)."""
+    following = np.roll(q, -1, axis=0) if closed else q[1:]
+    return steps_between(q if closed else q[:-1], following, continuous)
+
+
+def path_length(q: Array, continuous: NDArray[np.bool_], *, closed: bool) -> float:
+    """Σ ‖Δq‖ along the path q (L, n)."""
+    return float(np.linalg.norm(path_steps(q, continuous, closed=closed), axis=1).sum())
+
+
+def without_jumps(q: Array, continuous: NDArray[np.bool_]) -> Array:
+    """The path q (L, n) with continuous joints unwrapped, starting at their first value."""
+    steps = steps_between(q[:-1], q[1:], continuous)
+    turned = np.vstack([q[:1], q[0] + np.cumsum(steps, axis=0)])
+    return np.where(continuous, turned, q)
+
+
+def within(q: Array, epsilon: Array, continuous: NDArray[np.bool_], *, strict: bool, closed: bool) -> bool:
+    """Whether every step of the path q (L, n) is below ε (n,), or, without `strict`, at most ε."""
+    steps = np.abs(path_steps(q, continuous, closed=closed))
+    return bool((steps < epsilon if strict else steps <= epsilon).all())
+
+
+def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
+    """Net rotation of each joint (n,) over the cycle q (L, n) [rad]: full turns of continuous joints, else 0."""
+    return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
+
+
+def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_]) -> Array:
+    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for continuous joints."""
+    n = len(continuous)
+    array = number_array("epsilon", value)
+    if array.shape not in ((), (n,)):
+        raise InvalidInputError("epsilon", value, f"one number or {n} of them, one per joint")
+    if not ((array >= LEAST_EPSILON) & (array <= LARGEST)).all():
+        raise InvalidInputError("epsilon", value, f"finite numbers above zero, {LEAST_EPSILON:g} to {LARGEST:g} [rad or m]")
+    array = np.broadcast_to(array, (n,)).copy()
+    if (array[continuous] >= np.pi).any():
+        raise InvalidInputError("epsilon", value, "below π for continuous joints")
+    array.flags.writeable = False
+    return array
+
+
+def exclusive(epsilon: Array, *, strict: bool) -> Array:
+    """Exclusive bound on each step (n,): with strict=False the next larger number, so that ε itself is allowed."""
+    return epsilon if strict else np.nextafter(epsilon, np.inf)
+
+
+#: Maximum number of joints that are hashed.
+AXES = 3
+#: Minimum number of cells of a hashed joint: three of them are searched anyway.
+FEWEST = 4
+#: Relative margin of the cell width over the largest step, so that rounding never puts neighbours two cells apart.
+HAIR = 1e-6
+#: Number of configurations from which the joints to hash are chosen.
+SAMPLE = 4096
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Grid:
+    """Cells of equal width over three joints; a joint with a single cell is not hashed.
+
+    Attributes:
+        joints: (3,) joints that are hashed.
+        low: (3,) lower edge of the first cell [rad or m].
+        per: (3,) cells per rad or m.
+        count: (3,) number of cells.
+        wraps: (3,) whether the last cell is adjacent to the first.
+        order: (n,) order in which joints are compared: joints that are not hashed come first, as they reject more pairs.
+        reach: (n,) upper bound on a step, exclusive, in that order.
+        turns: (n,) whether the joint is continuous, in that order.
+    """
+
+    joints: NDArray[np.int64]
+    low: Array
+    per: Array
+    count: NDArray[np.int64]
+    wraps: NDArray[np.bool_]
+    order: NDArray[np.int64]
+    reach: Array
+    turns: NDArray[np.bool_]
+
+    @property
+    def cells(self) -> int:
+        """Number of cells."""
+        return int(self.count.prod())
+
+
+def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[np.bool_], most: int) -> Grid:
+    """The grid of at most `most` cells that separates the most pairs of `sample` (S, n).
+
+    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on a step, exclusive. Joints are
+    added one by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
+    """
+    n = sample.shape[1]
+    low, high = extent
+    rounding = 8 * np.finfo(np.float64).eps * np.maximum(np.abs(low), np.abs(high))
+    with np.errstate(over="ignore"):
+        width = reach * (1 + HAIR) + rounding
+        span = np.where(continuous, TAU, high - low)
+        full = np.where(continuous, np.floor(TAU / width), np.floor(span / width) + 1)
+    joints: list[int] = []
+    counts: list[int] = []
+    key = np.zeros(len(sample), dtype=np.int64)
+    together = _pairs(key)
+    room = most
+    while len(joints) < AXES and together > 0:
+        best = (together / 3, -1, 0, key)
+        for j in range(n):
+            cells = int(min(full[j], room))
+            if j in joints or cells < FEWEST or not np.isfinite(span[j]):
+                continue
+            share = (sample[:, j] - low[j]) / span[j] if not continuous[j] else sample[:, j] / TAU
+            trial = key * cells + np.minimum((share % 1.0 if continuous[j] else share) * cells, cells - 1).astype(np.int64)
+            left = _pairs(trial)
+            if left < best[0]:
+                best = (left, j, cells, trial)
+        if best[1] < 0:
+            break
+        together, key = best[0], best[3]
+        joints.append(best[1])
+        counts.append(best[2])
+        room //= best[2]
+    hashed = np.array(joints + [0] * (AXES - len(joints)), dtype=np.int64)
+    count = np.array(counts + [1] * (AXES - len(counts)), dtype=np.int64)
+    wraps = continuous[hashed] & (count > 1)
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        even = count / span[hashed]
+    # an unhashed axis has one cell; cells that divide the span evenly are never narrower than `width`
+    per = np.where(count == 1, 0.0, np.where(wraps, count / TAU, np.minimum(1 / width[hashed], even)))
+    order = np.argsort([(j in joints) * 1e18 - min(full[j], 1e17) for j in range(n)], kind="stable")
+    return Grid(
+        joints=hashed,
+        low=low[hashed].copy(),
+        per=per,
+        count=count,
+        wraps=wraps,
+        order=order.astype(np.int64),
+        reach=np.ascontiguousarray(reach[order]),
+        turns=np.ascontiguousarray(continuous[order]),
+    )
+
+
+def _pairs(key: NDArray[np.int64]) -> float:
+    sizes = np.unique(key, return_counts=True)[1].astype(np.float64)
+    return float((sizes * (sizes - 1)).sum())
+
 
 #: Minimum number of candidates of a layer that threads share.
 SHARED = 8192
@@ -146,8 +451,6 @@ class Subset:
 
 def sort_stage(stage: SweepStage, part: Subset, grid: Grid) -> Cells:
     """The candidates of a stage that take part, sorted by cell."""
-    from manipplan.search.kernels import sorted_into_cells
-
     share = min(1.0, max(part.share, LEAST / len(stage.m)))
     return sorted_into_cells(stage.q, stage.m, part.threshold, share, part.cap, grid)
 
@@ -209,7 +512,6 @@ class Widest:
         return _reached(cells, cells.m)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import StepKernel
 
         made = StepKernel("widest", old, reached.value, reached.top, cells, grid)
         share(made, cells)
@@ -224,7 +526,6 @@ class Shortest:
         return _reached(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import StepKernel
 
         made = StepKernel("shortest", old, reached.value, reached.top, cells, grid)
         share(made, cells)
@@ -245,7 +546,6 @@ class Lexicographic:
         return _reached(cells, value)._replace(rank=_ranks(codes, value), vectors=codes)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import StepKernel
 
         assert reached.rank is not None and reached.vectors is not None
         made = StepKernel("shortest", old, reached.value, reached.top, cells, grid, rank=reached.rank)
@@ -265,7 +565,6 @@ class Closest:
         return _reached(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import StepKernel
 
         epsilon = np.ascontiguousarray(self.epsilon[grid.order])
         made = StepKernel("closest", old, reached.value, reached.top, cells, grid, epsilon=epsilon)
@@ -281,7 +580,6 @@ class Longest:
         return _reached(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-        from manipplan.search.kernels import StepKernel
 
         alike = cells._replace(m=np.full(len(cells.ids), reached.top.max()))  # the manipulability does not limit a length
         made = StepKernel("widest", old, reached.value, reached.top, alike, grid)
@@ -290,7 +588,6 @@ class Longest:
 
 
 def _reached(cells: Cells, value: Array) -> Reached:
-    from manipplan.search.kernels import largest_of_each
 
     return Reached(value, largest_of_each(cells.start, value))
 

@@ -1,13 +1,29 @@
-"""RRT-Connect in compiled code, which counts crossings of singularities: `connect.c` on the collision kernel."""
+"""RRT-Connect in compiled code, which counts crossings of singularities: `connect.c` on the collision kernel.
 
-from collections.abc import Sequence
+connect-star: our RRT-Connect, which goes on to lower the cost of its path, its length or g, until its checks are used up.
+
+The path is changed at random, by shortcuts and detours (`star.c`), until that gains little. Then new trees look for a path that
+costs less than the best one [wilson2025]: a node is added only where its cost from its root allows such a path, and random
+configurations come from the ellipsoid of shorter paths [gammell2014] where the cost is the length. Each search without success
+is followed by one with twice as many checks, so that with more and more checks every cheaper path is found at last.
+"""
+
+import ctypes
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from manipplan.seeds.motions import SIDE, Level, MotionCheck, P
+from manipplan.cost.integral import PathIntegral, metric_matrix
+from manipplan.paths.rounding import gauss_rule
+from manipplan.seeds.motions import SIDE, D, Level, MotionCheck, N, P, search_code
+from manipplan.seeds.ompl import LEAST, PANEL, POINTS
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.compiling.native import NativeCode, native_code
 from manipplan.support.deadline import work_time
 
 #: As in connect.c.
@@ -17,7 +33,7 @@ SLICE = 2000
 #: Number of random shortcuts, and of those between two looks at the clock.
 SHORTCUTS, SOME = 60, 10
 #: Number of nodes of each tree for which there is room at first.
-ROOM = 2048
+TREE_ROOM = 2048
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -37,11 +53,11 @@ class Run:
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
         self.task, self.check = task, MotionCheck(task, levels)
         self.n, self.search, self.call = self.check.n, self.check.data, self.check.call
-        self.nodes = np.empty((2, ROOM, self.n))
+        self.nodes = np.empty((2, TREE_ROOM, self.n))
         self.nodes[:, 0] = self.check.roots
-        self.costs = np.zeros((2, ROOM))
-        self.parents = np.full((2, ROOM), -1)
-        self.sides = np.zeros((2, ROOM), dtype=SIDE)
+        self.costs = np.zeros((2, TREE_ROOM))
+        self.parents = np.full((2, TREE_ROOM), -1)
+        self.sides = np.zeros((2, TREE_ROOM), dtype=SIDE)
         self.sides[:, 0] = self.check.root_sides
         self._set_room()
 
@@ -84,3 +100,170 @@ class Run:
         named = {"node": self.nodes, "parent": self.parents, "side": self.sides, "cost": self.costs}
         for name, arrays in named.items():
             setattr(self.search, name, (P * 2)(*(each.ctypes.data for each in arrays)))
+
+
+#: Number of random changes between two looks at the clock, and their gain below which new trees are grown.
+CHANGES, STALLED = 200, 0.002
+#: Maximum number of waypoints.
+STAR_ROOM = 64
+#: Number of checks of the first search for a cheaper path.
+EXPLORE = 2000
+#: Maximum distance of a detour, as a share of the length of what it replaces.
+REACH = 0.5
+
+
+class _Star(ctypes.Structure):
+    """`Star` of star.c."""
+
+    _fields_ = [
+        ("n", N),
+        *((name, P) for name in ("low", "high", "metric", "measure")),
+        *((name, D) for name in ("floor", "power", "least", "panel")),
+        ("points", N),
+        *((name, P) for name in ("nodes", "weights", "search", "clear", "allowed")),
+        ("reach", D),
+        ("random", ctypes.c_uint64),
+    ]
+
+
+@cache
+def star_code() -> NativeCode | None:
+    """The machine code of star.c; None where it cannot be compiled."""
+    return native_code(Path(__file__).with_name("star.c"), "costs of paths")
+
+
+@cache
+def _functions() -> dict[str, Callable[..., Any]]:
+    code = star_code()
+    assert code is not None
+    return code.functions("manipplan_", {"improve": (N, P, P, P, N, N, N), "way_cost": (D, P, P, N)})
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StarSearch:
+    """A search by compiled code that lowers the cost of its path; only where `can_check`.
+
+    Attributes:
+        task: with the maximum number of checks; a random change of the path counts as one.
+        integral: the cost; None: the length.
+    """
+
+    task: SeedTask
+    integral: PathIntegral | None
+
+    def run(self, levels: Sequence[Level]) -> Array | None:
+        """Waypoints (k, n) of the best path, or None when none was found. Motions are checked as `levels` tell."""
+        run = Run(self.task, levels)
+        found = run.path()
+        return None if found is None else _Best(run, self.task, self.integral).lowered(found)
+
+
+class _Best:
+    """Lowers the cost of a first path."""
+
+    def __init__(self, run: Run, task: SeedTask, integral: PathIntegral | None) -> None:
+        code, search = star_code(), search_code()
+        assert code is not None and search is not None
+        self.run, self.task, self.search, self.n = run, task, run.search, run.n
+        self.search.level = max(self.search.level, self.search.levels - 2)  # the last level's paths nearly touch
+        self.search.levels = self.search.level + 1
+        nodes, weights = gauss_rule(POINTS)
+        metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, run.n)
+        measure = None if integral is None else _measure(integral, run.check)
+        self._kept = nodes, weights, metric, measure
+        self.star = _Star(
+            n=run.n,
+            low=self.search.low,
+            high=self.search.high,
+            metric=None if metric is None else metric.ctypes.data,
+            measure=measure if measure is None or isinstance(measure, int) else ctypes.cast(measure, P).value,
+            floor=0.0 if integral is None else integral.floor,
+            power=1.0 if integral is None else integral.power,
+            least=LEAST,
+            panel=PANEL,
+            points=POINTS,
+            nodes=nodes.ctypes.data,
+            weights=weights.ctypes.data,
+            search=run.check.at,
+            clear=search.address("manipplan_clear"),
+            allowed=search.address("manipplan_allowed"),
+            reach=REACH,
+            random=task.seed,
+        )
+        self.at = ctypes.addressof(self.star)
+        self.search.star, self.search.cost_of = self.at, code.address("manipplan_edge_cost")
+        self.search.rate = 1.0 if integral is None else 0.0  # the largest m of an arm is not known
+
+    def lowered(self, way: Array) -> Array:
+        """The best path (k, n) that the checks and the time allow."""
+        best, cost = self._changed(way)
+        checks = EXPLORE
+        while not self._is_over():
+            found = self._cheaper(cost, checks)
+            if found is None:
+                checks *= 2
+                continue
+            other, least = self._changed(found)
+            if least < cost:
+                best, cost = other, least
+        return best
+
+    def _is_over(self) -> bool:
+        checks = self.task.checks
+        return work_time() >= self.task.deadline or (checks is not None and self.run.check.checks >= checks)
+
+    def _changed(self, way: Array) -> tuple[Array, float]:
+        """A path (k, n) of lower cost by random changes, and its cost."""
+        room = max(STAR_ROOM, len(way))
+        points, work, count = np.empty((room, self.n)), np.empty((room, self.n)), len(way)
+        points[:count] = way
+        cost = self._cost(points[:count])
+        while not self._is_over():
+            count = _functions()["improve"](self.at, points.ctypes.data, work.ctypes.data, count, room, CHANGES)
+            self.run.check.raise_failure()
+            self.search.checks += CHANGES
+            before, cost = cost, self._cost(points[:count])
+            if cost > (1 - STALLED) * before:
+                break
+        return points[:count].copy(), cost
+
+    def _cost(self, way: Array) -> float:
+        cost = float(_functions()["way_cost"](self.at, way.ctypes.data, len(way)))
+        self.run.check.raise_failure()
+        return cost
+
+    def _cheaper(self, cost: float, checks: int) -> Array | None:
+        """A path (k, n) that costs less, found by new trees; None when none was found."""
+        search, call, end = self.search, self.run.call, self.search.checks + checks
+        assert call is not None
+        search.size, search.bound, search.turn = (N * 2)(1, 1), cost, 0
+        while not self._is_over() and search.checks < end:
+            left = min(SLICE, end - search.checks)
+            if self.task.checks is not None:
+                left = min(left, self.task.checks - search.checks)
+            status = call["connect"](self.run.check.at, left)
+            self.run.check.raise_failure()
+            if status == FULL:
+                self.run.grow()
+            if status == FOUND:
+                way = np.empty((call["way"](self.run.check.at, None), self.n))
+                call["way"](self.run.check.at, way.ctypes.data)
+                return way
+        return None
+
+
+def _measure(integral: PathIntegral, check: MotionCheck) -> Any:
+    """m for batches as a C function: its address or, where it is not compiled, a function that is called back."""
+    kinematics = integral.kinematics
+    address = kinematics.batch_code("manipulability")
+    if address is not None:
+        return address
+    n = kinematics.robot.n
+
+    def values(q: int, out: int, count: int) -> int:
+        here = np.ctypeslib.as_array((ctypes.c_double * (count * n)).from_address(q)).reshape(count, n)
+        found = np.ctypeslib.as_array((ctypes.c_double * count).from_address(out))
+        found[:] = kinematics.manipulability(here)
+        return int(not np.isfinite(found).all())
+
+    return check.guarded(values)

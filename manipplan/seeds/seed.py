@@ -14,24 +14,20 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.ends import check_ends
+from manipplan.constraints.constraint_set import ConstraintSet, check_ends
 from manipplan.cost.crossings import least_crossings
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
+from manipplan.kinematics.factors import sides_of
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.kinematics.sides import sides_of
-from manipplan.paths.joint import JointPath
-from manipplan.paths.smooth import rounded
+from manipplan.paths.joint import JointPath, rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.acceptance import acceptance, crossing_limit, is_free, keeps_constraints, looks_free
-from manipplan.seeds.connect import TreeSearch
+from manipplan.seeds.connect import StarSearch, TreeSearch, star_code
 from manipplan.seeds.motions import Level, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
-from manipplan.seeds.star import StarSearch, star_code
-from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask
+from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask, acceptance, crossing_limit, is_free, keeps_constraints, looks_free
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError

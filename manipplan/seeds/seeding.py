@@ -1,11 +1,17 @@
-"""Seeding: how first paths are found."""
+"""Seeding: how first paths are found.
+
+First paths without obstacles: the straight line, and paths through random configurations.
+"""
 
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.support.checks import number, one_of, random_seed, whole_number
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, number, one_of, random_seed, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -71,3 +77,11 @@ class Seeding:
             raise InvalidInputError("shifts", self.shifts, "'none' together with an initial path")
         if self.initial is not None and self.count > 1:
             raise InvalidInputError("count", self.count, "1 together with an initial path")
+
+
+def random_path(robot: Robot, start: Array, goal: Array, seed: int) -> JointPath:
+    """The straight line for seed 0, else a path through a random configuration within half a turn of its middle per joint."""
+    if seed == 0:
+        return JointPath.line(start, goal)
+    via = (start + goal) / 2 + np.random.default_rng(seed).uniform(-np.pi, np.pi, robot.n)
+    return JointPath.through(np.stack([start, np.clip(via, robot.limits.lower, robot.limits.upper), goal]))

@@ -3,6 +3,8 @@
 m_ρ = sqrt(det(J Jᵀ + ρ² I)) is m with the regularisation ρ: it equals m up to a relative error of Σ ρ²/(2 σ_i²), with σ_i the
 singular values, and stays smooth at m = 0, where m has a kink.
 Symbols: L Lᵀ = J Jᵀ + ρ² I, J = L Qᵀ; P = L⁻ᵀ Qᵀ, so that Pᵀ = J⁺ for ρ = 0; D_k = ∂J/∂q_k.
+
+The determinant of a sparse symbolic matrix as a polynomial in its entries: smooth, signed, and cheap to differentiate.
 """
 
 from dataclasses import dataclass
@@ -80,3 +82,23 @@ def manipulability_hessian(jacobian: ca.SX, motion: Motion, regularisation: floa
     factor = Factor.of(jacobian, regularisation)
     slope = log_gradient(factor, motion)
     return factor.manipulability * (log_hessian(factor, motion) + slope @ slope.T)
+
+
+def determinant(matrix: ca.SX) -> ca.SX:
+    """det of a matrix (n, n) by Laplace's expansion, with each minor computed once; zero entries cost nothing.
+
+    No division occurs, so the expression and its derivatives are exact at singular matrices too.
+    """
+    n = matrix.shape[0]
+    minors: dict[tuple[int, ...], ca.SX] = {(): ca.SX(1.0)}  # of the first rows, by their columns
+    for i in range(n):
+        larger: dict[tuple[int, ...], ca.SX] = {}
+        for columns, minor in minors.items():
+            for j in range(n):
+                if j in columns or matrix[i, j].is_zero():
+                    continue
+                chosen = tuple(sorted((*columns, j)))
+                sign = (-1) ** sum(column > j for column in columns)
+                larger[chosen] = larger.get(chosen, ca.SX(0.0)) + sign * minor * matrix[i, j]
+        minors = larger
+    return minors.get(tuple(range(n)), ca.SX(0.0))

@@ -14,7 +14,7 @@ import pinocchio as pin
 
 from manipplan.support.checks import Array
 from manipplan.timing.arc import ArcLength
-from manipplan.timing.segment import Bounds, LimitsAlong, ToolSpeed
+from manipplan.timing.stops import Bounds, LimitsAlong, ToolSpeed
 
 #: Distance in s by which segments are extended, so that grid points at their ends are inside.
 AT_EDGE = 1e-7

@@ -16,10 +16,8 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.tolerances import SAME
-from manipplan.timing.piece import TimedPiece, TimingProblem, smooth_piece, stepped_piece, straight_piece
-from manipplan.timing.segment import LimitsAlong, Segment, ToolSpeed, check_segments
-from manipplan.timing.stops import STANDSTILL, MovingPath, stops
-from manipplan.timing.straight import straight_ends
+from manipplan.timing.piece import TimedPiece, TimingProblem, smooth_piece, stepped_piece, straight_ends, straight_piece
+from manipplan.timing.stops import STANDSTILL, LimitsAlong, MovingPath, Segment, ToolSpeed, check_segments, stops
 
 #: Where a grid is too coarse for a bend as sharp as a corner, a stop is tried where ‖q'‖ is below this share of its mean.
 NEAR_STANDSTILL = 0.02

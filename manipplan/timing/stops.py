@@ -1,9 +1,21 @@
-"""Where an arm has to stop on a path, and the path without pieces on which no joint moves."""
+"""Where an arm has to stop on a path, and the path without pieces on which no joint moves.
+
+Limits that change along a path: tighter ones on segments, and limits of the tool speed there.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+import pinocchio as pin
 
 from manipplan.paths.joint import JointPath
-from manipplan.support.checks import Array
+from manipplan.robots.limits import JointLimits
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array, instance, number
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import SAME
 
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
@@ -88,3 +100,130 @@ def stops(path: JointPath, standstill: float) -> list[float]:
     found.sort()
     apart = [s for k, s in enumerate(found) if k == 0 or (s - found[k - 1] > 1e-9 and s < 1 - 1e-9)]
     return [*apart, 1.0]
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Segment:
+    """A part of a path on which tighter limits hold; where segments overlap, the tightest limit of each kind applies.
+
+    Attributes:
+        begin, end: path parameter s where it begins and ends, 0 <= begin < end <= 1.
+        limits: joint limits there, which apply where they are tighter than the whole path's; None: those of the whole path.
+        velocity, acceleration, jerk: shares in (0, 1] of these limits.
+        tool_speed: maximum speed of the tool's origin there [m/s]; inf: no limit.
+    """
+
+    begin: float
+    end: float
+    limits: JointLimits | None = None
+    velocity: float = 1.0
+    acceleration: float = 1.0
+    jerk: float = 1.0
+    tool_speed: float = np.inf
+
+    def __post_init__(self) -> None:
+        begin = number("segment.begin", self.begin, least=0.0, most=1.0)
+        end = number("segment.end", self.end, least=0.0, most=1.0)
+        if not begin < end:
+            raise InvalidInputError("segment.end", self.end, f"a number above begin = {begin:g}, at most 1")
+        for name in ("velocity", "acceleration", "jerk"):
+            number(f"segment.{name}", getattr(self, name), above=0.0, most=1.0)
+        if not (isinstance(self.tool_speed, float) and self.tool_speed == np.inf):
+            number("segment.tool_speed", self.tool_speed, above=0.0)
+        if self.limits is not None:
+            instance("segment.limits", self.limits, JointLimits)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Bounds:
+    """Limits at k places of a path: (k, n) each, `tool_speed` (k,); inf where there is no limit."""
+
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+    effort: Array
+    tool_speed: Array
+
+
+class LimitsAlong:
+    """The limits at every s of a path; segments include their ends, so the tighter side applies there.
+
+    `places` are the parameters of segment ends on the path that is timed, which may differ from those on the given path.
+    """
+
+    def __init__(self, limits: JointLimits, segments: Sequence[Segment], places: Array) -> None:
+        self.n = limits.n
+        self.limits = limits
+        self.segments = tuple(segments)
+        self.places = places
+        self._rows = [self._tightened(limits, segment) for segment in self.segments]
+
+    @property
+    def edges(self) -> Array:
+        """Path parameters at which limits change, sorted."""
+        return np.unique(self.places)
+
+    @property
+    def has_jerk(self) -> bool:
+        """Whether a jerk limit is finite anywhere."""
+        return bool(np.isfinite([self.limits.jerk, *(row["jerk"] for row in self._rows)]).any())
+
+    @property
+    def has_tool_speed(self) -> bool:
+        """Whether the tool's speed is limited anywhere."""
+        return any(np.isfinite(segment.tool_speed) for segment in self.segments)
+
+    def at(self, s: Array, *, around: float = 0.0) -> Bounds:
+        """Limits at s (k,); each segment is extended by `around` at both ends."""
+        kinds = ("velocity", "acceleration", "jerk", "effort")
+        values = {kind: np.broadcast_to(getattr(self.limits, kind), (len(s), self.n)) for kind in kinds}
+        tool = np.full(len(s), np.inf)
+        if self.segments:
+            values = {kind: np.array(each) for kind, each in values.items()}
+        for segment, row, (begin, end) in zip(self.segments, self._rows, self.places, strict=True):
+            inside = (s >= begin - around) & (s <= end + around)
+            for kind in kinds:
+                values[kind][inside] = np.minimum(values[kind][inside], row[kind])
+            tool[inside] = np.minimum(tool[inside], segment.tool_speed)
+        return Bounds(**values, tool_speed=tool)
+
+    @staticmethod
+    def _tightened(limits: JointLimits, segment: Segment) -> dict[str, Array]:
+        row = {}
+        for kind in ("velocity", "acceleration", "jerk", "effort"):
+            value = getattr(limits, kind)
+            if segment.limits is not None:
+                value = np.minimum(value, getattr(segment.limits, kind))
+            row[kind] = value * getattr(segment, kind, 1.0)
+        return row
+
+
+def check_segments(segments: Any, limits: JointLimits) -> tuple[Segment, ...]:
+    """The segments given to `retime` as a tuple. Raises InvalidInputError when one does not fit."""
+    if isinstance(segments, Segment):
+        segments = (segments,)
+    if not isinstance(segments, list | tuple):
+        raise InvalidInputError("segments", segments, "a list of Segment")
+    for k, segment in enumerate(segments):
+        instance(f"segments[{k}]", segment, Segment)
+        if segment.limits is not None and segment.limits.n != limits.n:
+            raise InvalidInputError(
+                f"segments[{k}].limits", f"limits of {segment.limits.n} joints", f"limits of the path's {limits.n} joints"
+            )
+    return tuple(segments)
+
+
+class ToolSpeed:
+    """Speed of a robot's tool: ‖J(q) qd‖ with the translational rows of J."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.model = robot.model
+        self.data = robot.model.createData()
+        self.frame = robot.model.getFrameId(robot.tool)
+
+    def __call__(self, q: Array, qd: Array) -> Array:
+        """Speeds [m/s] (k,) at q, qd (k, n)."""
+        frame = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        rows = (pin.computeFrameJacobian(self.model, self.data, x, self.frame, frame)[:3] for x in q)
+        return np.array([np.linalg.norm(J @ v) for J, v in zip(rows, qd, strict=True)])

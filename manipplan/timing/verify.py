@@ -11,7 +11,7 @@ from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array, instance, positive_array, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.timing.segment import Bounds, ToolSpeed
+from manipplan.timing.stops import Bounds, ToolSpeed
 
 #: A sudden change of acceleration counts as a jump above this share of its limit and above what the rounding of times to whole
 #: nanoseconds explains [s], but always above the larger share.

@@ -15,9 +15,16 @@ from manipplan.support.checks import Array, flag, instance, number, one_of, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.chain import Placement, SymbolicChain
-from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
-from manipplan.tracking.distances import NearestPoints, SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
-from manipplan.tracking.error import nearest_rotation
+from manipplan.tracking.bodies import (
+    CapsuleBodies,
+    CapsuleBody,
+    NearestPoints,
+    SymbolicBox,
+    SymbolicCapsule,
+    SymbolicPlane,
+    nearest,
+)
+from manipplan.tracking.bounds import nearest_rotation
 
 #: Number of values per moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
 OBSTACLE_SIZE = 18

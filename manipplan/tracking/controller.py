@@ -22,8 +22,8 @@ from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
 from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
 from manipplan.tracking.bounds import limits_jerk
+from manipplan.tracking.export import MachineCode, Sources
 from manipplan.tracking.formulations import Formulation
-from manipplan.tracking.machine import MachineCode, Sources
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
 #: Maximum number of characters of generated code that compiled="auto" compiles.

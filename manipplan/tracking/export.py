@@ -1,18 +1,116 @@
-"""A controller as a C project that needs neither Python nor CasADi at run time."""
+"""A controller as a C project that needs neither Python nor CasADi at run time.
 
+A step in C: the source that CasADi generates, its wrapper, and both compiled as a library for this machine.
+"""
+
+import ctypes
 import shutil
+from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.compiling.compiler import load_library
+from manipplan.support.errors import ManipplanError
 from manipplan.support.files import writable_folder, write_text
-from manipplan.tracking.machine import daqp_folder
+from manipplan.support.untrusted import identifier
+from manipplan.symbolic.machine_code import generated_source, native_flags
+from manipplan.tracking.step import REPORT, STEP_NAME
 
 if TYPE_CHECKING:
     from manipplan.tracking.controller import Controller
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sources:
+    """C sources of a controller: the generated step, and header and source of its wrapper."""
+
+    step: str
+    header: str
+    wrapper: str
+
+    @classmethod
+    def of(cls, function: ca.Function, robot: str, dt: float) -> "Sources":
+        """The sources of a step's Function."""
+        step = _going_on(generated_source([function]))
+        here = files("manipplan.tracking")
+        numbers = {
+            "ROBOT": identifier(robot),
+            "JOINTS": function.size1_in("q"),
+            "DT": repr(dt),
+            "OBSTACLES": function.nnz_in("obstacles"),
+            "MEMORY": function.nnz_in("memory"),
+            "REPORT": len(REPORT),
+            "FIGURES": ",\n".join(f"    CONTROLLER_{name.upper()} = {k}" for k, name in enumerate(REPORT)),
+        }
+        header = (here / "controller.h.in").read_text()
+        for name, value in numbers.items():
+            header = header.replace(f"@{name}@", str(value))
+        return cls(step=step, header=header, wrapper=(here / "controller.c").read_text())
+
+
+def _going_on(step: str) -> str:
+    """The generated step, changed to return NaN where DAQP fails.
+
+    CasADi's code returns there and keeps the outputs of the last step, which would look like a solution.
+    """
+    if "casadi_daqp_solve" not in step:  # a closed form, without a QP
+        return step
+    solve = "  casadi_daqp_solve(d, arg, res, iw, w);\n"
+    leave = "  if (!d_qp.success) {\n    return -1;\n  }\n"
+    if step.count(solve + leave) != 1 or step.count(solve) != 1:
+        raise ManipplanError(f"CasADi {ca.__version__} generates other code for DAQP than is known; please report it")
+    return step.replace(solve + leave, f"  d_qp.success = 0;\n{solve}  if (!d_qp.success) d_qp.x[0] = 0.0 / 0.0;\n")
+
+
+class MachineCode:
+    """A controller's compiled library.
+
+    Attributes:
+        function: the step as a CasADi Function that runs machine code.
+    """
+
+    def __init__(self, sources: Sources, subject: str) -> None:
+        """Compile; raises CompilerError without a compiler or when it fails."""
+        wrapper = sources.wrapper.replace('#include "controller.h"', sources.header)
+        folder = daqp_folder()
+        flags = (
+            *native_flags(sources.step),
+            f"-I{folder / 'include'}",
+            f"-I{folder / 'include' / 'daqp'}",
+            str(folder / "libdaqpstat.a"),
+            "-lm",
+        )
+
+        def load(file: Path) -> tuple[ca.Function, ctypes.CDLL]:
+            library = ctypes.CDLL(str(file))
+            for name in ("controller_new", "controller_rollout", "controller_free", "controller_reset"):
+                getattr(library, name).restype = ctypes.c_void_p if name == "controller_new" else ctypes.c_int
+            return ca.external(STEP_NAME, str(file)), library
+
+        self.function, self._library = load_library(f"{sources.step}\n{wrapper}", load, flags=flags, subject=subject)
+        self._controller = ctypes.c_void_p(self._library.controller_new())
+
+    def rollout(self, inputs: list[Array], q: Array, qd: Array, qdd: Array, report: Array) -> None:
+        """Run N steps in C from the first rows of q and qd (N + 1, n); per step: target, stiffness, drive, tube, obstacles."""
+        self._library.controller_reset(self._controller)
+        arrays = [np.ascontiguousarray(each, dtype=np.float64) for each in inputs]
+        pointers = [ctypes.c_void_p(each.ctypes.data) for each in (*arrays, q, qd, qdd, report)]
+        if self._library.controller_rollout(self._controller, ctypes.c_int(len(q) - 1), *pointers) != 0:
+            raise ManipplanError("the generated code of a step failed")
+
+    def __del__(self) -> None:
+        if hasattr(self, "_controller"):
+            self._library.controller_free(self._controller)
+
+
+def daqp_folder() -> Path:
+    """Folder of DAQP in casadi's wheel: headers in `include`, and the static library."""
+    return Path(ca.__file__).parent
 
 
 def export_c(controller: "Controller", folder: str | Path) -> list[Path]:

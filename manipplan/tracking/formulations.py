@@ -13,8 +13,7 @@ import casadi as ca
 
 from manipplan.support.checks import flag, number, one_of
 from manipplan.symbolic.derivatives import Factor
-from manipplan.tracking.convex import gram
-from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure
+from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure, gram
 
 __all__ = [
     "Classical",

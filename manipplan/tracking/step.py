@@ -27,10 +27,8 @@ from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows, avoidance_rows
-from manipplan.tracking.bounds import velocity_bounds
-from manipplan.tracking.convex import convexified, gram
-from manipplan.tracking.derivatives import SymbolicMeasure
-from manipplan.tracking.error import nearest_rotation, task_error
+from manipplan.tracking.bounds import nearest_rotation, task_error, velocity_bounds
+from manipplan.tracking.derivatives import SymbolicMeasure, convexified, gram
 from manipplan.tracking.formulations import Formulation
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack

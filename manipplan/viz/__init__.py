@@ -5,14 +5,11 @@ imported with the first picture.
 """
 
 from manipplan.viz.animation import animate
-from manipplan.viz.arm import plot_arm
-from manipplan.viz.curves import plot_joints, plot_manipulability, plot_singular_values
-from manipplan.viz.ellipsoids import plot_ellipsoid, plot_ellipsoids
-from manipplan.viz.found import plot_convergence, plot_layers
-from manipplan.viz.plan import plan_figure, save_plan
+from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids
+from manipplan.viz.curves import plot_convergence, plot_joints, plot_layers, plot_manipulability, plot_singular_values
+from manipplan.viz.plan import plan_figure, plot_deviation, plot_tool_path, save_plan
 from manipplan.viz.planar import plot_planar_arm
 from manipplan.viz.programs.figure import program_figure, save_program
-from manipplan.viz.tool import plot_deviation, plot_tool_path
 
 __all__ = [
     "animate",

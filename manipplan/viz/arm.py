@@ -1,19 +1,138 @@
-"""The arm in space along a path, with the obstacles around it."""
+"""The arm in space along a path, with the obstacles around it.
 
+Ellipsoids of velocity, force and acceleration, in the plane and in space, alone and along a path.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import chain
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
+from manipplan.kinematics.kinematics import Kinematics
+from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number, whole_number
+from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.ellipsoids import plot_ellipsoids
-from manipplan.viz.motions import Motion, joint_path, skeleton, tool_ways
+from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton, tool_ways
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
-from manipplan.viz.space import box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write, write_ends
+from manipplan.viz.space import LINES, box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write, write_ends
+
+#: Default length of the largest radius, as a share of the length of the stretched arm.
+SHARE = 0.08
+#: Number of points of a tool path.
+WAY = 160
+
+
+def plot_ellipsoid(
+    ellipsoid: Ellipsoid,
+    centre: ArrayLike,
+    *,
+    ax: Any = None,
+    scale: float = 1.0,
+    largest: float | None = None,
+    axes: bool = False,
+    **look: Any,
+) -> Any:
+    """Draw an ellipsoid of two rows as an ellipse, an ellipsoid of three rows as a surface on 3D axes.
+
+    Args:
+        ellipsoid: with 2 or 3 radii.
+        centre: position of the centre, (2,) or (3,) [m].
+        ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
+        scale: metres drawn per unit of the radii.
+        largest: limit on the drawn radii; required if one is infinite.
+        axes: whether the principal axes are drawn as well.
+        **look: color, alpha, label and other properties of the patch or surface.
+
+    Returns the axes. Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
+    """
+    m = len(instance("ellipsoid", ellipsoid, Ellipsoid).radii)
+    if m not in (2, 3):
+        raise InvalidInputError("ellipsoid", ellipsoid.radii.tolist(), "2 or 3 radii; select those rows of the Jacobian")
+    middle = finite_array("centre", centre, (m,))
+    number("scale", scale, above=0.0)
+    radii = ellipsoid.radii if largest is None else np.minimum(ellipsoid.radii, number("largest", largest, above=0.0))
+    if not np.isfinite(radii).all():
+        raise InvalidInputError("largest", None, "a length to draw the infinite radius with")
+    look = {"color": style.ELLIPSOID, "alpha": 0.3, "linewidth": 0, **look}
+    spokes = scale * radii * ellipsoid.axes
+    new = ax is None
+    ax = style.axes_for(ax, solid=m == 3, size=(5.0, 5.0))
+    with style.shared():
+        if axes:
+            for spoke in spokes.T:
+                ax.plot(*np.stack([middle - spoke, middle + spoke]).T, color=look["color"], linewidth=1.0)
+        if m == 2:
+            around = np.linspace(0.0, 2 * np.pi, 90)
+            outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
+            ax.fill(*outline.T, **look)
+        else:
+            ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 11, "ccount": 19, **look})
+        if new:
+            ax.set_aspect("equal", adjustable="datalim")
+    return ax
+
+
+def plot_ellipsoids(
+    kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **look: Any
+) -> Any:
+    """Velocity ellipsoids at each tool, evenly spaced in the parameter of a motion, with the tool path.
+
+    Args:
+        kinematics: of the robot; each tool has the ellipsoids of its own arm. A task of three rows gives ellipsoids,
+            Task.planar() ellipses in the x-y plane; for any other task the ellipsoids of the tool's linear velocity are drawn.
+        path: a JointPath, Trajectory or Tracking.
+        places: number of ellipsoids, at least 2.
+        scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
+        ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
+        **look: as in `plot_ellipsoid`.
+
+    Returns the axes.
+    """
+    robot = instance("kinematics", kinematics, Kinematics).robot
+    curve = joint_path("path", path, robot)
+    task = kinematics.task
+    is_drawn = task.rows == 3 or replace(task, relative_to=None) == Task.planar()
+    if is_drawn and task.relative_to is not None:
+        tools: Sequence[DrawnTool] = [DrawnTool(kinematics=kinematics, joints=tuple(range(robot.n)))]
+    else:
+        tools = drawn_tools(robot, task if is_drawn else None)
+    m = tools[0].kinematics.task.rows
+    q, fine = (
+        curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2, most=style.MOST_PLACES), WAY)
+    )
+    scale = default_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
+    ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
+    with style.shared():
+        for tool in tools:
+            ax.plot(*tool.pose(fine)[:, :m, 3].T, color=style.OPTIMUM, linewidth=1.2, zorder=LINES)
+            for jacobian, centre in zip(tool.jacobian(q), tool.pose(q)[:, :m, 3], strict=True):
+                plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
+        style.name_axes(ax)
+        ax.set_aspect("equal", adjustable="datalim")
+    return ax
+
+
+def default_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
+    """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
+    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
+    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
+    largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
+    return float(SHARE * long / max(largest, 1e-9))
+
+
+def _ball() -> Any:
+    """Points of the unit sphere, (11, 19, 3)."""
+    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 19), np.linspace(0, np.pi, 11))
+    return np.stack([np.cos(around) * np.sin(up), np.sin(around) * np.sin(up), np.cos(up)], axis=2)
+
 
 #: Number of postures of the arm drawn along a path.
 PLACES = 7

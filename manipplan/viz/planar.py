@@ -12,8 +12,7 @@ from manipplan.support.checks import Array, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.arm import PLACES, check_motions
-from manipplan.viz.ellipsoids import plot_ellipsoids
+from manipplan.viz.arm import PLACES, check_motions, plot_ellipsoids
 from manipplan.viz.motions import Motion, skeleton, tool_ways
 from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
 from manipplan.viz.space import draw_skeleton, draw_ways, write, write_ends

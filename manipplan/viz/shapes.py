@@ -7,10 +7,10 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
 from manipplan.collision.surfaces.shells import merged_corners
+from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_owner

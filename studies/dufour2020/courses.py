@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import manipplan as mp
-from manipplan.paths.pose_curve import PoseSpline
+from manipplan.paths.cartesian import PoseSpline
 from studies.dufour2020 import config
 
 Array = NDArray[np.float64]

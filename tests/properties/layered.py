@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 
-from manipplan.search.candidates.layers import Layers
+from manipplan.search.layers import Layers
 
 TAU = 2 * np.pi
 

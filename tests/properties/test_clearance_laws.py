@@ -10,9 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision import body_motion
-from manipplan.collision.body_motion import BodyMotion
-from manipplan.collision.path_clearance import SLACK
+from manipplan.collision import path_clearance
+from manipplan.collision.path_clearance import SLACK, BodyMotion
 from manipplan.collision.path_clearance import _Intervals as Intervals
 from manipplan.paths.joint import split
 from manipplan.support.compiling.native import llvm_code
@@ -89,9 +88,9 @@ def test_motion_is_the_same_by_numpy(arm, rng, monkeypatch, by):
     if reach is None:
         return
     if by == "llvm":
-        code = llvm_code(Path(body_motion.__file__).with_suffix(".c"))
-        call = code.functions("manipplan_", {"motion": body_motion.SIGNATURE})["motion"]
-        monkeypatch.setattr(body_motion, "_compiled", lambda: call)
+        code = llvm_code(Path(path_clearance.__file__).with_suffix(".c"))
+        call = code.functions("manipplan_", {"motion": path_clearance.SIGNATURE})["motion"]
+        monkeypatch.setattr(path_clearance, "_compiled", lambda: call)
     q, change = arm.random_configuration(rng, size=20), rng.uniform(0.0, 0.3, (20, arm.n))
     rows, pairs = np.sort(rng.integers(0, 20, 300)), rng.integers(0, len(model.pair_names), 300)
     found, slow = reach.motion(q, change, rows, pairs), reach._motion_by_numpy(q, change, rows, pairs)

@@ -14,7 +14,7 @@ from manipplan.timing.barrier import Centring, fastest_motion, motion_inside
 from manipplan.timing.dynamics import path_dynamics
 from manipplan.timing.jerk import JerkProblem
 from manipplan.timing.piece import first_grid
-from manipplan.timing.segment import LimitsAlong, Segment
+from manipplan.timing.stops import LimitsAlong, Segment
 
 ARM, HEAVY = mp.planar_arm([1.0, 1.0, 1.0]), mp.load_robot("ur5")
 LLVM = by_llvm(barrier.__file__)

@@ -13,18 +13,17 @@ from numpy.polynomial import Polynomial
 
 import manipplan as mp
 from manipplan.cost import integral as integrals
-from manipplan.cost import panels
+from manipplan.cost import integral as panels
 from manipplan.cost.integral import PathIntegral
-from manipplan.paths import curves
+from manipplan.paths import joint as curves
 from manipplan.paths.basis import named_basis
-from manipplan.paths.curves import MOST_DEGREE, Curve, bernstein
-from manipplan.paths.joint import JointPath
+from manipplan.paths.joint import MOST_DEGREE, Curve, JointPath, bernstein
 from manipplan.support.compiling.native import llvm_code
 
 
-def by_llvm(file):
-    """The code of the C source beside a file, as LLVM compiles it."""
-    return llvm_code(Path(file).with_suffix(".c"))
+def by_llvm(module, source):
+    """The code of a C source beside a module, as LLVM compiles it."""
+    return llvm_code(Path(module.__file__).with_name(source))
 
 
 def some_path(rng, pieces, degree, n):
@@ -36,7 +35,7 @@ def some_path(rng, pieces, degree, n):
 @pytest.fixture(params=["compiler", "llvm"])
 def compiled(request, monkeypatch):
     if request.param == "llvm":
-        found = {module: by_llvm(module.__file__) for module in (curves, panels)}
+        found = {curves: by_llvm(curves, "curves.c"), panels: by_llvm(panels, "panels.c")}
         calls = found[panels].functions("manipplan_", panels.SIGNATURES)
         monkeypatch.setattr(curves, "_call", lambda: curves._CALL(found[curves].address("manipplan_curve")))
         monkeypatch.setattr(panels, "_calls", lambda: calls)

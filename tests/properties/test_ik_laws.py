@@ -8,8 +8,8 @@ from examples import examples
 from hypothesis import assume, given
 
 import manipplan as mp
+from manipplan.ik.bridge import A_MEETS_B, A_PARALLEL_B, B_MEETS_C, B_PARALLEL_C, SKEW, arrangement, swivels_of
 from manipplan.ik.form import closed_form
-from manipplan.ik.native import A_MEETS_B, A_PARALLEL_B, B_MEETS_C, B_PARALLEL_C, SKEW, arrangement, swivels_of
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan.search import max_min, sweep
-from manipplan.search.candidates.layers import Layers
 from manipplan.search.guilamo import guilamo_search
 from manipplan.search.interruptions import fewest_interruptions
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search, minimum_from_each
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status

@@ -22,10 +22,9 @@ from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.archive import checksum
-from manipplan.jobs.reports.measure import measure_plan
+from manipplan.jobs.archive import checksum, fingerprint
+from manipplan.jobs.measure import measure_plan
 from manipplan.jobs.result import Plan
-from manipplan.jobs.stored import fingerprint
 from manipplan.optimize.result import make_result
 
 #: What only the solvers need.

@@ -9,7 +9,7 @@ from manipplan.timing.barrier import motion_inside
 from manipplan.timing.dynamics import path_dynamics
 from manipplan.timing.jerk import BandedModel, JerkProblem, applied
 from manipplan.timing.piece import first_grid
-from manipplan.timing.segment import LimitsAlong
+from manipplan.timing.stops import LimitsAlong
 
 
 def dense(rows, at, count):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search.candidates.layers import Layers
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.status import Status
 

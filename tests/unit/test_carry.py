@@ -5,9 +5,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.jobs.carrying.held import tool_poses
-from manipplan.jobs.carrying.lone_arm import lone_robot
-from manipplan.jobs.carrying.together import _count
+from manipplan.jobs.carrying.request import tool_poses
+from manipplan.jobs.carrying.together import _count, lone_robot
 from manipplan.paths.cartesian import Offset
 from manipplan.robots.arms import own_joints, shared_joints
 
@@ -166,7 +165,7 @@ def test_bad_input_is_named_before_work_starts(baxter, monkeypatch, options, arg
     def refused(*_, **__):
         raise AssertionError("work has started")
 
-    monkeypatch.setattr("manipplan.search.candidates.sampler.CandidateSampler.sample", refused)
+    monkeypatch.setattr("manipplan.search.sampling.CandidateSampler.sample", refused)
     with pytest.raises(mp.InvalidInputError) as caught:
         mp.carry(baxter, WAY, GRASPS, **options)
     assert caught.value.argument == argument

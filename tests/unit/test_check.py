@@ -8,7 +8,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.archive import checksum
-from manipplan.seeds.acceptance import CHECK_STEP
+from manipplan.seeds.task import CHECK_STEP
 
 START, GOAL = np.array([0.1, 1.0, -1.2]), np.array([0.9, 0.6, -0.4])
 SCENE = mp.Scene([mp.Cylinder(radius=0.1, length=1.0, position=(-1.5, 2.0, 0.0), name="post")])

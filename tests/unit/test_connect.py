@@ -14,7 +14,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
-from manipplan.kinematics.sides import sides_of
+from manipplan.kinematics.factors import sides_of
 from manipplan.seeds import connect, motions
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.motions import Level, MotionCheck, can_check
@@ -127,7 +127,7 @@ def test_many_nodes(planar, monkeypatch):
     """The room for nodes grows, which changes nothing."""
     task = task_of(planar, POST, START, GOAL)
     usual = TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
-    monkeypatch.setattr(connect, "ROOM", 2)
+    monkeypatch.setattr(connect, "TREE_ROOM", 2)
     np.testing.assert_array_equal(TreeSearch(task=task).run([Level(step=0.02, margin=0.0)]), usual)
 
 

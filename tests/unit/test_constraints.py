@@ -9,11 +9,10 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.constraints.built_in import tool_frame
 from manipplan.constraints.constraint_file import constraints_from_yaml
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import TOLERANCE, prove
-from manipplan.constraints.tool_frame import tool_frame
-from manipplan.seeds.constraints import SearchConstraints
+from manipplan.constraints.constraint_set import TOLERANCE, ConstraintSet, prove
+from manipplan.seeds.motions import SearchConstraints
 from manipplan.symbolic.backends import chain_of
 
 DOWN = (0.0, 0.0, -1.0)

@@ -5,8 +5,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.collision import path_clearance as continuous
-from manipplan.collision.body_motion import BodyMotion
-from manipplan.collision.path_clearance import path_clearance
+from manipplan.collision.path_clearance import BodyMotion, path_clearance
 
 BOXES = [
     mp.Box(size=(0.1, 0.1, 0.4), position=(0.45, 0.2, 0.3), name="post"),

@@ -15,8 +15,8 @@ from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.descents import descent
+from manipplan.optimize.descents.arithmetic import BatchDensity
 from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.length import BatchDensity
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram

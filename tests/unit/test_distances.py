@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from manipplan.support.compiling.compiler import find_compiler
 from manipplan.symbolic.machine_code import compiled
-from manipplan.tracking.distances import SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
+from manipplan.tracking.bodies import SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
 
 FIRST = ["sphere", "capsule"]
 SECOND = ["sphere", "capsule", "box", "plane"]

@@ -8,7 +8,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import clearance as near
 from manipplan.optimize import program as programs
 from manipplan.optimize.descents.descent import FAILED, Descent
-from manipplan.optimize.descents.fixed_rows import FixedRows
+from manipplan.optimize.descents.rows import FixedRows
 from manipplan.optimize.program import PathProgram
 from manipplan.paths.basis import named_basis
 

@@ -6,8 +6,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.following.first_configurations import FirstConfigurations
-from manipplan.jobs.following.lead_in import choose_entry
+from manipplan.jobs.following.lead_in import FirstConfigurations, choose_entry
 from manipplan.jobs.following.transit import Transit, TransitPlanner
 
 FEW = {"samples": 48, "epsilon": 0.5}

@@ -19,16 +19,16 @@ from hypothesis import strategies as st
 from test_export_c import build, example_in_python, run
 
 import manipplan as mp
-from manipplan.collision.body_motion import body_motion
-from manipplan.constraints.tool_frame import tool_frame
+from manipplan.collision.path_clearance import body_motion
+from manipplan.constraints.built_in import tool_frame
+from manipplan.goals.solutions import beyond_links
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
-from manipplan.jobs.goals.reach import beyond_links
 from manipplan.jobs.problem import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.arms import arm_of, tool_reach
 from manipplan.robots.configuration import nearest_turns
-from manipplan.timing.steady.corner import most_acceleration
+from manipplan.timing.constant_speed import most_acceleration
 from manipplan.tracking.avoidance import avoidance_rows
 from manipplan.viz.motions import skeleton
 from manipplan.viz.viewer.bodies import appearance_of

@@ -11,13 +11,11 @@ from scipy.spatial.transform import Rotation
 import manipplan as mp
 from manipplan.cli import main
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.jobs.goals.candidates import find_candidates, ordered
-from manipplan.jobs.goals.choice import PATHS, choose
-from manipplan.jobs.goals.goal_file import goals_from_yaml, pose_of_numbers
-from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.reach import nearest
-from manipplan.jobs.goals.read import read_goals
-from manipplan.jobs.goals.samples import poses_inside, reaching
+from manipplan.goals.candidates import find_candidates, ordered
+from manipplan.goals.choice import PATHS, choose
+from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.read import goals_from_yaml, pose_of_numbers, read_goals
+from manipplan.goals.solutions import nearest, poses_inside, reaching
 from manipplan.robots.configuration import nearest_turns
 from manipplan.support.deadline import Deadline
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search.candidates.layers import Layers
 from manipplan.search.guilamo import guilamo_search
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
 from manipplan.support.status import Status
 

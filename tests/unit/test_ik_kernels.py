@@ -8,19 +8,18 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.ik import native
-from manipplan.ik.distinct import distinct
+from manipplan.ik import bridge
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
-from manipplan.ik.verify import are_poses, residuals
+from manipplan.ik.solutions import are_poses, distinct, residuals
 from manipplan.support.compiling.native import llvm_code, source_text
 from manipplan.support.tolerances import SAME
 
 
 @pytest.fixture(scope="module")
 def by_llvm():
-    code = llvm_code(Path(native.__file__).with_name("inverse.c"))
-    yield code.functions("manipplan_", native.SIGNATURES)
+    code = llvm_code(Path(bridge.__file__).with_name("inverse.c"))
+    yield code.functions("manipplan_", bridge.SIGNATURES)
 
 
 def exact_roots(a):
@@ -50,7 +49,7 @@ def test_roots_of_random_quartics(spread, rng):
         expected = exact_roots(a)
         apart = min(abs(x - y) for i, x in enumerate(expected) for y in expected[:i]) / abs(expected).max()
         # a root moves by the rounding of the coefficients divided by its distance from the others
-        assert missed(native.quartic_roots(a), expected) < 1e-12 / max(apart, 1e-12)
+        assert missed(bridge.quartic_roots(a), expected) < 1e-12 / max(apart, 1e-12)
 
 
 @pytest.mark.parametrize(
@@ -60,15 +59,15 @@ def test_roots_of_random_quartics(spread, rng):
 def test_roots_of_symmetric_quartics(a):
     """Their companion matrices are turned by steps without shift, so that those would never end; some roots are multiple."""
     expected = np.roots([1.0, *a[::-1]])
-    assert len(native.quartic_roots(np.array(a, dtype=float))) == 4
+    assert len(bridge.quartic_roots(np.array(a, dtype=float))) == 4
     assert (
-        missed(native.quartic_roots(np.array(a, dtype=float)), expected) < 1e-3
+        missed(bridge.quartic_roots(np.array(a, dtype=float)), expected) < 1e-3
     )  # ε to the power of 1/4, for four equal roots
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -np.inf])
 def test_quartics_that_are_not_finite_have_no_roots(wrong):
-    assert len(native.quartic_roots(np.array([1.0, wrong, 0.0, 0.0]))) == 0
+    assert len(bridge.quartic_roots(np.array([1.0, wrong, 0.0, 0.0]))) == 0
 
 
 def test_poses_are_told_from_other_matrices(rng):
@@ -143,7 +142,7 @@ def test_llvm_and_the_compiler_agree(by_llvm, monkeypatch, rng):
         options = {"task": mp.Task.pointing(), "samples": 5} if name == "ur5" else {"samples": 20} if robot.n > 6 else {}
         usual = mp.inverse_kinematics(robot, poses, **options)
         with monkeypatch.context() as patch:
-            patch.setattr(native, "calls", lambda: by_llvm)
+            patch.setattr(bridge, "calls", lambda: by_llvm)
             for module in ("enumeration", "newton", "verify", "distinct"):
                 patch.setattr(f"manipplan.ik.{module}.calls", lambda: by_llvm)
             other = mp.inverse_kinematics(robot, poses, **options)

@@ -10,8 +10,7 @@ from scipy.interpolate import CubicSpline
 import manipplan as mp
 from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.recordings.program import TubeProgram, Weights
-from manipplan.jobs.recordings.smooth import smooth
-from manipplan.jobs.recordings.spline import Ends, SplineBasis
+from manipplan.jobs.recordings.smooth import Ends, SplineBasis, smooth
 
 TUBE = mp.Tolerance(position=0.02, rotation=0.2)
 

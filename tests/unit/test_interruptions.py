@@ -8,9 +8,9 @@ import pytest
 from matplotlib.figure import Figure
 
 import manipplan as mp
-from manipplan.jobs.reports.along import PathPart
+from manipplan.jobs.report import PathPart
 from manipplan.paths.deviation import deviation_from
-from manipplan.search.candidates.positions import choose_positions
+from manipplan.search.layers import choose_positions
 from manipplan.viz.plan import plan_figure
 
 #: Retreat of the tool [m].

@@ -9,8 +9,8 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.ik.bridge import SKEW, arrangement, swivels_of
 from manipplan.ik.form import closed_form
-from manipplan.ik.native import SKEW, arrangement, swivels_of
 from manipplan.ik.solver import Solver
 from manipplan.support.compiling.compiler import find_compiler
 

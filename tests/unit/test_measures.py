@@ -199,7 +199,7 @@ def test_drawn_ellipsoids_lie_where_the_matrix_says(panda):
     """In the plane the outline's points, in space the surface's, are images of the unit ball."""
     from matplotlib.figure import Figure
 
-    from manipplan.viz.ellipsoids import plot_ellipsoid
+    from manipplan.viz.arm import plot_ellipsoid
 
     jacobian = np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.3]])
     ax = Figure().add_subplot()

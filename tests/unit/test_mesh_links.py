@@ -10,8 +10,8 @@ import manipplan as mp
 from manipplan.collision import build
 from manipplan.collision.covers import pieces
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.primitives import mesh_key, mesh_triangles
 from manipplan.collision.surfaces import meshes
+from manipplan.collision.world import mesh_key, mesh_triangles
 from manipplan.robots.hulls import convex_hull
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.support.content import content_key

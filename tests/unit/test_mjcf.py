@@ -651,7 +651,7 @@ def test_without_mujoco_the_error_says_how_to_install_it(arm, monkeypatch):
 
 def test_what_is_drawn(arm):
     """The geoms of the groups that MuJoCo's viewer draws, in their colours."""
-    from manipplan.viz.viewer.visuals import visual_geometry
+    from manipplan.viz.viewer.bodies import visual_geometry
 
     file = arm(
         before='<asset><material name="red" rgba="1 0 0 1"/></asset>',

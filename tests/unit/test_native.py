@@ -9,9 +9,9 @@ import time
 
 import pytest
 
-from manipplan.support.compiling import native, patience
+from manipplan.support.compiling import compiler, native
+from manipplan.support.compiling.compiler import logged_when_slow
 from manipplan.support.compiling.native import NativeCode, compile_ahead, native_code, needed_code
-from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.errors import CompilerError
 
 
@@ -31,11 +31,11 @@ def slow_builds(monkeypatch):
 
 
 def test_a_long_build_is_told_about_once(monkeypatch, caplog):
-    monkeypatch.setattr(patience, "PATIENCE", 0.02)
-    with caplog.at_level(logging.INFO, logger=patience.log.name):
+    monkeypatch.setattr(compiler, "PATIENCE", 0.02)
+    with caplog.at_level(logging.INFO, logger=compiler.log.name):
         with logged_when_slow("compiling inverse kinematics"):
             time.sleep(0.1)
-        monkeypatch.setattr(patience, "PATIENCE", 10.0)
+        monkeypatch.setattr(compiler, "PATIENCE", 10.0)
         with logged_when_slow("something short"):
             pass
     assert [record.getMessage() for record in caplog.records] == ["... compiling inverse kinematics"]

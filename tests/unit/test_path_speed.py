@@ -10,7 +10,7 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.kinematics.view import steady
+from manipplan.kinematics.kinematics import steady
 from manipplan.optimize.clearance import row_functions
 
 START, GOAL = [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0]

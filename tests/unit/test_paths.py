@@ -8,7 +8,7 @@ import yaml
 from scipy.interpolate import BPoly, CubicHermiteSpline
 
 import manipplan as mp
-from manipplan.paths.smooth import rounded
+from manipplan.paths.joint import rounded
 
 
 def random_path(rng, degree=5, pieces=1, n=3):

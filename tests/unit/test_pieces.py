@@ -7,8 +7,8 @@ from scipy.spatial import ConvexHull
 
 import manipplan as mp
 from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _CutPart, _WholeMesh, convex_pieces
-from manipplan.collision.primitives import mesh_triangles
 from manipplan.collision.surfaces.shells import winding_number
+from manipplan.collision.world import mesh_triangles
 
 
 def in_some_piece(points, pieces, margin=1e-7):

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.jobs import finished, parcel
+from manipplan.jobs import dispatch, plan_many
 from manipplan.jobs.archive import checksum
 from manipplan.support.status import Status
 
@@ -130,14 +130,14 @@ def test_a_robot_is_sent_when_it_is_needed_and_only_then():
     recorder = Recorder()
     found = mp.plan_many(given, recorder)
     assert all(one.robot is problem.robot for one, problem in zip(found, given, strict=True))
-    sent = [parcel for parcel in recorder.parcels if parcel.robot in parcel.contents]
+    sent = [dispatch for dispatch in recorder.parcels if dispatch.robot in dispatch.contents]
     assert len(sent) <= 2  # two problems are on their way before the first answer
     assert len(recorder.parcels) <= len(given) + 2
-    assert len({parcel.label for parcel in recorder.parcels}) == len(recorder.parcels)
+    assert len({dispatch.label for dispatch in recorder.parcels}) == len(recorder.parcels)
 
 
 def test_a_large_scene_is_sent_when_it_is_needed(planar, monkeypatch):
-    monkeypatch.setattr(parcel, "SMALL", 10)
+    monkeypatch.setattr(dispatch, "SMALL", 10)
     recorder = Recorder()
     given = [replace(problem, scene=POST) for problem in problems_of(planar)[:3]]
     assert [each.status.has_path for each in mp.plan_many(given, recorder)] == [True] * 3
@@ -146,7 +146,7 @@ def test_a_large_scene_is_sent_when_it_is_needed(planar, monkeypatch):
 
 
 def test_only_the_latest_are_kept():
-    kept, made = parcel.Latest(2), []
+    kept, made = dispatch.Latest(2), []
     for key in ("a", "b", "a", "c", "a", "b"):
         assert kept.get(key, lambda key=key: made.append(key) or key.upper()) == key.upper()
     assert made == ["a", "b", "c", "b"]
@@ -202,14 +202,14 @@ def test_failures_are_results(hard, executor, caplog, tmp_path):
 
 
 def test_an_unexpected_error_ends_one_problem(problems, monkeypatch, caplog, tmp_path):
-    real = parcel.plan
+    real = dispatch.plan
 
     def sometimes(robot, start, *arguments, **options):
         if start[1] == PAIRS[1][0][1]:
             raise ZeroDivisionError("by chance")
         return real(robot, start, *arguments, **options)
 
-    monkeypatch.setattr(parcel, "plan", sometimes)
+    monkeypatch.setattr(dispatch, "plan", sometimes)
     found = mp.plan_many(problems[:3], folder=tmp_path)
     assert [each.status for each in found] == [Status.OPTIMAL, Status.ERROR, Status.OPTIMAL]
     assert found[1].message == "ZeroDivisionError: by chance"
@@ -250,7 +250,7 @@ def test_progress_names_each_result(hard):
     ],
 )
 def test_wrong_values_of_a_problem_are_told_with_its_number(planar, monkeypatch, change, message):
-    monkeypatch.setattr(parcel, "plan", None)
+    monkeypatch.setattr(dispatch, "plan", None)
     good = mp.Problem(robot=planar, start=PAIRS[0][0], goal=PAIRS[0][1])
     with pytest.raises(mp.InvalidInputError, match=message):
         mp.plan_many([good, good, replace(good, **change), good])
@@ -454,13 +454,13 @@ def test_processes_that_do_not_start_are_told(problems, monkeypatch):
 @pytest.fixture
 def counted(monkeypatch):
     """The starts of the problems that are really planned."""
-    real, starts = parcel.plan, []
+    real, starts = dispatch.plan, []
 
     def plan(robot, start, *arguments, **options):
         starts.append(list(start))
         return real(robot, start, *arguments, **options)
 
-    monkeypatch.setattr(parcel, "plan", plan)
+    monkeypatch.setattr(dispatch, "plan", plan)
     return starts
 
 
@@ -557,4 +557,4 @@ def test_ctrl_c_keeps_what_is_finished(problems, expected, tmp_path, counted, ex
 
 
 def test_statuses_that_are_not_kept_are_failures():
-    assert all(not status.has_path for status in finished.UNFINISHED)
+    assert all(not status.has_path for status in plan_many.UNFINISHED)

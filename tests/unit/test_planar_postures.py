@@ -9,7 +9,7 @@ import pytest
 
 import manipplan as mp
 from manipplan import planar
-from manipplan.planar.sturm import add, evaluate, multiply, real_roots, scale
+from manipplan.planar.zeros import add, evaluate, multiply, real_roots, scale
 
 UNIT = planar.PlanarArm([1.0, 1.0, 1.0])
 H = np.pi / 2

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.robots.model_tree import frame_pose
-from manipplan.viz.programs.moved import moved_parts
+from manipplan.viz.programs.figure import moved_parts
 
 LEFT, RIGHT = "left_gripper", "right_gripper"
 OFF = np.eye(4)
@@ -156,7 +156,7 @@ def test_the_other_hand_puts_a_part_down_where_it_is(left, baxter, tmp_path):
 
 
 def test_a_program_file_names_the_hand(baxter, tmp_path):
-    from manipplan.jobs.programs.program_file import ProgramFile
+    from manipplan.jobs.programs.steps import ProgramFile
 
     file = tmp_path / "program.yaml"
     file.write_text("start: [0]\nsteps:\n- attach: {part: ball, tool: left_gripper}\n- attach: ball\n")

@@ -6,10 +6,9 @@ from program_cell import DOWN, UPRIGHT, carried_to, part_pose, placed_part, pose
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
+from manipplan.jobs.programs.courses import nodes_of
 from manipplan.jobs.programs.legs import read_steps
-from manipplan.jobs.programs.nodes import nodes_of
-from manipplan.jobs.programs.places import NOWHERE
-from manipplan.jobs.programs.states import State
+from manipplan.jobs.programs.states import NOWHERE, State
 
 
 @pytest.mark.parametrize(

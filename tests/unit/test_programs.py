@@ -11,7 +11,7 @@ import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
-from manipplan.jobs.following.straight import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
+from manipplan.jobs.following.transit import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import RawMotion
@@ -19,7 +19,7 @@ from manipplan.jobs.programs.legs import read_steps
 from manipplan.jobs.programs.states import State
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
-from manipplan.timing.steady.corner import check_corners, most_acceleration
+from manipplan.timing.constant_speed import check_corners, most_acceleration
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):

@@ -14,9 +14,7 @@ from scipy.spatial import ConvexHull
 import manipplan as mp
 from manipplan.robots.hulls import convex_hull
 from manipplan.seeds import connect, reachable
-from manipplan.seeds.cells import Space, find_barrier
-from manipplan.seeds.inscribed import inscribed_ball
-from manipplan.seeds.reachable import why_unreachable
+from manipplan.seeds.reachable import Space, find_barrier, inscribed_ball, why_unreachable
 from manipplan.seeds.task import SeedTask
 from manipplan.support.deadline import work_time
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.paths.distinct import distinct
+from manipplan.paths.tolerance import distinct
 from manipplan.timing.stops import MovingPath, stops
 
 ARM = mp.planar_arm([1.0, 1.0]).with_limits(velocity=2.0, acceleration=4.0)

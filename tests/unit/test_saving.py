@@ -3,8 +3,8 @@
 import pytest
 
 import manipplan as mp
-from manipplan.support import saving
-from manipplan.support.saving import finish, replacing
+from manipplan.support import files
+from manipplan.support.files import finish, replacing
 
 
 def write(new, mark, names=("trajectory.csv", "report.txt", "plan.json")):
@@ -67,7 +67,7 @@ def test_killed_at_every_step(tmp_path, monkeypatch, step):
     with monkeypatch.context() as patched:
         for name in ("unlink", "rename", "replace", "rmdir"):
             patched.setattr(path, name, until_killed(getattr(path, name)))
-        patched.setattr(saving.shutil, "rmtree", lambda *_, **__: None)  # a killed process cleans nothing
+        patched.setattr(files.shutil, "rmtree", lambda *_, **__: None)  # a killed process cleans nothing
         try:
             with replacing(tmp_path) as (_, new):
                 write(new, "new")
@@ -76,7 +76,7 @@ def test_killed_at_every_step(tmp_path, monkeypatch, step):
     there = set(held(tmp_path).values())
     assert len(there) <= 1
     finish(tmp_path)
-    assert not [each for each in tmp_path.glob(".*") if not each.name.startswith(saving.WRITING)]
+    assert not [each for each in tmp_path.glob(".*") if not each.name.startswith(files.WRITING)]
     kinds = [{"trajectory.csv", "report.txt", "plan.json"}, {"trajectory.csv", "report.txt", "plan.json", "plan.png"}]
     assert set(held(tmp_path)) in kinds and len(set(held(tmp_path).values())) == 1
     with replacing(tmp_path) as (_, new):
@@ -88,7 +88,7 @@ def test_an_unfinished_save_hinders_no_reader(tmp_path, monkeypatch):
     """Nobody can write there: the files of the last save are read."""
     with replacing(tmp_path) as (_, new):
         write(new, "old")
-    (tmp_path / f"{saving.WRITING}x").mkdir()
-    monkeypatch.setattr(saving, "_finish", lambda _: pytest.fail("nothing is half in place"))
+    (tmp_path / f"{files.WRITING}x").mkdir()
+    monkeypatch.setattr(files, "_finish", lambda _: pytest.fail("nothing is half in place"))
     finish(tmp_path)
     assert set(held(tmp_path).values()) == {"old"}

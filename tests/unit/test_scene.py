@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull
 
 import manipplan as mp
 from manipplan.collision.covers.fitting import fit_capsules
-from manipplan.collision.primitives import mesh_triangles, outside
+from manipplan.collision.world import mesh_triangles, outside
 
 
 def tetrahedra(file, offsets):

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search import guilamo, kernels
-from manipplan.search.grid import choose_grid
-from manipplan.search.kernels import largest_of_each, sorted_into_cells
+from manipplan.search import guilamo, sweep
+from manipplan.search.sweep import choose_grid, largest_of_each, sorted_into_cells
 from manipplan.support.compiling.native import llvm_code
 
 TURNS = np.array([False, True, False, True])
@@ -45,17 +44,17 @@ def test_candidates_sorted_by_cell(share, rng):
 
 @pytest.fixture
 def by_llvm(monkeypatch):
-    engines = {name: llvm_code(Path(kernels.__file__).with_name(f"{name}.c")) for name in ("sweep", "restarts")}
+    engines = {name: llvm_code(Path(sweep.__file__).with_name(f"{name}.c")) for name in ("sweep", "restarts")}
     calls = {
-        name: kernels.ctypes.CFUNCTYPE(*types)(engines["sweep"].address(f"manipplan_{name}"))
-        for name, types in kernels.SIGNATURES.items()
+        name: sweep.ctypes.CFUNCTYPE(*types)(engines["sweep"].address(f"manipplan_{name}"))
+        for name, types in sweep.SIGNATURES.items()
     }
-    restarts = kernels.ctypes.CFUNCTYPE(guilamo._N, guilamo._P, guilamo._N, guilamo._P)(
+    restarts = sweep.ctypes.CFUNCTYPE(guilamo._N, guilamo._P, guilamo._N, guilamo._P)(
         engines["restarts"].address("manipplan_restarts")
     )
 
     def use():
-        monkeypatch.setattr(kernels, "calls", lambda: calls)
+        monkeypatch.setattr(sweep, "calls", lambda: calls)
         monkeypatch.setattr(guilamo, "_call", lambda: restarts)
 
     yield use

@@ -18,7 +18,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import initial_path
 from manipplan.seeds import motions
 from manipplan.seeds.motions import MotionCheck
-from manipplan.seeds.objective import motion_cost, ompl_objective
+from manipplan.seeds.ompl import motion_cost, ompl_objective
 from manipplan.seeds.seeding import OPTIMISING, PLANNERS, STAR
 
 START, GOAL = [0, 1.5, -2], [np.pi, -2, 2]
@@ -301,7 +301,7 @@ def test_an_interrupt_of_a_solve_is_quiet(planar, sigint):
 
 
 def test_other_lines_pass_while_an_interrupt_is_told(capsys, sigint):
-    from manipplan.support.interrupts import interruptible
+    from manipplan.support.progress import interruptible
 
     with pytest.raises(KeyboardInterrupt), interruptible():
         try:

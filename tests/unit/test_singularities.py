@@ -10,9 +10,8 @@ from scipy.special import ellipkinc
 
 import manipplan as mp
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, runs_along, with_shares
-from manipplan.cost.floor import SAMPLES, SHARE, typical_measure
-from manipplan.kinematics.factors import determinant_factors
-from manipplan.kinematics.sides import sides_of
+from manipplan.cost.density import SAMPLES, SHARE, typical_measure
+from manipplan.kinematics.factors import determinant_factors, sides_of
 from manipplan.optimize.program import PathProgram
 from manipplan.paths.basis import named_basis
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.seeds import motions, star
-from manipplan.seeds.objective import motion_cost
+from manipplan.seeds import connect, motions
+from manipplan.seeds.ompl import motion_cost
 from manipplan.seeds.seed import LEVELS
 from manipplan.support.deadline import work_time
 
@@ -69,13 +69,13 @@ def test_an_aspect_is_kept(ur5):
 
 def test_a_cost_is_that_of_the_planners_of_ompl(planar, ur5, rng):
     """The same integral of a motion, by NumPy."""
-    cost = star.star_code().functions("manipplan_", {"edge_cost": (ctypes.c_double, ctypes.c_void_p) + (ctypes.c_void_p,) * 2})[
-        "edge_cost"
-    ]
+    cost = connect.star_code().functions(
+        "manipplan_", {"edge_cost": (ctypes.c_double, ctypes.c_void_p) + (ctypes.c_void_p,) * 2}
+    )["edge_cost"]
     for robot, objective in ((planar, OBJECTIVES["weighted"]), (planar, OBJECTIVES["g"]), (ur5, mp.PathObjective())):
         start, goal = robot.neutral, robot.neutral + 0.5
         task = motions_task(robot, start, goal)
-        lowering = star._Best(star.Run(task, LEVELS), task, objective.integral(robot))
+        lowering = connect._Best(connect.Run(task, LEVELS), task, objective.integral(robot))
         for _ in range(5):
             first, second = robot.neutral + rng.uniform(-1, 1, (2, robot.n))
             expected = motion_cost(objective.integral(robot), first, second)
@@ -86,7 +86,7 @@ def motions_task(robot, start, goal):
     model = mp.Scene().collision_model(robot)
     distances = tuple(model.least_distance(q[None])[0] for q in (start, goal))
     given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None, "distances": distances}
-    return star.SeedTask(model=model, start=start, goal=goal, deadline=work_time() + 10.0, **given)
+    return connect.SeedTask(model=model, start=start, goal=goal, deadline=work_time() + 10.0, **given)
 
 
 def test_too_few_checks_are_told(planar):

@@ -7,8 +7,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.timing.steady.retime_steady import limits_bound, retime_steady
-from manipplan.timing.steady.speed import measure_speed
+from manipplan.timing.constant_speed import limits_bound, measure_speed, retime_steady
 
 FEW = {"samples": 48, "epsilon": 0.5}
 

@@ -8,7 +8,7 @@ import pytest
 import manipplan as mp
 from manipplan.measures.names import MEASURES
 from manipplan.tracking.controller import Controller
-from manipplan.tracking.convex import convexified
+from manipplan.tracking.derivatives import convexified
 from manipplan.tracking.formulations import NUDGE
 from manipplan.tracking.step import INPUTS, MEMORY, PROGRAM
 

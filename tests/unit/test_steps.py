@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from manipplan.optimize.descents import arithmetic
-from manipplan.optimize.descents.quadratic import LEAST_CURVATURE, ROW_SPACING, convex
+from manipplan.optimize.descents.descent import LEAST_CURVATURE, ROW_SPACING, convex
 from manipplan.paths.rounding import with_bits
 
 M, N, F = 23, 7, 5

@@ -7,7 +7,7 @@ import pytest
 
 from manipplan.collision.covers import fitting
 from manipplan.collision.covers.stored_fits import find_or_fit
-from manipplan.collision.primitives import outside
+from manipplan.collision.world import outside
 
 
 @pytest.fixture

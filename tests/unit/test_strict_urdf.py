@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 import manipplan as mp
-from manipplan.robots.formats import xacro_files
+from manipplan.robots.formats import urdf_files
 
 ARM = """<robot name="arm">
   <link name="base"/>
@@ -223,7 +223,7 @@ XACRO = 'xmlns:xacro="http://ros.org/wiki/xacro"'
 def test_a_urdf_with_elements_of_xacro_is_expanded(edited, monkeypatch, changes, upper):
     file = edited(*changes)
     assert mp.load_robot(file).limits.upper[0] == upper
-    monkeypatch.setattr(xacro_files.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(urdf_files.importlib.util, "find_spec", lambda name: None)
     if len(changes) == 1 and changes[0][0] == "<robot ":  # the xmlns alone expands to nothing
         assert mp.load_robot(file).n == 2
     else:

@@ -9,9 +9,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.collision.body_motion import body_motion
-from manipplan.jobs.goals.goal_file import goals_from_yaml
-from manipplan.jobs.goals.tool_goals import reaching_tools
+from manipplan.collision.path_clearance import body_motion
+from manipplan.goals.read import goals_from_yaml
+from manipplan.goals.two_arms import reaching_tools
 from manipplan.optimize.clearance import ClearanceRow, row_functions
 
 TOOLS = ("left_gripper", "right_gripper")

@@ -5,9 +5,8 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.constraints.constraint_file import constraints_from_yaml
+from manipplan.constraints.constraint_file import constraint_data, constraint_of, constraints_from_yaml
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.stored import constraint_data, constraint_of
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,7 @@ from matplotlib.figure import Figure
 
 import manipplan as mp
 from manipplan.viz.animation import _stage
-from manipplan.viz.arm import plot_arm
-from manipplan.viz.ellipsoids import plot_ellipsoids
+from manipplan.viz.arm import plot_arm, plot_ellipsoids
 from manipplan.viz.plan import plan_figure
 from manipplan.viz.viewer.bodies import _rods
 from manipplan.viz.viewer.motion import ShownMotion

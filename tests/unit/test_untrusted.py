@@ -26,7 +26,7 @@ from manipplan.support.errors import ManipplanError
 from manipplan.support.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
 from manipplan.symbolic import machine_code
 from manipplan.symbolic.machine_code import generated_source
-from manipplan.tracking import machine
+from manipplan.tracking import export
 
 #: A C function that creates the file @MARK@ as soon as a library that holds it is loaded.
 BOOBY_TRAP = '\n#include <stdio.h>\n__attribute__((constructor)) static void trap(void) { fclose(fopen("@MARK@", "w")); }\n'
@@ -117,7 +117,7 @@ def compiled_sources(monkeypatch):
         seen.append((source, options.get("flags")))
         return load_library(source, load, **options)
 
-    for module in (compiler, machine_code, batch, machine):
+    for module in (compiler, machine_code, batch, export):
         monkeypatch.setattr(module, "load_library", remember)
     return seen
 

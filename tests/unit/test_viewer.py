@@ -26,10 +26,9 @@ from manipplan.support.status import Status
 from manipplan.viz import viewer
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
-from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.chart import Chart, ChartLine
+from manipplan.viz.viewer.bodies import MOST, appearance_of, triangles_of
 from manipplan.viz.viewer.checked import capsules, convex_bodies
-from manipplan.viz.viewer.triangles import MOST, triangles_of
+from manipplan.viz.viewer.figures import Chart, ChartLine
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -436,7 +435,7 @@ def test_every_kind_of_obstacle_is_drawn(plan, tmp_path):
 
 
 def test_clouds_are_drawn_as_points():
-    from manipplan.viz.viewer.surroundings import POINTS, draw_obstacles
+    from manipplan.viz.viewer.stage import POINTS, draw_obstacles
 
     server = viser.ViserServer(port=0, verbose=False)
     try:

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
 
-from manipplan.viz.viewer.access import refusal
-from manipplan.viz.viewer.server import Page
+from manipplan.viz.viewer.server import Page, refusal
 
 HOSTS = st.from_regex(r"[a-z0-9-]{1,12}(\.[a-z]{2,9}){1,3}", fullmatch=True)
 

@@ -17,11 +17,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.jobs.stored import robot_data, robot_of
-from manipplan.robots.formats import xacro_files
+from manipplan.jobs.archive import robot_data, robot_of
+from manipplan.robots.formats import urdf_files
 from manipplan.robots.formats.expressions import RefusedError, evaluate
 from manipplan.robots.formats.packages import PackageFolders
-from manipplan.viz.viewer.visuals import visual_geometry
+from manipplan.viz.viewer.bodies import visual_geometry
 
 HEAD = '<robot name="two" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: Two joints; the length and the prefix are arguments, the limits come from a YAML file of the package.
@@ -191,7 +191,7 @@ def test_the_library_alone_expands_to_the_same(arm):
     code = f"import xacro; print(xacro.process_file({str(file)!r}, mappings={{'prefix': 'p_'}}).toxml())"
     oracle = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
     for trust in (False, True):
-        assert xacro_files.expand(PackageFolders(file=file), {"prefix": "p_"}, trust=trust) == oracle
+        assert urdf_files.expand(PackageFolders(file=file), {"prefix": "p_"}, trust=trust) == oracle
     assert 'name="${1}"' in oracle and "007" in oracle and "['turn', 'lift', 2]" in oracle and 'link="p_base"' in oracle
 
 
@@ -436,7 +436,7 @@ DOUBLING = '<xacro:macro name="m0"><link name="x"/></xacro:macro>' + "".join(
 )
 def test_wrong_files(read, monkeypatch, elements, message):
     if "it takes" in message:
-        monkeypatch.setattr(xacro_files, "TIME_LIMIT", 1.0)
+        monkeypatch.setattr(urdf_files, "TIME_LIMIT", 1.0)
     start = time.monotonic()
     with pytest.raises(mp.FileFormatError, match=message) as caught:
         read(elements)
@@ -471,7 +471,7 @@ def test_other_files(arm, tmp_path):
 
 
 def test_the_library_is_not_installed(arm, monkeypatch):
-    monkeypatch.setattr(xacro_files.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(urdf_files.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(
         mp.MissingExtraError, match=r"xacro is not installed; install it with: pip install 'manipplan\[xacro\]'"
     ):
@@ -479,7 +479,7 @@ def test_the_library_is_not_installed(arm, monkeypatch):
 
 
 def test_nothing_is_left_behind(arm, monkeypatch, tmp_path):
-    monkeypatch.setattr(xacro_files.tempfile, "tempdir", str(tmp_path / "tmp"))
+    monkeypatch.setattr(urdf_files.tempfile, "tempdir", str(tmp_path / "tmp"))
     (tmp_path / "tmp").mkdir()
     before = sorted(tmp_path.rglob("*")) + [arm()]
     for elements in ("", "<link"):

@@ -12,9 +12,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.primitives import core_of, mesh_triangles
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle, Part, PointCloud
+from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.arms import farthest
 from manipplan.robots.hulls import convex_hull, has_hull
 from manipplan.robots.robot import Robot

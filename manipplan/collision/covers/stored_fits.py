@@ -16,12 +16,12 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.covers import fitting, pieces
-from manipplan.collision.primitives import Primitive, mesh_key, mesh_triangles, outside
 from manipplan.collision.surfaces import meshes, shells
+from manipplan.collision.world import Primitive, mesh_key, mesh_triangles, outside
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
-from manipplan.support.compiling.patience import logged_when_slow
+from manipplan.support.compiling.compiler import logged_when_slow
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
@@ -141,7 +141,7 @@ def _content(shape: coal.CollisionGeometry) -> object:
 def _choice_sources() -> bytes:
     """Digest of the sources that a choice depends on."""
     folder = Path(__file__).parents[1]
-    files = (folder / "build.py", folder / "described.py", folder / "distances.c")
+    files = (folder / "build.py", folder / "distances.c")
     return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 

@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.carrying.held import held_errors, tool_poses
-from manipplan.jobs.carrying.request import Request
+from manipplan.jobs.carrying.request import Request, held_errors, tool_poses
 from manipplan.jobs.carrying.together import motion_of_both
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.result import make_result
@@ -20,9 +19,8 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag
 from manipplan.support.errors import PlanningError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, part, teller
+from manipplan.support.progress import Progress, interruptible, part, teller
 from manipplan.support.status import Status
 from manipplan.timing.retime import retime
 

@@ -9,10 +9,10 @@ from manipplan.collision.model import CollisionModel
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
-from manipplan.search.candidates.layers import Layers
-from manipplan.search.candidates.sampling import sample_layers
+from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.refine import Refinement, refine
+from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.progress import Progress
 
@@ -128,7 +128,7 @@ class ToolPathPlanner:
     def _joined(self, q: Array, tolerance: Tolerance | None) -> JointPath:
         """The joint path through q (L, n). With a tolerance they are joined as they are while their spline stays inside it."""
         from manipplan.search.program import PoseRows, joint_path
-        from manipplan.search.steps import full_turns
+        from manipplan.search.sweep import full_turns
 
         layers = self.layers
         assert layers.sampler is not None and layers.s is not None

@@ -10,15 +10,13 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import is_singular
-from manipplan.cost.floor import floor_of
-from manipplan.cost.integral import PathIntegral
-from manipplan.cost.metric import metric_matrix
+from manipplan.cost.density import floor_of
+from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
+from manipplan.goals.read import named_configuration
 from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.following.motion import Failure, PartsJoiner
-from manipplan.jobs.following.parts import find_parts
+from manipplan.jobs.following.motion import Failure, PartsJoiner, find_parts
 from manipplan.jobs.following.transit import TransitPlanner
-from manipplan.jobs.goals.read import named_configuration
 from manipplan.jobs.recordings.comparison import VANISHING
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
 from manipplan.paths.cartesian import CartesianPath
@@ -26,22 +24,20 @@ from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.search.candidates.layers import SPARE_CLEARANCE
-from manipplan.search.candidates.positions import STRIDE, choose_positions
-from manipplan.search.candidates.sampling import default_samples, sample_layers
+from manipplan.search.layers import SPARE_CLEARANCE, STRIDE, choose_positions
 from manipplan.search.max_min import SearchResult
-from manipplan.search.steps import check_epsilon
+from manipplan.search.sampling import default_samples, sample_layers
+from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, part, teller
+from manipplan.support.progress import Progress, interruptible, part, teller
 from manipplan.support.status import ALONG, Status
 from manipplan.support.tolerances import SAME
 from manipplan.symbolic.task import Task
+from manipplan.timing.constant_speed import check_tool_speed
 from manipplan.timing.retime import check_timing_limits
-from manipplan.timing.steady.speed import check_tool_speed
 
 #: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
 SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")

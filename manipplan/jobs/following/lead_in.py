@@ -1,19 +1,207 @@
-"""The lead-in: the free motion from the start to the path, and the choice of the configuration in which the path begins."""
+"""The lead-in: the free motion from the start to the path, and the choice of the configuration in which the path begins.
 
+First configurations: those in which a motion along a path of the tool can begin, with what each of them allows.
+
+With as many joints as task rows the configurations without a singularity between them form an aspect. A motion that stays in
+one aspect crosses no singularity, so motions are searched in each aspect alone, and in all together only where none has one.
+"""
+
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
+from manipplan.goals.candidates import APART, GoalCandidate, measured, straight_lines
 from manipplan.jobs.following.course import RefinedToolPath, ToolPathPlanner
-from manipplan.jobs.following.first_configurations import GAIN, FirstConfigurations
 from manipplan.jobs.following.transit import PlanTransit, Transit
-from manipplan.jobs.goals.candidates import GoalCandidate, measured
-from manipplan.search.max_min import SearchResult
+from manipplan.kinematics.factors import sides_of
+from manipplan.robots.robot import Robot
+from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
+from manipplan.support.tolerances import SAME
+
+#: Gain in the minimum manipulability below which another first configuration is not tried, nor taken.
+GAIN = 0.01
+#: Maximum number of first configurations to which motions are compared.
+COMPARED = 20_000
+#: Distance of a joint from which configurations are different postures [rad or m].
+POSTURE = 1.5
+#: Odd numbers by which the joints of configurations are made one number, the same for equal configurations.
+KEYS = np.random.default_rng(0).integers(-(2**62), 2**62, size=64) | 1
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FirstConfigurations:
+    """The configurations at the first position of a path, with the best motions along the path that begin in them.
+
+    Attributes:
+        finder: of motions along the path.
+        best: the best of all these motions.
+        cap: a manipulability beyond which more does not count.
+    """
+
+    finder: ToolPathPlanner
+    best: SearchResult
+    cap: float = np.inf
+
+    @cached_property
+    def minimum(self) -> Array:
+        """Largest minimum manipulability of a motion from each (k,), at most the cap; -inf where there is none.
+
+        For a closed path the way back to the first configuration does not count, so that it is an upper bound.
+        """
+        return self._found[0]
+
+    @cached_property
+    def _found(self) -> tuple[Array, tuple[NDArray[np.int64], ...] | None]:
+        """The minima, and the aspects of all candidates of each layer; None where motions do not stay in one."""
+        layers = self.finder.layers
+        aspects = self._aspects()
+        if aspects is None:
+            return self._minima(layers), None
+        minimum = np.full(len(layers.q[0]), -np.inf)
+        for aspect in np.unique(aspects[0]):
+            some = _of_aspect(layers, aspects, aspect)
+            if some is not None:
+                minimum[aspects[0] == aspect] = self._minima(some)
+        if (minimum > -np.inf).any():
+            return minimum, aspects
+        return self._minima(layers), None
+
+    def _minima(self, layers: Layers) -> Array:
+        return minimum_from_each(layers, self.best.epsilon, strict=self.best.strict, cap=self.cap)
+
+    def _aspects(self) -> tuple[NDArray[np.int64], ...] | None:
+        """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
+        assert self.finder.layers.sampler is not None
+        sides = sides_of(self.finder.layers.sampler.kinematics)
+        if sides is None:
+            return None
+        powers = 2 ** np.arange(len(sides.names))
+        return tuple((sides.values(q) >= 0) @ powers for q in self.finder.layers.q)
+
+    def motion(self, k: int) -> SearchResult:
+        """The best motion along the path from the k-th configuration; not connected where none returns to it."""
+        layers, aspects = self.finder.layers, self._found[1]
+        kept = np.full(1, k)
+        if aspects is not None:
+            some = _of_aspect(layers, aspects, int(aspects[0][k]))
+            assert some is not None
+            inside = [np.flatnonzero(each == aspects[0][k]) for each in aspects]
+            layers = some
+        first = replace(
+            layers,
+            q=(np.ascontiguousarray(self.finder.layers.q[0][kept]), *layers.q[1:]),
+            m=(self.finder.layers.m[0][kept], *layers.m[1:]),
+        )
+        found = max_min_search(first, self.best.epsilon, strict=self.best.strict, explain=False, throw=False)
+        if not found.connected:
+            return found
+        rest = found.indices[1:]
+        if aspects is not None:
+            rest = np.array([which[i] for which, i in zip(inside[1:], rest, strict=True)], dtype=np.int64)
+        return replace(found, indices=np.concatenate([kept, rest]))
+
+    def ranked(self, start: Array, integral: PathIntegral) -> Iterator[tuple[GoalCandidate, int]]:
+        """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from those
+        before.
+
+        Those with the fewest crossings of singularities come first, then those on whose straight line and path the minimum is
+        largest; of minima that differ by less than GAIN those with the smallest g. Continuous joints are turned to the nearest
+        turn.
+        """
+        layers = self.finder.layers
+        some = np.flatnonzero(self.minimum > -np.inf)
+        q = layers.q[0][some]
+        q = q + np.where(layers.continuous, 2 * np.pi * np.round((start - q) / (2 * np.pi)), 0.0)
+        near = _compared(q, start, _steps(self.minimum[some]), integral.kinematics.robot.turns)
+        some, q = some[near], q[near]
+        lines = straight_lines(start, q, integral)
+        crossings = np.array([each or 0 for each in lines.crossings])
+        bound = np.minimum(lines.bound, self.minimum[some])
+        order = np.lexsort((lines.g, _steps(np.minimum(bound, lines.m.min(axis=1))), crossings))
+        while len(order):
+            k = order[0]
+            (row,) = measured(q[k : k + 1], [0], start, integral)
+            yield replace(row, bound=float(bound[k])), int(some[k])
+            order = order[np.abs(q[order] - q[k]).max(axis=1) > APART]
+
+    def different(self, robot: Robot, most: int) -> list[int]:
+        """The indices of the best configurations, each farther than APART from others but for full turns.
+
+        Of each posture of the arm there is one first, so that those of the best do not displace all others.
+        """
+        q, some = self.finder.layers.q[0], np.flatnonzero(self.minimum > -np.inf)
+        every = some[_first_of_alike(q[some], robot.turns, -self.minimum[some])]
+        every = every[np.argsort(-self.minimum[every], kind="stable")]
+        found: list[int] = []
+        for apart in (POSTURE, APART):
+            order = every
+            for k in found:
+                order = order[_distance(q[order], q[k], robot.turns) > apart]
+            while len(order) and len(found) < most:
+                found.append(int(order[0]))
+                order = order[_distance(q[order], q[order[0]], robot.turns) > apart]
+        return found
+
+    def turned(self, robot: Robot, k: int) -> Array:
+        """The k-th configuration and those that differ from it by full turns and allow as much, (t, n)."""
+        away = self.finder.layers.q[0] - self.finder.layers.q[0][k]
+        turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
+        same = (np.abs(away - turns).max(axis=1) < SAME) & (self.minimum >= self.minimum[k] * (1 - SAME))
+        return np.asarray(self.finder.layers.q[0][same])
+
+
+def _compared(q: Array, start: Array, steps: Array, turns: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """Which of configurations (k, n) are compared: of those alike but for full turns the best, and of these the nearest.
+
+    Each is better the fewer `steps` (k,) its minimum is below the largest one, of equal steps the nearer to the start (n,).
+    """
+    distance = np.linalg.norm(q - start, axis=1)
+    first = _first_of_alike(q, turns, steps, distance)
+    if len(first) <= COMPARED:
+        return first
+    best, near = np.lexsort((distance[first], steps[first])), np.argsort(distance[first], kind="stable")
+    return first[np.union1d(best[: COMPARED // 2], near[: COMPARED // 2])]
+
+
+def _first_of_alike(q: Array, turns: NDArray[np.bool_], *figures: Array) -> NDArray[np.int64]:
+    """Of configurations (k, n) that are alike but for full turns the first by figures (k,), those that come first most."""
+    alike = np.round(np.where(turns, q % (2 * np.pi), q) / SAME).astype(np.int64) @ KEYS[: q.shape[1]]
+    order = np.lexsort((*figures[::-1], alike))
+    return order[np.append(True, np.diff(alike[order]) != 0)] if len(order) else order
+
+
+def _distance(q: Array, other: Array, turns: NDArray[np.bool_]) -> Array:
+    """The largest distance (k,) of a joint of configurations (k, n) from another (n,), but for full turns."""
+    away = q - other
+    return np.asarray(np.abs(away - np.where(turns, 2 * np.pi * np.round(away / (2 * np.pi)), 0.0)).max(axis=1))
+
+
+def _steps(minima: Array) -> Array:
+    """How many shares of GAIN each of some minima (k,) is below the largest, rounded down."""
+    most = minima.max(initial=0.0)
+    if most <= 0:
+        return np.zeros(len(minima))
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.floor(np.log(most / np.maximum(minima, 0.0)) / np.log1p(GAIN)))
+
+
+def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: int) -> Layers | None:
+    """The candidates of one aspect; None where a layer has none."""
+    kept = [each == aspect for each in aspects]
+    if not all(each.any() for each in kept):
+        return None
+    q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(layers.q, kept, strict=True))
+    return replace(layers, q=q, m=tuple(m[each] for m, each in zip(layers.m, kept, strict=True)))
+
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.
 MOTIONS, TRIES, LISTED = 4, 8, 16

@@ -1,33 +1,123 @@
-"""Puts the motions of a program together: blends, timing, checks, marks."""
+"""Puts the motions of a program together: blends, timing, checks, marks.
+
+Times a part of a program, with the constant speeds of the tool that its motions ask for.
+"""
 
 from collections.abc import Container, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
 from manipplan.constraints.constraint import KEPT
-from manipplan.constraints.figures import ConstraintFigure, figures
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
+from manipplan.jobs.measure import measure_plan
 from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
 from manipplan.jobs.programs.courses import RawMotion, Stop
 from manipplan.jobs.programs.legs import Leg
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
-from manipplan.jobs.programs.timed import TIMES, Timing, times_of
-from manipplan.jobs.reports.measure import measure_plan
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.errors import PlanningError
+from manipplan.robots.robot import Robot
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import Status
-from manipplan.timing.steady.speed import SteadySpeed
+from manipplan.timing.constant_speed import GRIDS, RAMP, SteadySpeed, measure_speed, slower, steady_segments
+from manipplan.timing.retime import retime
+from manipplan.timing.stops import Segment
+
+#: Number of times that are compared to find when a motion comes past a place.
+TIMES = 4000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Timed:
+    """A timed part.
+
+    Attributes:
+        trajectory: the motion.
+        speeds: the speed of the tool on each motion that asks for one, by its place in the part.
+    """
+
+    trajectory: Trajectory
+    speeds: Mapping[int, SteadySpeed]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Timing:
+    """What is to be timed.
+
+    Attributes:
+        robot, path: the arm, with what it carries, and the path of the whole part.
+        motions: its motions.
+        spans: the s of the path between which each motion reaches, up to the middle of its blends.
+        own: the s between which it keeps its own path.
+        torque: whether the joints' effort limits are kept as well.
+    """
+
+    robot: Robot
+    path: JointPath
+    motions: Sequence[RawMotion]
+    spans: Sequence[tuple[float, float]]
+    own: Sequence[tuple[float, float]]
+    torque: bool
+
+    def made(self) -> Timed:
+        """The fastest motion with the tool speeds that are asked for.
+
+        Raises InvalidInputError, which names the step and the fastest speed that is possible, where the tool cannot keep its
+        speed between the ramps, and PlanningError as `retime`.
+        """
+        asked = {k: motion.tool_speed for k, motion in enumerate(self.motions) if motion.tool_speed is not None}
+        timed = self._timed(asked, GRIDS)
+        for k, speed in timed.speeds.items():
+            if not speed.is_steady:
+                own = cut(self.path, *self.own[k])
+
+                def keep(value: float, k: int = k) -> SteadySpeed | None:
+                    other = self._timed({k: value}, GRIDS).speeds[k]
+                    return other if other.is_steady else None
+
+                wanted = slower(own, self.robot, speed.asked, keep, torque=self.torque)
+                raise InvalidInputError(f"steps[{self.motions[k].step}].tool_speed", speed.asked, wanted)
+        return timed
+
+    def _timed(self, asked: Mapping[int, float], grids: Sequence[int]) -> Timed:
+        """The motion with these speeds, by the first grid on which they are constant, else by the last."""
+        segments: list[Segment] = []
+        for k, speed in asked.items():
+            begin, end = self.spans[k]
+            segments += [Segment(begin=begin, end=end, tool_speed=speed), *steady_segments(*self.own[k], speed)]
+        for grid in grids:  # slow motions need more points, as the tool turns between two of them
+            trajectory = retime(self.path, self.robot, torque=self.torque, segments=segments, grid=grid)
+            speeds = {}
+            for k, speed in asked.items():
+                begin, end = times_of(trajectory, self.path, self.own[k])
+                speeds[k] = measure_speed(trajectory, self.robot, speed, begin=begin, end=end, short=RAMP)
+            if all(each.is_steady for each in speeds.values()):
+                break
+        return Timed(trajectory=trajectory, speeds=speeds)
+
+
+def times_of(trajectory: Trajectory, path: JointPath, places: Sequence[float]) -> list[float]:
+    """When the motion comes past places s of its path, in their order [s]."""
+    t = np.linspace(0.0, trajectory.duration, TIMES + 1)
+    q = trajectory(t)
+    found: list[float] = []
+    begin = 0
+    for s in places:
+        away = np.linalg.norm(q[begin:] - path(np.array([s]))[0], axis=1)
+        begin += int(away.argmin())
+        found.append(float(t[begin]))
+    return found
+
 
 #: Distance from the nearest body above which a part counts as let go in the air [m].
 IN_THE_AIR = 5e-3

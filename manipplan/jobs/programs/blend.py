@@ -2,6 +2,8 @@
 
 A blend is a curve in joint space that has the tangents and curvatures of the two motions at its ends. Its inner control points
 are moved until each tool stays in the convex hull of the two pieces of its way that the blend replaces.
+
+Convex hulls of places, also flat ones, and how far other places are beyond them.
 """
 
 from collections.abc import Callable, Sequence
@@ -10,15 +12,48 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.jobs.programs.courses import RawMotion
-from manipplan.jobs.programs.hull import BlendHull
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.curves import bernstein
-from manipplan.paths.joint import JointPath, cut, raised
+from manipplan.paths.joint import JointPath, bernstein, cut, raised
 from manipplan.support.checks import Array
 from manipplan.timing.stops import CORNER, turn_cosine
+
+#: Weight of the sum of shares in the distances that are minimised; places are scaled to the size of the hull.
+WEIGHT = 1e3
+#: Smallest size to which places are scaled [m].
+SMALLEST = 1e-4
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BlendHull:
+    """The convex hull of places.
+
+    Attributes:
+        places: (k, 3) [m].
+        size: largest distance of one of them from the first [m].
+    """
+
+    places: Array
+    size: float
+
+    @classmethod
+    def of(cls, places: Array) -> "BlendHull":
+        """The hull of places (k, 3)."""
+        return cls(places=places, size=max(float(np.linalg.norm(places - places[0], axis=1).max()), SMALLEST))
+
+    def beyond(self, places: Array) -> Array:
+        """The vectors (k, 3) from the nearest place of the hull to each of some places (k, 3) [m]; zero for those inside."""
+        from scipy.optimize import nnls
+
+        made = np.zeros(places.shape)
+        goal = np.array([0.0, 0.0, 0.0, WEIGHT])
+        for row, place in enumerate(places):
+            columns = np.vstack([(self.places - place).T / self.size, np.full(len(self.places), WEIGHT)])
+            shares, _ = nnls(columns, goal)
+            made[row] = place - shares @ self.places / shares.sum()
+        return made
+
 
 #: Number of places of a motion at which the tool's distance from a corner is measured, of a blend, and of a piece it replaces.
 PLACES, ALONG_BLEND, OF_PIECE = 400, 100, 50

@@ -13,14 +13,12 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.reach import nearest
-from manipplan.jobs.goals.read import Target
-from manipplan.jobs.goals.straight import straight_lines
-from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, RawMotion, course_of
+from manipplan.goals.candidates import straight_lines
+from manipplan.goals.read import Target
+from manipplan.goals.solutions import nearest
+from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Node, RawMotion, course_of
 from manipplan.jobs.programs.legs import Leg
-from manipplan.jobs.programs.nodes import Node
-from manipplan.jobs.programs.places import rounded
-from manipplan.jobs.programs.states import State
+from manipplan.jobs.programs.states import State, rounded
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns

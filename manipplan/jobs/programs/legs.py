@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.jobs.following.straight import moved_by
-from manipplan.jobs.goals.pose_goal import PoseGoal
-from manipplan.jobs.goals.read import Target, read_goals
+from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.read import Target, read_goals
+from manipplan.jobs.following.transit import moved_by
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import with_defaults
@@ -17,8 +17,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import SAME
-from manipplan.timing.steady.corner import check_corners
-from manipplan.timing.steady.speed import check_tool_speed
+from manipplan.timing.constant_speed import check_corners, check_tool_speed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,25 +1,40 @@
-"""Program: the result of `sequence`."""
+"""Program: the result of `sequence`.
 
-from collections.abc import Sequence
+A program in files: program.json, and one file for each part.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.reports.report import shown
+from manipplan.jobs.archive import (
+    checked_json,
+    checksum,
+    plan_of,
+    robot_data,
+    robot_of,
+    scene_data,
+    scene_of,
+    with_parts,
+    write_plan,
+)
+from manipplan.jobs.report import shown
 from manipplan.jobs.result import Plan
 from manipplan.measures.measure import Measure
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.files import write_text
-from manipplan.support.saving import replacing
-from manipplan.timing.steady.speed import SteadySpeed
+from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.files import finish, replacing, write_text
+from manipplan.support.json_data import from_json, json_ready
+from manipplan.timing.constant_speed import SteadySpeed
 
 if TYPE_CHECKING:
     from manipplan.viz.viewer import PlanViewer
-
 
 #: Columns of marks.csv.
 COLUMNS = ("step", "name", "begin", "path_begin", "tool_speed", "blend", "path_blend")
@@ -152,7 +167,6 @@ class Program(Pictured):
         program.json and one file for each part. All files of a plan or program that was saved there before are replaced in one
         step. Raises InvalidInputError when the folder cannot be written.
         """
-        from manipplan.jobs.programs.stored import write_program
         from manipplan.viz.programs.figure import save_program
 
         with replacing(folder) as (to, new):
@@ -194,10 +208,85 @@ class Program(Pictured):
                 is another one.
             MissingExtraError: the robot is from the catalogue, whose package is not installed.
         """
-        from manipplan.jobs.programs.stored import read_program
-
         return read_program(folder, robot=robot, measure=measure)
 
 
 def _times(stops: Sequence[float]) -> str:
     return f", at {', '.join(f'{each:.2f}' for each in stops)} s" if stops else ""
+
+
+FORMAT, VERSION, NAME = "manipplan-program", 1, "program.json"
+
+
+def write_program(program: "Program", place: Path, *, home: Path) -> list[Path]:
+    """Write program.json and part_0.json, ... to a place, for the folder `home`; returns the files."""
+    folder = home.expanduser().resolve()
+    files = [place / NAME, *(place / f"part_{k}.json" for k in range(len(program.parts)))]
+    for part, file in zip(program.parts, files[1:], strict=True):
+        write_plan(part, file, home=home)
+    data = json_ready(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "robot": robot_data(program.robot, folder),
+            "scene": scene_data(program.scene, folder),
+            "final_robot": robot_data(program.final_robot, folder),
+            "final_scene": scene_data(program.final_scene, folder),
+            "parts": len(program.parts),
+            "begins": program.begins,
+            "marks": program.marks,
+            "trajectory": program.trajectory,
+            "goals": {str(step): goal for step, goal in program.goals.items()},
+            "stops": program.stops,
+            "warnings": program.warnings,
+        }
+    )
+    write_text(files[0], json.dumps({**data, "sha256": checksum(data)}, allow_nan=False) + "\n")
+    return files
+
+
+def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | None) -> "Program":
+    """Read what `write_program` wrote; see `Program.load`."""
+    given = path_of("folder", folder)
+    if is_folder(given):
+        finish(given)
+    path = existing_file("folder", given / NAME if is_folder(given) else given)
+    data = checked_json(path, FORMAT, VERSION)
+    home = path.resolve().parent
+    if robot is not None:
+        instance("robot", robot, Robot)
+
+    def arm_of(file: Path, stored: Mapping[str, Any]) -> Robot:
+        """The arm of some data: the one given carries what the data say."""
+        return robot_of(file, stored, home, None if robot is None else with_parts(robot, file, stored, home))
+
+    def part_of(file: Path) -> Plan:
+        plan = checked_json(file)
+        made = plan_of(file, plan, robot=arm_of(file, plan["robot"]), scene=None, measure=measure)
+        if not isinstance(made, Plan):
+            raise FileFormatError("folder", str(file), "a part of a program, with a trajectory")
+        return made
+
+    try:
+        return Program(
+            robot=arm_of(path, data["robot"]),
+            scene=scene_of(path, data["scene"], home, None),
+            final_robot=arm_of(path, data["final_robot"]),
+            final_scene=scene_of(path, data["final_scene"], home, None),
+            parts=tuple(part_of(existing_file("folder", home / f"part_{k}.json")) for k in range(int(data["parts"]))),
+            begins=_numbers(data["begins"]),
+            marks=tuple(from_json(each, Mark) for each in data["marks"]),
+            trajectory=from_json(data["trajectory"], Trajectory),
+            goals={int(step): int(goal) for step, goal in data["goals"].items()},
+            stops=_numbers(data["stops"]),
+            warnings=tuple(str(each) for each in data["warnings"]),
+        )
+    except FileFormatError:
+        raise
+    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise FileFormatError("folder", str(path), f"a program written by Program.save, unchanged since ({reason})") from error
+
+
+def _numbers(data: Any) -> tuple[float, ...]:
+    return tuple(float(each) for each in data)

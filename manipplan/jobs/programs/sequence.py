@@ -7,16 +7,14 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.goals.read import named_configuration
+from manipplan.goals.read import named_configuration
 from manipplan.jobs.plan import plan
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.jobs.programs.courses import RawMotion, Stop
+from manipplan.jobs.programs.courses import Node, RawMotion, Stop, nodes_of, places_after
 from manipplan.jobs.programs.legs import Leg, read_steps
-from manipplan.jobs.programs.nodes import Node, nodes_of, places_after
-from manipplan.jobs.programs.places import PartPoses, needed_by
 from manipplan.jobs.programs.program import Program
-from manipplan.jobs.programs.states import State, check_parts
+from manipplan.jobs.programs.states import PartPoses, State, check_parts, needed_by
 from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
@@ -27,9 +25,8 @@ from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.interrupts import interruptible
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, part, teller
+from manipplan.support.progress import Progress, interruptible, part, teller
 from manipplan.timing.retime import check_timing_limits
 
 

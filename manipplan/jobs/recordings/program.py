@@ -20,7 +20,7 @@ import numpy as np
 
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.recordings.spline import Ends, SplineBasis
+from manipplan.jobs.recordings.smooth import Ends, SplineBasis
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error

@@ -6,11 +6,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.model import CollisionModel
+from manipplan.collision.model import CollisionModel, Witnesses
 from manipplan.collision.proximity import DistanceSearch, Place, ProximitySamples
-from manipplan.collision.witnesses import Witnesses
 from manipplan.optimize.clearance import columns
-from manipplan.paths.curves import Curve
+from manipplan.paths.joint import Curve
 from manipplan.support.checks import Array
 
 #: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].

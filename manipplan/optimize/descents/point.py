@@ -8,12 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.proximity import NOTHING, ProximitySamples
+from manipplan.optimize.descents.arithmetic import LengthModel
 from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.constraint_rows import ConstraintRows, ConstraintSamples, ConstraintSearch
-from manipplan.optimize.descents.fixed_rows import FixedRows, FixedRowsAt
-from manipplan.optimize.descents.length import LengthModel
-from manipplan.optimize.descents.rows import LimitRows, LinearRows, MeasuredRows, RowFunctions
-from manipplan.paths.curves import Curve
+from manipplan.optimize.descents.rows import (
+    ConstraintRows,
+    ConstraintSamples,
+    ConstraintSearch,
+    FixedRows,
+    FixedRowsAt,
+    LimitRows,
+    LinearRows,
+    MeasuredRows,
+    RowFunctions,
+)
+from manipplan.paths.joint import Curve
 from manipplan.support.checks import Array
 
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].

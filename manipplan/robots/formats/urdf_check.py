@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from manipplan.robots.formats.xml_files import DEEPEST, MOST_BODIES, MOST_JOINTS, numbers
-from manipplan.robots.mimics import WORLD
+from manipplan.robots.model_tree import WORLD
 from manipplan.support.errors import FileFormatError, UnknownNameError
 
 log = logging.getLogger("manipplan")

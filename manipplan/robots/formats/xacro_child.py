@@ -1,4 +1,4 @@
-"""Expands a xacro file in a process of its own: see `xacro_files`, which starts it.
+"""Expands a xacro file in a process of its own: see `urdf_files`, which starts it.
 
 The library xacro keeps its state in module variables and evaluates expressions by Python's `eval`; what it forbids there is
 easily avoided, for instance inside a lambda. Here, unless the file is trusted, `expressions` evaluates them instead, files are

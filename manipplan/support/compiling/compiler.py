@@ -3,6 +3,10 @@
 The name of a library is a hash of its source, compiler, options and, if it is built only for this processor, the processor.
 It is built in a temporary folder and renamed, so several processes may build at once. It is rebuilt when its checksum file
 does not match, when another user could have written it, or when it cannot be loaded. The folder may be deleted at any time.
+
+Machine code from LLVM's intermediate language, by the LLVM of llvmlite, where there is no C compiler.
+
+A line of progress when something that is done once takes long.
 """
 
 import hashlib
@@ -13,6 +17,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+import threading
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -20,14 +25,60 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from manipplan.support.compiling.patience import logged_when_slow
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes.commands import run
 from manipplan.support.untrusted import terminal_text
+
+#: Level of optimisation.
+LEVEL = 3
+
+
+def compiled_by_llvm(text: str) -> Any:
+    """An execution engine with the functions of a module in LLVM's language, for the processor of this machine.
+
+    Addresses are given by `get_function_address(name)`; the code lives as long as the engine. Raises RuntimeError when LLVM
+    does not accept the module.
+    """
+    from llvmlite import binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target = llvm.Target.from_default_triple()
+    features = llvm.get_host_cpu_features().flatten()
+    machine = target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=LEVEL, jit=True)
+    module = llvm.parse_assembly(text)
+    module.triple, module.data_layout = target.triple, str(machine.target_data)
+    module.verify()
+    options = llvm.create_pipeline_tuning_options(speed_level=LEVEL)
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(module, builder)
+    engine = llvm.create_mcjit_compiler(module, machine)
+    engine.finalize_object()
+    return engine
+
+
+#: The command line shows this log.
+log = logging.getLogger(__name__)
+
+#: Time after which the line is logged [s].
+PATIENCE = 1.0
+
+
+@contextmanager
+def logged_when_slow(work: str) -> Iterator[None]:
+    """Log one line when the block takes longer than `PATIENCE`; `work` says what it does."""
+    timer = threading.Timer(PATIENCE, log.info, args=("... %s", work))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
 
 log = logging.getLogger("manipplan")
 Loaded = TypeVar("Loaded")

@@ -13,9 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
-from manipplan.support.compiling.llvm import compiled_by_llvm
-from manipplan.support.compiling.patience import logged_when_slow
+from manipplan.support.compiling.compiler import NATIVE, compiled_by_llvm, find_compiler, load_library, logged_when_slow
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
 

@@ -13,9 +13,8 @@ from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
 from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz import style
-from manipplan.viz.viewer.bodies import DrawnBody
+from manipplan.viz.viewer.bodies import DrawnBody, triangles_of
 from manipplan.viz.viewer.figures import RobotFigure, draw_body, rgb
-from manipplan.viz.viewer.triangles import triangles_of
 
 #: Opacity of capsules, which are drawn around the links.
 AROUND = 0.35

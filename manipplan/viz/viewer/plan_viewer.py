@@ -1,7 +1,11 @@
-"""PlanViewer: a plan or program in the browser, with a time slider, playback at real speed, and a switch per layer."""
+"""PlanViewer: a plan or program in the browser, with a time slider, playback at real speed, and a switch per layer.
+
+Parts of the panel that all viewers share.
+"""
 
 import threading
 import time
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -10,15 +14,37 @@ import numpy as np
 from manipplan.support.checks import flag, number
 from manipplan.viz import style
 from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.chart import Chart, ChartLine
+from manipplan.viz.viewer.figures import Chart, ChartLine
 from manipplan.viz.viewer.motion import ShownMotion
-from manipplan.viz.viewer.panel import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
     from manipplan.jobs.programs.program import Program
     from manipplan.jobs.result import Plan
+
+
+def switches(gui: Any, layers: Mapping[str, Any]) -> None:
+    """A folder with a checkbox per layer, labelled with its name, that shows and hides it."""
+
+    def switch(name: str, handle: Any) -> None:
+        box = gui.add_checkbox(name, initial_value=bool(handle.visible))
+        box.on_update(lambda _: setattr(handle, "visible", box.value))
+
+    with gui.add_folder("Show"):
+        for name, handle in layers.items():
+            switch(name, handle)
+
+
+def table(rows: Sequence[tuple[str, str]]) -> str:
+    """Names and values in two columns, as HTML."""
+    cells = "".join(
+        f'<tr><td style="padding:0.1em 0.8em 0.1em 0;color:#666;white-space:nowrap">{escape(name)}</td>'
+        f'<td style="font-variant-numeric:tabular-nums">{escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    return f'<table style="margin:0.2em 0.75em;font:12px sans-serif;color:#222;border-collapse:collapse">{cells}</table>'
+
 
 #: Pictures per second during playback.
 RATE = 25.0

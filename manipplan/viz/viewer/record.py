@@ -10,8 +10,7 @@ from manipplan.support.checks import number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.viz.viewer.motion import ShownMotion
-from manipplan.viz.viewer.panel import table
-from manipplan.viz.viewer.plan_viewer import chart_of
+from manipplan.viz.viewer.plan_viewer import chart_of, table
 from manipplan.viz.viewer.server import Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 

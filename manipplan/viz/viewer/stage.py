@@ -1,16 +1,139 @@
-"""The 3D scene of a motion: both robots, tool paths, ellipsoids, obstacles, floor and camera."""
+"""The 3D scene of a motion: both robots, tool paths, ellipsoids, obstacles, floor and camera.
+
+Static parts of the scene: obstacles with their names, the floor, and the initial camera.
+"""
 
 from collections.abc import Sequence
 from typing import Any
 
+import coal
 import numpy as np
 
+from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import PointCloud
+from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
+from manipplan.viz.shapes import evenly_chosen
+from manipplan.viz.viewer.bodies import PLANE, triangles_of
 from manipplan.viz.viewer.checked import checked_layers
-from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, rgb
+from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, put, rgb
 from manipplan.viz.viewer.motion import ShownMotion
-from manipplan.viz.viewer.surroundings import surround
+
+#: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
+FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
+#: Vertical field of view of the camera [rad].
+VIEW = np.deg2rad(45.0)
+#: Factor on the camera's distance: the bounding sphere slightly exceeds the picture, as its outermost parts are empty.
+FILL = 0.92
+#: Distance beyond the arm up to which obstacles and static parts of the robot are in the view, as a share of the diagonal of
+#: the arm's workspace box.
+NEAR = 0.2
+#: Maximum number of points that are drawn of a cloud.
+POINTS = 5000
+
+
+def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
+    """Draw obstacles; returns viser's handles of bodies and of names, and the box corners of all but planes (k, 3) [m]."""
+    bodies = scene.add_frame("/obstacles", show_axes=False)
+    names = scene.add_frame("/names", show_axes=False)
+    seen = [np.empty((0, 3))]
+    for k, (name, obstacle) in enumerate(zip(obstacles.names, obstacles.obstacles, strict=True)):
+        top, above = -np.inf, obstacle.pose.translation.copy()
+        if isinstance(obstacle, PointCloud):
+            points = evenly_chosen(obstacle.kept, POINTS).astype(np.float32)
+            size = 2 * obstacle.parts()[0].radius
+            cloud = scene.add_point_cloud(
+                f"/obstacles/{k}", points, rgb(style.OBSTACLE), point_size=size, point_shape="circle", precision="float32"
+            )
+            put(cloud, obstacle.pose)
+            placed = obstacle.kept @ obstacle.pose.rotation.T + obstacle.pose.translation
+            top = placed[:, 2].max()
+            above = (placed.min(axis=0) + placed.max(axis=0)) / 2  # its frame is often that of the camera
+            seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
+        for i, shape in enumerate(() if isinstance(obstacle, PointCloud) else obstacle.shapes()):
+            triangles = triangles_of(shape)
+            if triangles is None:
+                continue
+            endless = isinstance(shape, coal.Halfspace)
+            mesh = scene.add_mesh_simple(
+                f"/obstacles/{k}/{i}",
+                *triangles,
+                color=rgb(style.OBSTACLE),
+                opacity=0.18 if endless else 0.55,
+                side="double",
+                cast_shadow=not endless,
+            )
+            put(mesh, obstacle.pose)
+            placed = triangles[0] @ obstacle.pose.rotation.T + obstacle.pose.translation
+            top = max(top, placed[:, 2].max()) if not endless else top
+            if not endless:
+                seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
+        above[2] = max(above[2], top) + 0.02
+        if not np.isfinite(top):  # a plane: its name beside the arm in the initial view
+            above -= 0.1 * PLANE * (obstacle.pose.rotation[:, 0] + obstacle.pose.rotation[:, 1])
+        scene.add_label(f"/names/{k}", name, position=above, anchor="bottom-center", font_screen_scale=0.8, depth_test=False)
+    return bodies, names, np.concatenate(seen)
+
+
+def draw_floor(scene: Any, height: float, size: float) -> Any:
+    """A grid of squares of 10 cm, or of 1 m under a large robot, and the axes of the world; returns the grid's handle."""
+    cell = 0.1 if size < 3 else 1.0
+    grid = scene.add_grid(
+        "/floor",
+        width=max(2 * size, 20 * cell),
+        height=max(2 * size, 20 * cell),
+        cell_size=cell,
+        section_size=5 * cell,
+        cell_color=(226, 228, 232),
+        section_color=(200, 204, 210),
+        position=(0.0, 0.0, height - 1e-3),
+        shadow_opacity=0.12,
+    )
+    scene.add_frame("/base", axes_length=0.12 * size, axes_radius=0.0025 * size, origin_radius=0.004 * size)
+    return grid
+
+
+def look_at(server: Any, box: Array, *, planar: bool) -> None:
+    """Place the camera so that the box (2, 3) [m] fills the picture on a screen of any aspect ratio; z is up."""
+    middle, reach = box.mean(axis=0), max(float(np.linalg.norm(box[1] - box[0])) / 2, 0.05)
+    direction = np.array(FROM[planar]) / np.linalg.norm(FROM[planar])
+    upward = np.eye(3)[2] - direction[2] * direction
+
+    def place(camera: Any, aspect: float) -> None:
+        angle = np.arctan(np.tan(VIEW / 2) * min(aspect, 1.0))
+        target = middle if aspect >= 1.0 else middle - 0.7 * reach * upward / np.linalg.norm(upward)  # the panel is below
+        camera.fov = VIEW
+        camera.near = reach / 100
+        camera.position = target + FILL * reach / np.sin(angle) * direction
+        camera.look_at = target  # last: moving the camera also moves the point it looks at
+
+    server.initial_camera.up = (0.0, 0.0, 1.0)
+    place(server.initial_camera, 1.0)
+
+    def fit(client: Any) -> None:
+        if client.camera.aspect < 1.0:
+            place(client.camera, client.camera.aspect)
+
+    server.on_client_connect(fit)
+
+
+def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) -> dict[str, Any]:
+    """Obstacles, floor and camera around an arm that starts at q (n,) and moves within the box (2, 3) [m].
+
+    Returns viser's handles by the names of their switches.
+    """
+    scene, size = server.scene, float(np.linalg.norm(box[1] - box[0]))
+    layers, around = {}, np.empty((0, 3))
+    if obstacles.obstacles:
+        layers["obstacles"], layers["names"], around = draw_obstacles(scene, obstacles)
+    whole = corners(robot, q, moving=False)
+    layers["grid"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
+    near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
+    seen = np.concatenate([box, near])
+    look_at(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
+    return layers
+
 
 #: Thickness of a drawn path [px].
 LINE = 3.0

@@ -1,0 +1,329 @@
+"""GoalCandidate: a configuration that reaches a goal, with what is known about motions to it before any is planned.
+
+Straight lines from one configuration to others: what is known about motions before any is planned.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from manipplan.collision.model import CollisionModel
+from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.cost.crossings import least_crossings_to
+from manipplan.cost.integral import PathIntegral, speeds
+from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.read import Target
+from manipplan.goals.solutions import NearestToGoal, Reaching, beyond_limits, nearest, reaching, refined
+from manipplan.goals.two_arms import reaching_tools
+from manipplan.ik.form import closed_form
+from manipplan.ik.nearest import millimetres_hint
+from manipplan.robots.arms import has_few_joints
+from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.robot import Robot
+from manipplan.support.checks import Array
+from manipplan.support.display import one_line
+from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.tolerances import SAME
+
+#: Number of places of a straight line at which m is evaluated.
+PLACES = 17
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StraightLines:
+    """Straight lines from one configuration to k others.
+
+    Attributes:
+        m: (k, PLACES) the measure on each.
+        g: (k,) of each, estimated.
+        crossings: lower bound on the singularities that any path between its ends crosses; None for redundant arms.
+        bound: (k,) upper bound on the minimum m of any path between its ends: the smaller m of both; 0 in another aspect.
+    """
+
+    m: Array
+    g: Array
+    crossings: list[int] | list[None]
+    bound: Array
+
+
+def straight_lines(start: Array, ends: Array, integral: PathIntegral) -> StraightLines:
+    """The straight lines from start (n,) to ends (k, n)."""
+    kinematics = integral.kinematics
+    m = kinematics.manipulability(start + (ends[:, None] - start) * np.linspace(0.0, 1.0, PLACES)[:, None])
+    with np.errstate(divide="ignore"):
+        weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
+    g = speeds(ends - start, integral.metric) * (weights[:, 1:] + weights[:, :-1]).mean(axis=1) / 2
+    crossings = least_crossings_to(kinematics, start, ends)
+    bound = np.where([bool(each) for each in crossings], 0.0, np.minimum(m[:, 0], m[:, -1]))
+    return StraightLines(m=m, g=g, crossings=crossings, bound=bound)
+
+
+#: Two minima of m count as equal when they differ by less than this share; then g decides.
+TIE = 1e-6
+#: Number of the best solutions whose redundancy parameters are refined, and distance between them [rad or m].
+REFINED, APART = 6, 0.5
+#: Distance beyond the clearance that refined solutions keep, so that they are not pushed into contact [m].
+MARGIN = 1e-3
+#: What candidates say for which nothing else is known.
+FREE = "left out: its bound is too low"
+#: Number of pairs of bodies and of goals that an error names.
+NAMED = 3
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class GoalCandidate:
+    """A configuration that reaches a goal, or would.
+
+    Attributes:
+        goal_index: index of the goal in the list, 0 for a single goal.
+        q: (n,) [rad or m]; for a pose out of reach the nearest configuration found.
+        manipulability: m at q; nan where the candidate cannot be used.
+        bound: upper bound on the minimum manipulability of any motion to q: the smaller m of start and q; 0 in another aspect.
+        straight_length: length of the straight line from the start [rad or m].
+        straight_g, straight_min_manipulability: g and smallest m on it, estimated.
+        least_crossings: lower bound on the singularities that any path to q crosses; None for redundant arms.
+        min_manipulability, g: of the path that was planned; nan where none was.
+        chosen: whether the motion goes to q.
+        status: what was done with the candidate, or why it was left out.
+    """
+
+    goal_index: int
+    q: Array
+    manipulability: float = np.nan
+    bound: float = np.nan
+    straight_length: float = np.nan
+    straight_g: float = np.nan
+    straight_min_manipulability: float = np.nan
+    least_crossings: int | None = None
+    min_manipulability: float = np.nan
+    g: float = np.nan
+    chosen: bool = False
+    status: str = FREE
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the configuration is inside the limits, collision-free and reaches the goal."""
+        return not np.isnan(self.manipulability)
+
+    def __str__(self) -> str:
+        return f"goal {self.goal_index}: {self.status}: {np.round(self.q, 4).tolist()}"
+
+
+def find_candidates(
+    targets: Sequence[Target],
+    start: Array,
+    model: CollisionModel,
+    integral: PathIntegral,
+    clearance: float,
+    constraints: ConstraintSet,
+) -> list[GoalCandidate]:
+    """All candidates of the goals: the free ones first, the best first, then those that cannot be used, with the reason.
+
+    With held joints, poses are reached by steps of the other joints from `start` and from random configurations. Raises
+    InvalidInputError where no candidate is free; the message counts the reasons. It is an OutOfReachError where no goal is
+    reached at all.
+    """
+    robot = model.robot
+    targets = [each.of_tool(robot) for each in targets]
+    given = {k: each.q for k, each in enumerate(targets) if each.q is not None}
+    poses = {k: each.pose for k, each in enumerate(targets) if each.pose is not None}
+    several = {k: each.tools for k, each in enumerate(targets) if each.tools is not None}
+    rejected: list[GoalCandidate] = []
+    missed: list[NearestToGoal] = []
+    rows, goals = [], []
+    for k, q in given.items():
+        outside = robot.limits.outside(q)
+        if (outside > 0).any():
+            rejected.append(_outside(k, q, robot))
+        else:
+            rows.append(q)
+            goals.append(k)
+    held = constraints.held
+    solved = {} if held.any() else {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
+    found = reaching(robot, solved, start)
+    rejected += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
+    far = [k for k in poses if not (found.goals == k).any()]
+    thorough = not len(found.q) or closed_form(robot) is None  # a closed form misses hardly any in reach
+    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held, thorough=thorough), strict=True):
+        rows += list(nearest_turns(robot, near.reaching, start))
+        goals += [k] * len(near.reaching)
+        if not len(near.reaching):
+            missed.append(near)
+            rejected.append(GoalCandidate(goal_index=k, q=near.q, status=f"left out: {near}"))
+    for k, tools in several.items():
+        joined = reaching_tools(tools, start, model, integral, clearance, held)
+        rows += list(joined.q)
+        goals += [k] * len(joined.q)
+        rejected += [GoalCandidate(goal_index=k, q=q, status=reason) for q, reason in joined.rejected]
+    every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
+    index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
+    reasons = _reasons(every, start, model, clearance, constraints)
+    free = np.array([not reason for reason in reasons], dtype=bool)
+    rejected += [
+        GoalCandidate(goal_index=int(k), q=q, status=reason)
+        for k, q, reason in zip(index[~free], every[~free], np.array(reasons, dtype=object)[~free], strict=True)
+    ]
+    best = found.rows(np.flatnonzero(free[len(rows) :]))
+    q, index = every[free], index[free]
+    more, of = _refined(best, start, model, integral, clearance, constraints)
+    q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
+    if not len(q):
+        refusal = _nothing_free(targets, rejected, ", within the constraints" if constraints.constraints else "")
+        if missed and len(missed) == len(rejected):
+            argument, value, allowed = refusal
+            if len(missed) == 1:
+                goal = poses[far[0]]
+                allowed += millimetres_hint(
+                    goal.matrix,
+                    missed[0].position,
+                    lambda pose: next(iter(nearest(robot, [replace(goal, pose=pose)], start, held))).position,
+                )
+            raise OutOfReachError(
+                argument, value, allowed, min(missed, key=lambda each: np.hypot(each.position, each.rotation))
+            )
+        raise InvalidInputError(*refusal)
+    return [*ordered(measured(q, index.tolist(), start, integral)), *rejected]
+
+
+def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegral) -> list[GoalCandidate]:
+    """Candidates with all figures, for free configurations (k, n) and the indices of their goals."""
+    lines = straight_lines(start, q, integral)
+    return [
+        GoalCandidate(
+            goal_index=goals[k],
+            q=_frozen(q[k]),
+            manipulability=float(lines.m[k, -1]),
+            bound=float(lines.bound[k]),
+            straight_length=float(np.linalg.norm(q[k] - start)),
+            straight_g=float(lines.g[k]),
+            straight_min_manipulability=float(lines.m[k].min()),
+            least_crossings=lines.crossings[k],
+        )
+        for k in range(len(q))
+    ]
+
+
+def ordered(free: Sequence[GoalCandidate]) -> list[GoalCandidate]:
+    """Free candidates, the best first: fewest crossings, then the largest bound; of equal bounds the smallest g."""
+    left = sorted(free, key=lambda each: (each.least_crossings or 0, -each.bound))
+    done: list[GoalCandidate] = []
+    while left:
+        first = left[0]
+        count = 0
+        while count < len(left) and _ties(first, left[count]):
+            count += 1
+        done += sorted(left[:count], key=lambda each: each.straight_g)
+        left = left[count:]
+    return done
+
+
+def _ties(first: GoalCandidate, other: GoalCandidate) -> bool:
+    return (first.least_crossings or 0) == (other.least_crossings or 0) and other.bound >= first.bound * (1 - TIE)
+
+
+def _needs_steps(robot: Robot, goal: PoseGoal) -> bool:
+    """Whether samples of what is free about a goal are out of reach, as the arm has too few joints to reach every pose."""
+    return has_few_joints(robot) and (goal.axis is not None or goal.tolerance is not None)
+
+
+def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
+    """The candidate of a configuration (n,) outside the limits."""
+    outside = robot.limits.outside(q)
+    joint = int(outside.argmax())
+    unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
+    reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} {unit} outside its limits"
+    return GoalCandidate(goal_index=goal, q=_frozen(q), status=reason)
+
+
+def _refined(
+    found: Reaching,
+    start: Array,
+    model: CollisionModel,
+    integral: PathIntegral,
+    clearance: float,
+    constraints: ConstraintSet,
+) -> tuple[Array, NDArray[np.int64]]:
+    """Further configurations (k, n) with a larger bound than the best of those found, and the rows they begin at."""
+    if not len(found.q):
+        return np.zeros((0, model.robot.n)), np.zeros(0, dtype=np.int64)
+    kinematics = integral.kinematics
+    enough = float(kinematics.manipulability(start[None])[0])
+
+    def figure(q: Array) -> Array:
+        rejected = model.in_collision_rows(q, clearance=clearance + MARGIN)
+        rejected |= constraints.values(q).min(axis=1, initial=0.0) < 0
+        return np.where(rejected, -np.inf, kinematics.manipulability(q))
+
+    m = kinematics.manipulability(found.q)
+    if m.max() >= enough:
+        return np.zeros((0, model.robot.n)), np.zeros(0, dtype=np.int64)
+    best: list[int] = []
+    for k in np.argsort(-m, kind="stable"):
+        if all(np.abs(found.q[k] - found.q[j]).max() > APART or found.goals[k] != found.goals[j] for j in best):
+            best.append(int(k))
+        if len(best) == REFINED:
+            break
+    rows = np.array(best, dtype=np.int64)
+    q, of = refined(model.robot, found.rows(rows), start, figure, enough)
+    return q, rows[of]
+
+
+def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, constraints: ConstraintSet) -> list[str]:
+    """Why each configuration (k, n) cannot be used; "" for those that can."""
+    reasons = [""] * len(q)
+    if not len(q):
+        return reasons
+    touching = np.flatnonzero(model.in_collision_rows(q, clearance=clearance))
+    near = model.near_pairs(q[touching], max(clearance, 1e-9))
+    for k in touching:
+        reasons[k] = "left out: in collision"
+    for row in np.unique(near.rows):
+        of_row = np.flatnonzero(near.rows == row)
+        worst = of_row[near.distances[of_row].argmin()]
+        first, second = model.pair_names[near.pairs[worst]]
+        verb = "collides with" if near.distances[worst] <= 0 else f"is {1e3 * near.distances[worst]:.2g} mm from"
+        reasons[touching[row]] = f"left out: {first} {verb} {second}"
+    for k in np.flatnonzero(constraints.values(q).min(axis=1, initial=0.0) < -KEPT):
+        reasons[k] = f"left out: it breaks {constraints.broken(q[k])}"
+    for k in np.flatnonzero(np.abs(q - start)[:, constraints.held].max(axis=1, initial=0.0) > 0):
+        moved = constraints.moved(start, q[k])
+        reasons[k] = f"left out: {moved}" if moved else reasons[k]
+    for k in np.flatnonzero(np.abs(q - start).max(axis=1) < SAME):
+        reasons[k] = "left out: it is the start itself"
+    return reasons
+
+
+def _nothing_free(targets: Sequence[Target], rejected: Sequence[GoalCandidate], also: str) -> tuple[str, object, str]:
+    """Argument, value and what is allowed, where no goal can be used."""
+    if len(targets) == 1:
+        argument, value = targets[0].argument, _shown(targets[0])
+    else:
+        argument, value = targets[0].argument.partition("[")[0], f"{len(targets)} goals of which none can be used"
+    counts = Counter(each.status.removeprefix("left out: ") for each in rejected)
+    if len(rejected) == 1:
+        told = next(iter(counts))
+    else:
+        named = [f"{count} x {reason}" for reason, count in counts.most_common(NAMED)]
+        rest = len(rejected) - sum(count for _, count in counts.most_common(NAMED))
+        told = f"of {len(rejected)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
+    return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {told}"
+
+
+def _shown(target: Target) -> object:
+    if target.q is not None:
+        return target.q.tolist()
+    if target.tools is not None:
+        return {tool: pose.matrix.tolist() for tool, pose in target.tools.items()}
+    assert isinstance(target.pose, PoseGoal)
+    return target.pose.matrix.tolist()
+
+
+def _frozen(q: Array) -> Array:
+    q = q.copy()
+    q.flags.writeable = False
+    return q

@@ -1,0 +1,348 @@
+"""sample_layers: the configurations that reach each position of a workspace path, filtered by collision and rated.
+
+CandidateSampler: the candidates of one position, in this process or another one.
+"""
+
+import math
+import pickle
+import threading
+from collections.abc import Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
+from contextlib import ExitStack
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.model import CollisionModel, apart_text
+from manipplan.collision.scene import Scene
+from manipplan.ik.form import CHUNK
+from manipplan.ik.nearest import Nearest, millimetres_hint, nearest_to
+from manipplan.ik.solver import Solver
+from manipplan.kinematics.batch import all_cores
+from manipplan.measures.measure import Measure
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.robots.robot import Robot
+from manipplan.search.layers import Layers, check_positions, count_positions
+from manipplan.support.checks import Array, finite_array, flag, instance, number, pose_matrix
+from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.processes.workers import usable_memory
+from manipplan.support.progress import Progress, teller
+from manipplan.symbolic.task import Task
+
+if TYPE_CHECKING:
+    from manipplan.ik.solver import Solver
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SamplingSpec:
+    """The arguments of `sample_layers` that define a candidate; `clearance` includes the spare one."""
+
+    robot: Robot
+    task: Task | None
+    measure: Measure | str | None
+    held: Sequence[str] | None
+    method: str
+    scene: Scene
+    collisions: bool
+    clearance: float
+    spare: float
+    seed: int
+
+    def collision_model(self) -> CollisionModel | None:
+        """The model that candidates are checked with; None where they are not checked."""
+        return self.scene.collision_model(self.robot) if self.collisions else None
+
+
+#: Default number of samples per parameter, for one, two, three, ... parameters. For three and more it is smaller, but at least
+#: FEWEST, where they would give more than ENOUGH candidates.
+SAMPLES = (720, 96, 36, 16, 9, 6)
+FEWEST, ENOUGH = 5, 1e6
+#: The same for arms without a closed form, whose solutions are searched: some 2.5 ms for a sample. With one parameter of a full
+#: turn their distance is just below an ε of 0.2. And for arms with fewer than six joints, of which only rows are solved for.
+SEARCHED, FEW_SAMPLES = (32, 10, 5, 4, 3), (48, 12, 6, 4)
+#: Differences from the parameters of a given configuration, for each parameter [rad or m].
+BESIDE = (-0.2, -0.1, 0.0, 0.1, 0.2)
+#: Share of the machine's memory that candidates may take.
+MEMORY = 0.5
+#: Number of positions, and of samples at each, from which the number of candidates is estimated.
+PROBES, PROBE = 3, 2000
+#: Memory per grid point while the grid is built [bytes].
+GRID = 200
+#: Tolerances within which a pose is within reach [m, rad].
+REACHES = (1e-6, 1e-6)
+
+
+def sample_layers(
+    robot: Robot,
+    path: CartesianPath,
+    positions: int | ArrayLike = 50,
+    *,
+    task: Task | None = None,
+    measure: Measure | str | None = None,
+    samples: int | Sequence[int] | None = None,
+    held: Sequence[str] | None = None,
+    method: str = "auto",
+    scene: Scene | None = None,
+    collisions: bool = True,
+    clearance: float = 0.0,
+    spare: float = 0.0,
+    closed: bool = False,
+    near: ArrayLike | None = None,
+    executor: Executor | None = None,
+    memory: float | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> Layers:
+    """All configurations that reach a number of positions of a path, on a grid over the arm's redundant parameters.
+
+    Args:
+        robot: the arm.
+        path: of the tool.
+        positions: number of positions, equally spaced in s, or their s (L,), from 0 to 1; with `closed`, the last one does not
+            repeat the first.
+        task: Task.pose(), the default, or one that leaves a motion of the tool free, such as Task.pointing(axis) or
+            Task.position(); this is sampled as well. The manipulability of candidates is that of this task.
+        measure: of manipulability; see `Robot.kinematics`.
+        samples: number of grid points, one number, or one per parameter of `inverse_kinematics` (held joints, swivel, free
+            motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
+            of the search. None: 720 for one parameter, 96 for two, and for more as many as give about a million candidates;
+            32, 10, 5, ... for arms without closed form; 48, 12, 6, ... for arms with fewer than six joints and a free motion.
+            With a free motion, samples that keep the whole pose are added.
+        held, method, seed: as in `inverse_kinematics`.
+        scene: obstacles; default None.
+        collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
+        clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
+        spare: distance [m] beyond the clearance that candidates keep, for the motion between positions.
+        closed: whether the path returns to its start, so that the motion has to as well.
+        near: (n,) a configuration in which the motion may begin; of an arm with several parameters, values of them around those
+            of this configuration are added at every position.
+        executor: where positions are sampled: threads of this process by default; processes, or a Dask client's
+            `get_executor()`.
+        memory: maximum memory of the candidates [bytes]; default: half of what the process may use.
+        progress: called with the share done in [0, 1] and a text.
+
+    Raises:
+        InvalidInputError: an argument is not usable; the bodies of all candidates are too near at a position (the message
+            gives the two that are too near in the best case, and their distance); the candidates would exceed the memory, as
+            estimated before the work starts.
+        OutOfReachError: no configuration reaches a position; `nearest` is the one that comes nearest, with its error.
+    """
+    instance("robot", robot, Robot)
+    if not isinstance(path, CartesianPath):
+        raise InvalidInputError("path", path, "a CartesianPath")
+    for name, value in (("closed", closed), ("collisions", collisions)):
+        flag(name, value)
+    if closed and not path.closes:
+        raise InvalidInputError("closed", closed, "False, as the path's last pose is not its first")
+    spec = SamplingSpec(
+        robot=robot,
+        task=task,
+        measure=measure,
+        held=held,
+        method=method,
+        scene=instance("scene", scene if scene is not None else Scene(), Scene),
+        collisions=collisions,
+        clearance=number("clearance", clearance, least=0.0) + number("spare", spare, least=0.0),
+        spare=spare,
+        seed=seed,
+    )
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
+    tell = teller(progress)
+    allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
+    sampler = CandidateSampler(spec)
+    n = count_positions(positions)
+    usual = default_samples(sampler.solver)
+    _check_grid(sampler, n, samples, usual, allowed)
+    s = check_positions(positions, closed=closed)
+    poses = np.array([pose_matrix(f"path, position {k} of 0 to {n - 1}", pose) for k, pose in enumerate(path(s))])
+    values = sampler.solver.grid(samples, usual, poses)
+    share = _share_found(sampler, poses, values, allowed)
+    if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
+        most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
+        values = sampler.solver.grid(max(most, FEWEST), usual, poses)
+    sets = [values] * n
+    if samples is None:  # a motion through whole poses is among those with a free motion
+        sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(usual, poses)]
+    if near is not None and len(sampler.solver.names) > 1:
+        q = finite_array("near", near, (robot.n,))
+        here = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
+        sets = [np.vstack([each, here]) for each in sets]
+    _check_memory(sampler, n, values, share * sum(map(len, sets)), allowed)
+    with ExitStack() as stack:
+        run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
+        jobs = {run.submit(sampler.sample, *each): k for k, each in enumerate(zip(poses, sets, strict=True))}
+        stack.callback(lambda: [job.cancel() for job in jobs])
+        layers: dict[int, tuple[Array, Array]] = {}
+        for job in as_completed(jobs):
+            k = jobs[job]
+            q, m, reached = job.result()
+            if not len(q):
+                position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
+                raise _no_candidate(position, sampler, poses[k], values, reached)
+            layers[k] = q, m
+            found = sum(len(m) for _, m in layers.values())
+            tell(len(layers) / n, f"sampling positions: {found:,} candidates")
+    return Layers(
+        q=tuple(layers[k][0] for k in range(n)),
+        m=tuple(layers[k][1] for k in range(n)),
+        continuous=robot.continuous_joints,
+        closed=closed,
+        s=s,
+        poses=poses,
+        considered=sum(map(len, sets)),
+        sampler=sampler,
+    )
+
+
+def _offsets(parameters: int) -> Array:
+    """Differences (k, r) from parameters near which more samples are taken [rad or m]."""
+    return np.array(list(product(BESIDE if parameters < 5 else BESIDE[1:4], repeat=parameters)))
+
+
+def default_samples(solver: "Solver") -> Sequence[int]:
+    """Default number of samples per parameter, by the number of parameters."""
+    if solver.by_rows:
+        return FEW_SAMPLES
+    return SAMPLES if solver.form is not None else SEARCHED
+
+
+def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, values: Array, reached: int) -> InvalidInputError:
+    """The error that says why a position has no candidate, and the remedy."""
+    if reached:
+        spec = sampler.spec
+        apart, (first, second) = sampler.widest(pose, values)
+        needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
+        needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
+        wanted = (
+            f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
+            f"{apart_text(apart)}; needed: {needed}"
+        )
+        return InvalidInputError(position, pose.tolist(), wanted)
+    nearest = sampler.nearest(pose)
+    if nearest.position < REACHES[0] and nearest.rotation < REACHES[1]:
+        wanted = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
+        return InvalidInputError(position, pose.tolist(), wanted)
+    hint = millimetres_hint(pose, nearest.position, lambda each: sampler.nearest(each).position)
+    wanted = f"a pose within reach and joint limits; the arm stays {nearest}{hint}"
+    return OutOfReachError(position, pose.tolist(), wanted, nearest)
+
+
+def _check_grid(
+    sampler: "CandidateSampler", n: int, samples: int | Sequence[int] | None, usual: Sequence[int], allowed: float
+) -> None:
+    """Raises InvalidInputError where the poses or the grid of parameters would not fit into memory."""
+    from manipplan.ik.solver import sample_counts
+
+    counts = sample_counts(samples, sampler.solver.names, usual)
+    for argument, value, needed in (("positions", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
+        if needed > allowed:
+            wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
+            raise InvalidInputError(argument, value, wanted)
+
+
+def _share_found(sampler: "CandidateSampler", poses: Array, values: Array, allowed: float) -> float:
+    """Number of candidates that one sample (s, r) gives in the mean, estimated from few; the most if these are allowed."""
+    most = sampler.solver.most
+    if len(sampler.solver.names) < 3 and most * len(values) * len(poses) * 8 * (sampler.spec.robot.n + 1) <= allowed:
+        return float(most)
+    rng = np.random.default_rng(0)
+    some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
+    few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
+    return float(np.mean([len(sampler.sample(poses[k], some)[0]) / len(some) for k in few]))
+
+
+def _check_memory(sampler: "CandidateSampler", positions: int, values: Array, candidates: float, allowed: float) -> None:
+    """Raises InvalidInputError where the samples would give more candidates than fit into memory."""
+    needed = candidates * 8 * (sampler.spec.robot.n + 1)
+    if needed > allowed:
+        wanted = f"fewer: about {candidates:.2g} candidates need {needed / 1e9:.2g} GB; memory allows {allowed / 1e9:.2g} GB"
+        raise InvalidInputError("samples", f"{len(values):,} at each of {positions} positions", wanted)
+
+
+#: Maximum number of configurations whose distances are measured for a message.
+MEASURED = 2000
+#: Number of random configurations that show which pairs never have a distance to spare.
+SHOWN = 50
+
+
+class CandidateSampler:
+    """Samples positions for one spec; thread-safe, and pickled as its spec."""
+
+    def __init__(self, spec: SamplingSpec) -> None:
+        self.spec = spec
+        robot = spec.robot
+        self.solver = Solver.of(robot, task=spec.task, held=spec.held, method=spec.method, seed=spec.seed)
+        self.kinematics = robot.kinematics(self.solver.task, measure=spec.measure, threads=1)
+        self.collision = spec.collision_model()
+        self._own = threading.local()
+        few = robot.random_configuration(np.random.default_rng(0), size=2)
+        self.kinematics.manipulability(few)  # compiled before threads use it
+        self.solver.kinematics.pose(few)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _sampler_of, (pickle.dumps(self.spec),)
+
+    def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
+        """Candidates q (k, n) that reach `pose` for parameters (s, r), manipulability (k,), and the number before checks."""
+        blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
+        for some in _blocks(values):
+            q = self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q
+            reached += len(q)
+            blocks.append(q[self._free(q)])
+        _, q = self.solver.with_turns(np.concatenate(blocks))  # full turns change no collisions
+        return q, self.kinematics.manipulability(q), reached
+
+    def _free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        if self.collision is None:
+            return np.ones(len(q), dtype=np.bool_)
+        if not hasattr(self._own, "model"):
+            self._own.model = self.collision.copy()
+        model, spec = self._own.model, self.spec
+        free = ~model.in_collision_rows(q, clearance=spec.clearance)
+        if spec.spare and not free.all() and self._tight.any():
+            near = np.flatnonzero(~free)
+            distances = model.distance_rows(q[near], beyond=spec.clearance)
+            needed = np.where(self._tight, spec.clearance - spec.spare, spec.clearance)
+            free[near] = ((distances > 0) & (distances >= needed)).all(axis=1)
+        return np.asarray(free)
+
+    @cached_property
+    def _tight(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        """The pairs (k,) that no configuration brings as far apart as candidates have to be, so that nothing is to be spared.
+
+        An example is a link that turns in a gap of the link before.
+        """
+        assert self.collision is not None
+        q = self.spec.robot.random_configuration(np.random.default_rng(0), size=SHOWN)
+        found = self.collision.copy().distance_rows(q, beyond=self.spec.clearance)
+        return np.asarray((found < self.spec.clearance).all(axis=0))
+
+    def widest(self, pose: Array, values: Array) -> tuple[float, tuple[str, str]]:
+        """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
+        assert self.collision is not None
+        q = np.concatenate(
+            [self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q for some in _blocks(values)]
+        )
+        q = q[:: -(-len(q) // MEASURED)]
+        least = [self.collision.least_distance(each[None]) for each in q]
+        apart, _, pair = max(least)
+        return apart, self.collision.pair_names[pair]
+
+    def nearest(self, pose: Array) -> Nearest:
+        """The configuration inside the limits that comes nearest to a pose (4, 4), collisions aside."""
+        return nearest_to(self.spec.robot.kinematics(Task.pose(length=1.0), threads=1), self.solver.free, pose)
+
+
+def _blocks(values: Array) -> list[Array]:
+    return [values[begin : begin + CHUNK] for begin in range(0, len(values), CHUNK)]
+
+
+@lru_cache(maxsize=2)
+def _sampler_of(spec: bytes) -> CandidateSampler:
+    """The sampler of a spec, built once per process."""
+    return CandidateSampler(pickle.loads(spec))
