@@ -28,8 +28,7 @@ from manipplan.jobs.check import check
 from manipplan.jobs.following.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.plan import plan
-from manipplan.jobs.plan_many import plan_many
-from manipplan.jobs.problem import Problem
+from manipplan.jobs.plan_many import Problem, plan_many
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.sequence import sequence
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait

@@ -15,9 +15,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import bridge, calls, real, truth, whole
+from manipplan.ik.bridge import bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
 from manipplan.ik.geometry import Screws
-from manipplan.ik.ranges import reach_in, slides_of, span, within_reach
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot

@@ -9,11 +9,10 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.ik.bridge import HeldValues, bridge, swivels_of
+from manipplan.ik.bridge import HeldValues, bridge, in_turn, line, reach_in, slides_of, span, spans_turn, swivels_of
 from manipplan.ik.form import AT_LIMIT, MOST, SWIVEL, ClosedForm, Enumeration, closed_form, held_indices
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm, Starts, StartsOfPoses, approach, onto_rows, search_rows, window
-from manipplan.ik.ranges import in_turn, line, reach_in, slides_of, span, spans_turn
 from manipplan.ik.solutions import Completeness, residuals
 from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, random_answers
 from manipplan.kinematics.kinematics import Kinematics

@@ -6,9 +6,9 @@ from itertools import combinations, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.ik.bridge import in_turn, within_reach
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm, Starts
-from manipplan.ik.ranges import in_turn, within_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline

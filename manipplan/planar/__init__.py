@@ -6,8 +6,7 @@
 ``PlanarArm(lengths).robot()`` is the same arm as a robot for the rest of manipplan.
 """
 
-from manipplan.planar.arm import PlanarArm
-from manipplan.planar.inverse import PostureFamily, pose_postures, position_family, two_link_postures
+from manipplan.planar.arm import PlanarArm, PostureFamily, pose_postures, position_family, two_link_postures
 from manipplan.planar.manipulability import (
     force_ellipse,
     frobenius_norm,

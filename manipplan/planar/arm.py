@@ -1,4 +1,7 @@
-"""The planar n-link arm: joint positions, tool position and Jacobian in closed form."""
+"""The planar n-link arm: joint positions, tool position and Jacobian in closed form.
+
+Inverse kinematics of planar arms with two or three links in closed form.
+"""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -6,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.support.checks import FARTHEST, Array, configurations, number_array
+from manipplan.support.checks import FARTHEST, Array, configurations, finite_array, instance, number, number_array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -86,3 +89,126 @@ class PlanarArm:
         """Link vectors l_p (cos φ_p, sin φ_p), (..., n, 2)."""
         phi = np.cumsum(configurations("q", q, self.n), axis=-1)
         return np.asarray(self.lengths[:, None] * np.stack([np.cos(phi), np.sin(phi)], axis=-1))
+
+
+#: A position outside the workspace by less than this share of the arm's length counts as on its boundary.
+GRAZE = 1e-12
+
+
+def two_link_postures(arm: PlanarArm, position: ArrayLike) -> Array:
+    """Postures (k, 2) [rad] of a two-link arm that bring the tool to `position` (2,) [m]; k is 0, 1 or 2.
+
+    θ_1 is in (-π, π]; θ_2 is in [0, π] in the first row and negated in the second. Where l_1 = l_2 and the position is the
+    base, θ_1 is free and the only row has θ_1 = 0. Raises InvalidInputError for an arm that does not have two links.
+    """
+    instance("arm", arm, PlanarArm)
+    _links("arm", arm, 2)
+    target = finite_array("position", position, (2,))
+    return two_links(float(arm.lengths[0]), float(arm.lengths[1]), target)
+
+
+def pose_postures(arm: PlanarArm, position: ArrayLike, orientation: float) -> Array:
+    """Postures (k, 3) [rad] of a three-link arm with the tool at `position` (2,) [m] and at the angle `orientation` [rad].
+
+    Both elbow solutions: θ_2 >= 0 in the first row, θ_2 <= 0 in the second; one row where they coincide, none out of reach.
+    All angles are in (-π, π]. Where the third joint is at the base, θ_1 is free and the only row has θ_1 = 0. Raises
+    InvalidInputError for an arm that does not have three links.
+    """
+    instance("arm", arm, PlanarArm)
+    _links("arm", arm, 3)
+    target = finite_array("position", position, (2,))
+    return _with_orientation(arm, target, number("orientation", orientation))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PostureFamily:
+    """All postures of a three-link arm for one position: one parameter, the tool's angle φ, and two elbow solutions.
+
+    Attributes:
+        arm: three links.
+        position: (2,) of the tool [m].
+        orientations: none, one or two reachable intervals (begin, end) of φ [rad]. An interval of length 2π is the whole
+            circle.
+    """
+
+    arm: PlanarArm
+    position: Array
+    orientations: tuple[tuple[float, float], ...]
+
+    def __call__(self, orientation: float) -> Array:
+        """The postures (k, 3) [rad] with this φ, as in `pose_postures`."""
+        return _with_orientation(self.arm, self.position, number("orientation", orientation))
+
+
+def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
+    """The one-parameter family of postures of a three-link arm that bring the tool to `position` (2,) [m].
+
+    The third joint is at distance d from the base with d² = R² + l_3² - 2 R l_3 cos(φ - α), where α is the direction of the
+    position; the first two links reach it where d is between the difference and the sum of their lengths.
+
+    Raises InvalidInputError for an arm that does not have three links.
+    """
+    instance("arm", arm, PlanarArm)
+    _links("arm", arm, 3)
+    target = finite_array("position", position, (2,))
+    return PostureFamily(arm=arm, position=target, orientations=_orientations(arm, target))
+
+
+def two_links(first: float, second: float, target: Array) -> Array:
+    """`two_link_postures` for lengths already checked; a link may also be several links held rigidly."""
+    distance = float(np.hypot(*target))
+    total = first + second
+    if abs(first - second) > distance + GRAZE * total or distance > total * (1 + GRAZE):
+        return np.zeros((0, 2))
+    if distance <= GRAZE * total:  # folded back onto the base
+        return np.array([[0.0, np.pi]])
+    # Half-angle form of the law of cosines: accurate even where the arm is nearly stretched or folded.
+    near = max((distance - (first - second)) * (distance + (first - second)), 0.0)
+    far = max((total - distance) * (total + distance), 0.0)
+    elbow = 2 * np.arctan2(np.sqrt(far), np.sqrt(near))
+    bend = np.arctan2(second * np.sin(elbow), first + second * np.cos(elbow))
+    direction = np.arctan2(target[1], target[0])
+    rows = np.array([[direction - bend, elbow], [direction + bend, -elbow]])
+    return wrapped(rows[:1] if min(near, far) <= GRAZE * total**2 else rows)
+
+
+def wrapped(angles: ArrayLike) -> Array:
+    """Angles in (-π, π]."""
+    return np.asarray(np.pi - np.mod(np.pi - np.asarray(angles), 2 * np.pi))
+
+
+def _with_orientation(arm: PlanarArm, target: Array, orientation: float) -> Array:
+    l1, l2, l3 = arm.lengths
+    wrist = target - l3 * np.array([np.cos(orientation), np.sin(orientation)])
+    pairs = two_links(float(l1), float(l2), wrist)
+    return wrapped(np.column_stack([pairs, orientation - pairs.sum(axis=1)]))
+
+
+def _orientations(arm: PlanarArm, target: Array) -> tuple[tuple[float, float], ...]:
+    l1, l2, l3 = (float(length) for length in arm.lengths)
+    radius, alpha = float(np.hypot(*target)), float(np.arctan2(target[1], target[0]))
+    slack = GRAZE * (l1 + l2 + l3)
+    least, most = abs(l1 - l2), l1 + l2
+    if radius <= slack:
+        return ((-np.pi, np.pi),) if least - slack <= l3 <= most + slack else ()
+    near, far = abs(radius - l3), radius + l3
+    if near > most + slack or far < least - slack:
+        return ()
+
+    def angle(distance: float) -> float:
+        cosine = (radius**2 + l3**2 - distance**2) / (2 * radius * l3)
+        return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+    begin, end = angle(max(near, least)), angle(min(far, most))  # range of |φ - α|
+    if near >= least and far <= most:
+        return ((alpha - np.pi, alpha + np.pi),)
+    if near >= least:
+        return ((alpha - end, alpha + end),)
+    if far <= most:
+        return ((alpha + begin, alpha + 2 * np.pi - begin),)
+    return ((alpha - end, alpha - begin), (alpha + begin, alpha + end))
+
+
+def _links(argument: str, arm: PlanarArm, n: int) -> None:
+    if not isinstance(arm, PlanarArm) or arm.n != n:
+        raise InvalidInputError(argument, arm, f"a PlanarArm with {n} links")

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from manipplan.planar.arm import PlanarArm
-from manipplan.planar.inverse import GRAZE, position_family, two_link_postures, two_links, wrapped
+from manipplan.planar.arm import GRAZE, PlanarArm, position_family, two_link_postures, two_links, wrapped
 from manipplan.support.checks import Array, configurations, instance, number_array
 from manipplan.support.errors import InvalidInputError
 

@@ -28,8 +28,7 @@ import numpy as np
 from manipplan.paths.rounding import gauss_rule
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
-from manipplan.timing.arc import ArcLength
-from manipplan.timing.dynamics import PathDynamics
+from manipplan.timing.dynamics import ArcLength, PathDynamics
 
 Rows = tuple[Array, ...]
 

@@ -20,9 +20,8 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import fastest_motion
-from manipplan.timing.dynamics import LimitTightening, PathDynamics, Use, path_dynamics, slowdown
+from manipplan.timing.dynamics import ArcLength, LimitTightening, PathDynamics, Use, path_dynamics, slowdown
 from manipplan.timing.jerk import JerkProblem, Profile, SmoothProfile, SquaredSpeed, SteppedProfile
 from manipplan.timing.speeds import DIGITS, fastest_speeds
 from manipplan.timing.stops import Bounds, LimitsAlong, MovingPath, ToolSpeed

@@ -9,7 +9,7 @@ from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids
 from manipplan.viz.curves import plot_convergence, plot_joints, plot_layers, plot_manipulability, plot_singular_values
 from manipplan.viz.plan import plan_figure, plot_deviation, plot_tool_path, save_plan
 from manipplan.viz.planar import plot_planar_arm
-from manipplan.viz.programs.figure import program_figure, save_program
+from manipplan.viz.program import program_figure, save_program
 
 __all__ = [
     "animate",

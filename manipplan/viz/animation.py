@@ -22,8 +22,7 @@ from manipplan.viz.arm import default_scale, draw_scene, plot_ellipsoid
 from manipplan.viz.motions import beside, drawn_tools, named_paths, skeleton, tool_ways
 from manipplan.viz.plan import finished
 from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
-from manipplan.viz.shapes import arm_surfaces, joined
-from manipplan.viz.space import LINES, draw_skeleton, draw_surface, look_at, points_of
+from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan

@@ -21,8 +21,23 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton, tool_ways
-from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
-from manipplan.viz.space import LINES, box_around, draw_skeleton, draw_surface, draw_ways, look_at, points_of, write, write_ends
+from manipplan.viz.shapes import (
+    LINES,
+    Surface,
+    arm_surfaces,
+    box_around,
+    draw_skeleton,
+    draw_surface,
+    draw_ways,
+    feet_on_planes,
+    joined,
+    look_at,
+    obstacle_surfaces,
+    plane_patches,
+    points_of,
+    write,
+    write_ends,
+)
 
 #: Default length of the largest radius, as a share of the length of the stretched arm.
 SHARE = 0.08

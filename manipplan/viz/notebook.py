@@ -18,9 +18,8 @@ from manipplan.viz.arm import draw_scene
 from manipplan.viz.curves import plot_joints
 from manipplan.viz.motions import skeleton
 from manipplan.viz.plan import plan_figure
-from manipplan.viz.programs.figure import program_figure
-from manipplan.viz.shapes import arm_surfaces, joined
-from manipplan.viz.space import draw_skeleton, draw_surface, look_at, points_of
+from manipplan.viz.program import program_figure
+from manipplan.viz.shapes import arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 #: Resolution of the pictures [dots per inch], and maximum number of solutions that are drawn.
 RESOLUTION, MOST_SOLUTIONS = 80, 200

@@ -25,7 +25,7 @@ from manipplan.viz.arm import plot_arm
 from manipplan.viz.curves import plot_joints, plot_manipulability
 from manipplan.viz.motions import Motion, joint_path, named_paths
 from manipplan.viz.planar import plot_planar_arm
-from manipplan.viz.space import LINES, look_at, write_ends
+from manipplan.viz.shapes import LINES, look_at, write_ends
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan

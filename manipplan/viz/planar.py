@@ -14,8 +14,7 @@ from manipplan.symbolic.task import Task
 from manipplan.viz import style
 from manipplan.viz.arm import PLACES, check_motions, plot_ellipsoids
 from manipplan.viz.motions import Motion, skeleton, tool_ways
-from manipplan.viz.shapes import arm_surfaces, feet_on_planes, obstacle_surfaces
-from manipplan.viz.space import draw_skeleton, draw_ways, write, write_ends
+from manipplan.viz.shapes import arm_surfaces, draw_skeleton, draw_ways, feet_on_planes, obstacle_surfaces, write, write_ends
 
 
 def plot_planar_arm(

@@ -9,9 +9,8 @@ from test_compiled_paths import by_llvm
 
 import manipplan as mp
 from manipplan.timing import barrier, piece
-from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import Centring, fastest_motion, motion_inside
-from manipplan.timing.dynamics import path_dynamics
+from manipplan.timing.dynamics import ArcLength, path_dynamics
 from manipplan.timing.jerk import JerkProblem
 from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong, Segment

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.timing.arc import ArcLength
 from manipplan.timing.barrier import motion_inside
-from manipplan.timing.dynamics import path_dynamics
+from manipplan.timing.dynamics import ArcLength, path_dynamics
 from manipplan.timing.jerk import BandedModel, JerkProblem, applied
 from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong

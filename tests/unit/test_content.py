@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 import manipplan as mp
-from manipplan.jobs.problem import Problem, checked, problem_key, robot_key, scene_key
+from manipplan.jobs.plan_many import Problem, checked, problem_key, robot_key, scene_key
 from manipplan.support import content
 from manipplan.support.content import code_key, content_key
 
@@ -18,7 +18,7 @@ TRIANGLES = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [0, 1, 0], 
 #: A program that prints keys of things whose pickles differ from process to process.
 PROGRAM = """
 import manipplan as mp
-from manipplan.jobs.problem import robot_key, scene_key
+from manipplan.jobs.plan_many import robot_key, scene_key
 from manipplan.support.content import content_key
 scene = mp.Scene([mp.Box(size=(1, 1, 1), name=name) for name in "abcdef"], allowed=[(a, b) for a in "abc" for b in "def"])
 print(content_key(frozenset("abcdefgh")), scene_key(scene), robot_key(mp.load_robot("panda")))

@@ -24,7 +24,7 @@ from manipplan.constraints.built_in import tool_frame
 from manipplan.goals.solutions import beyond_links
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
-from manipplan.jobs.problem import robot_key
+from manipplan.jobs.plan_many import robot_key
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.robots.arms import arm_of, tool_reach
 from manipplan.robots.configuration import nearest_turns

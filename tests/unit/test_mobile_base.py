@@ -5,8 +5,8 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.ik.bridge import reach_in
 from manipplan.ik.newton import random_near, window
-from manipplan.ik.ranges import reach_in
 from manipplan.robots.arms import lengths_to
 from manipplan.robots.model_tree import frame_index
 

@@ -17,7 +17,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.jobs import dispatch, plan_many
+from manipplan.jobs import plan_many
+from manipplan.jobs import plan_many as dispatch
 from manipplan.jobs.archive import checksum
 from manipplan.support.status import Status
 

@@ -18,8 +18,7 @@ from PIL import Image
 import manipplan as mp
 from manipplan import viz
 from manipplan.search.refine import Refinement
-from manipplan.viz.shapes import arm_surfaces, obstacle_surfaces, plane_patches, surface_of
-from manipplan.viz.space import draw_surface
+from manipplan.viz.shapes import arm_surfaces, draw_surface, obstacle_surfaces, plane_patches, surface_of
 
 CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 SVG = "{http://www.w3.org/2000/svg}"

@@ -7,8 +7,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.jobs.programs.courses import nodes_of
-from manipplan.jobs.programs.legs import read_steps
-from manipplan.jobs.programs.states import NOWHERE, State
+from manipplan.jobs.programs.legs import NOWHERE, State, read_steps
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from program_cell import part_pose, placed_part
 
 import manipplan as mp
 from manipplan.cli import main
-from manipplan.viz.programs.figure import moved_parts, program_figure
+from manipplan.viz.program import moved_parts, program_figure
 from manipplan.viz.viewer import plan_viewer
 
 

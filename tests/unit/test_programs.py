@@ -15,8 +15,7 @@ from manipplan.jobs.following.transit import STRAIGHT_EPSILON, motion_from, stra
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import RawMotion
-from manipplan.jobs.programs.legs import read_steps
-from manipplan.jobs.programs.states import State
+from manipplan.jobs.programs.legs import State, read_steps
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
 from manipplan.timing.constant_speed import check_corners, most_acceleration

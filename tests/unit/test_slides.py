@@ -8,8 +8,7 @@ import pytest
 from chains import chain_file
 
 import manipplan as mp
-from manipplan.ik.bridge import Bridge
-from manipplan.ik.ranges import span
+from manipplan.ik.bridge import Bridge, span
 
 #: Place of each joint of a seven-joint arm with a spherical shoulder, its turn and its limits.
 ARM = (

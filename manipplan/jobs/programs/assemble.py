@@ -16,9 +16,8 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.measure import measure_plan
 from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
 from manipplan.jobs.programs.courses import RawMotion, Stop
-from manipplan.jobs.programs.legs import Leg
+from manipplan.jobs.programs.legs import Leg, State
 from manipplan.jobs.programs.program import Mark, Program
-from manipplan.jobs.programs.states import State
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result

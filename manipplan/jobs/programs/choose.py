@@ -17,8 +17,7 @@ from manipplan.goals.candidates import straight_lines
 from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
 from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Node, RawMotion, course_of
-from manipplan.jobs.programs.legs import Leg
-from manipplan.jobs.programs.states import State, rounded
+from manipplan.jobs.programs.legs import Leg, State, rounded
 from manipplan.jobs.result import Plan
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns

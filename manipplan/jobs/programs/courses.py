@@ -22,8 +22,7 @@ from manipplan.jobs.following.transit import (
     straight_finder,
     straight_on,
 )
-from manipplan.jobs.programs.legs import Leg
-from manipplan.jobs.programs.states import NOWHERE, PartPoses, State, different, rounded
+from manipplan.jobs.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath

@@ -12,9 +12,8 @@ from manipplan.jobs.plan import plan
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
 from manipplan.jobs.programs.courses import Node, RawMotion, Stop, nodes_of, places_after
-from manipplan.jobs.programs.legs import Leg, read_steps
+from manipplan.jobs.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.jobs.programs.program import Program
-from manipplan.jobs.programs.states import PartPoses, State, check_parts, needed_by
 from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options

@@ -17,7 +17,7 @@ from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool, beside, drawn_tools, named_paths
-from manipplan.viz.programs.figure import MovedPart, bare, fixed, moved_parts
+from manipplan.viz.program import MovedPart, bare, fixed, moved_parts
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 
 #: Number of times at which curves are sampled.

@@ -23,8 +23,7 @@ from manipplan.viz.arm import plot_arm
 from manipplan.viz.curves import POINTS, plot_joints
 from manipplan.viz.plan import joint_unit
 from manipplan.viz.planar import plot_planar_arm
-from manipplan.viz.shapes import joined, surface_of
-from manipplan.viz.space import draw_surface, write
+from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
 if TYPE_CHECKING:
     from manipplan.jobs.programs.program import Program
