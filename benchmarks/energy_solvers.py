@@ -1,4 +1,4 @@
-"""Public solvers on the same programs of the energy: time, convergence and optimum of each, beside IPOPT as it is used here.
+"""Public solvers on the same programs of the energy: time, convergence and optimum of each, beside IPOPT with our derivatives.
 
 Run with `make benchmark`. The programs are those of energy_programs.py. IPOPT and sqpmethod evaluate the derivatives
 that this package assembles; the others derive the same compiled functions by CasADi's rules. Each method works in
@@ -22,6 +22,7 @@ os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_CANCELL
 
 import casadi as ca
 import numpy as np
+from energy_ipopt import SLACK_COST, capacity_for, moving_hull, solver_arguments, solver_of
 from energy_programs import EnergyProgram, collected
 from numpy.typing import NDArray
 from rich.progress import track
@@ -30,9 +31,8 @@ from scipy.optimize import nnls
 from manipplan.cost.density import Density, energy_density
 from manipplan.optimize import program as program_module
 from manipplan.optimize.clearance import row_functions
-from manipplan.optimize.ipopt import SCALE_BITS, SLACK_COST, LimitHull, ipopt_solver
-from manipplan.optimize.program import SPACING, PathProgram
-from manipplan.paths.rounding import FINE, on_grid, with_bits
+from manipplan.optimize.program import SPACING, LimitHull, PathProgram
+from manipplan.paths.rounding import on_grid
 from manipplan.symbolic.machine_code import compiled_together
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "energy_solvers.md"
@@ -148,11 +148,7 @@ def derivable(program: PathProgram) -> tuple[ca.Function, ca.Function]:
 
 def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
     """The program of one solve; `generated`: of functions that CasADi can write as C, instead of compiled ones."""
-    program, size = each.program, each.guess.shape[0] * each.program.free.shape[1]
-    capacity = 0 if not each.rows else 32 * 2 ** int(np.ceil(np.log2(max(len(each.rows) / 32, 1))))
-    limits = program.kinematics.robot.limits
-    is_limited = bool(np.isfinite([limits.lower, limits.upper]).any())
-    hull = program._hull if is_limited else program._hull.none()
+    program, capacity = each.program, capacity_for(each.rows)
     integral, rows = program._energy, program._rows
     if generated:
         density, rows = symbols(program)
@@ -161,21 +157,9 @@ def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
         distance = differentiable("row", *rows, moving=1)[0]
     else:
         energy, distance = derivable(program)
-    parts = {"basis": program.basis, "free": program.free, "hull": hull, "capacity": capacity}
-    ipopt = ipopt_solver(integral, rows=rows, n=program.n, power=program.integral.power, **parts)
-    unknowns = on_grid(each.guess @ program._along, SPACING)
-    kept = program._rounded(each.guess - unknowns @ program.free.T)
-    scale = with_bits(np.array([1 / program._energy_of(each.start, each.goal, each.guess, each.floor)]), SCALE_BITS)
-    table = on_grid(program._ipopt._row_parameters(each.rows, capacity), FINE)
-    joint_limits = [np.tile(bound, len(hull.line)) for bound in (limits.lower, limits.upper)]
-    arguments = {
-        "x0": np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
-        "p": np.concatenate([each.start, each.goal, scale, [each.floor], kept.ravel(order="F"), table.ravel(order="F")]),
-        "lbx": np.concatenate([np.full(size, -np.inf), np.zeros(capacity)]),
-        "ubx": np.full(size + capacity, np.inf),
-        "lbg": np.concatenate([joint_limits[0], np.zeros(capacity)]),
-        "ubg": np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
-    }
+    ipopt = solver_of(program, capacity, integral, rows)
+    arguments = solver_arguments(program, each.start, each.goal, each.guess, each.floor, each.rows)
+    hull = moving_hull(program)
     oracle = derived_oracle(program, energy, distance, hull, capacity, len(arguments["p"]))
     return Nlp(oracle=oracle, ipopt=ipopt, arguments=arguments, slacks=capacity)
 

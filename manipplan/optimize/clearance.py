@@ -74,11 +74,6 @@ def tree_size(function: ca.Function) -> int:
     return (int(function.size1_in(1)) - 8) // 2 - 1
 
 
-def met_column(n: int) -> Array:
-    """The column of a row that is always met: zero normal and offset -1 m, so 0 >= -1."""
-    return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
-
-
 @making_expressions()
 def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
     """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, one Function each, compiled on request.

@@ -8,15 +8,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.density import energy_density, length_density
+from manipplan.cost.density import Density, energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
 from manipplan.optimize.descents.arithmetic import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.descent import FAILED, descend
+from manipplan.optimize.descents.descent import descend
 from manipplan.optimize.descents.point import DescentProgram
 from manipplan.optimize.descents.rows import ConstraintSearch, FixedRows, LimitRows, RowFunctions
-from manipplan.optimize.ipopt import Integral, IpoptEnergy, LimitHull
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
@@ -39,6 +38,23 @@ SOLVED_SPACING = 2.0**-16
 #: solve, and without, first radius of the trust region [rad or m], and smallest penalty parameter, in units of the first energy
 #: per metre.
 ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY = 1e-6, 60, 100, 0.4, 20.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Integral:
+    """A density, and its quadrature points and weights over s, (m,) each."""
+
+    density: Density
+    s: Array
+    weights: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LimitHull:
+    """Points start + line (goal - start) + rows x, whose joint limits are those of the curve: (r,) and (r, size)."""
+
+    line: Array
+    rows: Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,15 +100,6 @@ class PathProgram:
     @building()
     def _energy_density(self) -> BatchDensity:
         return BatchDensity.of(self._energy.density)
-
-    @cached_property
-    @building()
-    def _ipopt(self) -> IpoptEnergy:
-        limits = self.kinematics.robot.limits
-        rows, power = self._rows, self.integral.power
-        return IpoptEnergy(
-            integral=self._energy, basis=self.basis, free=self.free, hull=self._hull, rows=rows, limits=limits, power=power
-        )
 
     @cached_property
     @building()
@@ -203,8 +210,8 @@ class PathProgram:
     ) -> Solution:
         """Minimise the energy with a floor from a guess (n, size), which has the fixed end derivatives.
 
-        Rows and constraints may be violated, so there is a solution even when they contradict each other. IPOPT minimises it,
-        without the constraints, where the descent on it fails. Raises OutOfTimeError after the deadline.
+        Rows and constraints may be violated, so there is a solution even when they contradict each other. Raises
+        OutOfTimeError after the deadline.
         """
         curves, z = self._curves(start, goal, guess)
         energy = self._energy_of(start, goal, guess, floor)
@@ -236,14 +243,8 @@ class PathProgram:
             deadline=deadline,
         )
         deadline.check()
-        if descent.reason != FAILED:
-            found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
-            return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)
-        unknowns = on_grid(guess @ self._along, SPACING)
-        kept = self._rounded(guess - unknowns @ self.free.T)
-        x, status, converged = self._ipopt.solve(start, goal, kept, unknowns, energy, floor, rows)
-        x = kept + on_grid(x, SOLVED_SPACING) @ self.free.T
-        return Solution(coefficients=x, status=f"energy, IPOPT: {status}", converged=converged)
+        found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
+        return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""

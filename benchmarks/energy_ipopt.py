@@ -1,4 +1,4 @@
-"""The energy of a path minimised by IPOPT, where the descent on it fails.
+"""The energy of a path minimised by IPOPT, to compare with the descent of `manipplan.optimize`.
 
 Everything that changes from one solve to the next (ends, guess, rows) is a parameter, so IPOPT is set up once per objective and
 basis. Unknowns z: coefficients along the free directions, joint after joint for each direction, then one slack [m] per
@@ -7,48 +7,23 @@ rows. First and second derivatives are exact.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.density import Density
-from manipplan.optimize.clearance import ClearanceRow, column_height, met_column, tree_size
+from manipplan.optimize.clearance import ClearanceRow, column_height, tree_size
+from manipplan.optimize.program import SPACING, Integral, LimitHull, PathProgram
 from manipplan.paths.basis import Basis
 from manipplan.paths.rounding import FINE, on_grid, with_bits
-from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array
 
 #: Bits of the factor by which the objective is scaled.
 SCALE_BITS = 24
-#: Return statuses with which IPOPT has converged.
-CONVERGED = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 #: Cost of a slack of one metre, in units of the first energy: large enough that a path meets the rows if it can.
 SLACK_COST = 1e3
 #: Tolerance, and maximum number of iterations without and with clearance rows, which are renewed after each solve.
 TOLERANCE, STEPS, STEPS_WITH_ROWS = 1e-7, 100, 60
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Integral:
-    """A density, and its quadrature points and weights over s, (m,) each."""
-
-    density: Density
-    s: Array
-    weights: Array
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class LimitHull:
-    """Points start + line (goal - start) + rows x, whose joint limits are those of the curve: (r,) and (r, size)."""
-
-    line: Array
-    rows: Array
-
-    def none(self) -> "LimitHull":
-        """A hull without points, for no limits."""
-        return LimitHull(line=self.line[:0], rows=self.rows[:0])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -185,83 +160,84 @@ def _clearance(
     return distance.T, jacobian, chained.T @ ca.diagcat(*(m * h for m, h in weighed)) @ chained
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class IpoptEnergy:
-    """IPOPT for the energy in one basis.
+def met_column(n: int) -> Array:
+    """The column of a row that is always met: zero normal and offset -1 m, so 0 >= -1."""
+    return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
 
-    Attributes:
-        integral: the energy.
-        basis, free: the functions φ_j, and directions (size, f) of their coefficients.
-        hull: points that have to keep the joint limits.
-        rows: `row_functions` of the arm.
-        limits, power: joint limits, and exponent of the measure.
+
+def capacity_for(rows: Sequence[ClearanceRow]) -> int:
+    """Number of columns in a table with room for the rows."""
+    return 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
+
+
+def row_table(program: PathProgram, rows: Sequence[ClearanceRow], capacity: int) -> Array:
+    """The table of rows: values of the functions at the row's place, the place, and the row's column.
+
+    Unused columns hold a row that is always met.
     """
+    basis = program.basis
+    if not capacity:
+        return np.zeros((basis.size + 1, 0))
+    n, size = tree_size(program._rows[0]), basis.size
+    table = np.zeros((size + 1 + column_height(n), capacity))
+    table[size + 1 :] = met_column(n)[:, None]
+    at = np.array([row.s for row in rows])
+    for k, (row, values) in enumerate(zip(rows, basis.values(at), strict=True)):
+        table[:, k] = [*values, row.s, *row.column(n)]
+    return table
 
-    integral: Integral
-    basis: Basis
-    free: Array
-    hull: LimitHull
-    rows: tuple[ca.Function, ...]
-    limits: JointLimits
-    power: float
-    _solvers: dict[int, ca.Function] = field(default_factory=dict, init=False)
 
-    def solve(
-        self, start: Array, goal: Array, kept: Array, unknowns: Array, energy: float, floor: float, rows: Sequence[ClearanceRow]
-    ) -> tuple[Array, str, bool]:
-        """Minimise the energy over `energy` from unknowns (n, f) beside coefficients `kept` (n, size).
+def solver_of(
+    program: PathProgram, capacity: int, integral: Integral | None = None, rows: tuple[ca.Function, ...] = ()
+) -> ca.Function:
+    """IPOPT for the energy of a program, with room for `capacity` clearance rows."""
+    return ipopt_solver(
+        integral or program._energy,
+        basis=program.basis,
+        free=program.free,
+        hull=moving_hull(program),
+        rows=(rows or program._rows) if capacity else (),
+        capacity=capacity,
+        n=program.n,
+        power=program.integral.power,
+    )
 
-        Returns the unknowns (n, f), IPOPT's return status, and whether it converged.
-        """
-        capacity = 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
-        # all inputs of IPOPT are rounded: its iterations diverge for inputs that differ in their last bits
-        scale = with_bits(np.array([1 / energy]), SCALE_BITS)
-        table = on_grid(self._row_parameters(rows, capacity), FINE)
-        parameters = np.concatenate([start, goal, scale, [floor], kept.ravel(order="F"), table.ravel(order="F")])
-        count = len(self.hull.line) if self._limited else 0
-        joint_limits = [np.tile(each, count) for each in (self.limits.lower, self.limits.upper)]
-        solver = self._solver(capacity)
-        result = solver(
-            x0=np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
-            p=parameters,
-            lbx=np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
-            lbg=np.concatenate([joint_limits[0], np.zeros(capacity)]),
-            ubg=np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
-        )
-        status = str(solver.stats()["return_status"])
-        x = np.asarray(result["x"]).ravel()[: unknowns.size].reshape(unknowns.shape, order="F")
-        return x, status, status in CONVERGED
 
-    @cached_property
-    def _limited(self) -> bool:
-        return bool(np.isfinite([self.limits.lower, self.limits.upper]).any())
+def moving_hull(program: PathProgram) -> LimitHull:
+    """The points that have to keep the joint limits; none where there are no limits."""
+    limits = program.kinematics.robot.limits
+    is_limited = bool(np.isfinite([limits.lower, limits.upper]).any())
+    return program._hull if is_limited else LimitHull(line=program._hull.line[:0], rows=program._hull.rows[:0])
 
-    def _row_parameters(self, rows: Sequence[ClearanceRow], capacity: int) -> Array:
-        """The table of rows: values of the functions at the row's place, the place, and the row's column.
 
-        Unused columns hold a row that is always met.
-        """
-        if not capacity:
-            return np.zeros((self.basis.size + 1, 0))
-        n, size = tree_size(self.rows[0]), self.basis.size
-        table = np.zeros((size + 1 + column_height(n), capacity))
-        table[size + 1 :] = met_column(n)[:, None]
-        at = np.array([row.s for row in rows])
-        for k, (row, values) in enumerate(zip(rows, self.basis.values(at), strict=True)):
-            table[:, k] = [*values, row.s, *row.column(n)]
-        return table
+def solver_arguments(
+    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow]
+) -> dict[str, Array]:
+    """The arguments of the solver, from a guess (n, size)."""
+    capacity, limits = capacity_for(rows), program.kinematics.robot.limits
+    unknowns = on_grid(guess @ program._along, SPACING)
+    kept = program._rounded(guess - unknowns @ program.free.T)
+    # all inputs of IPOPT are rounded: its iterations diverge for inputs that differ in their last bits
+    scale = with_bits(np.array([1 / program._energy_of(start, goal, guess, floor)]), SCALE_BITS)
+    table = on_grid(row_table(program, rows, capacity), FINE)
+    joint_limits = [np.tile(bound, len(moving_hull(program).line)) for bound in (limits.lower, limits.upper)]
+    return {
+        "x0": np.concatenate([unknowns.ravel(order="F"), np.zeros(capacity)]),
+        "p": np.concatenate([start, goal, scale, [floor], kept.ravel(order="F"), table.ravel(order="F")]),
+        "lbx": np.concatenate([np.full(unknowns.size, -np.inf), np.zeros(capacity)]),
+        "ubx": np.full(unknowns.size + capacity, np.inf),
+        "lbg": np.concatenate([joint_limits[0], np.zeros(capacity)]),
+        "ubg": np.concatenate([joint_limits[1], np.full(capacity, np.inf)]),
+    }
 
-    def _solver(self, capacity: int) -> ca.Function:
-        """IPOPT with room for `capacity` clearance rows, built on first use."""
-        if capacity not in self._solvers:
-            self._solvers[capacity] = ipopt_solver(
-                self.integral,
-                basis=self.basis,
-                free=self.free,
-                hull=self.hull if self._limited else self.hull.none(),
-                rows=self.rows if capacity else (),
-                capacity=capacity,
-                n=self.limits.n,
-                power=self.power,
-            )
-        return self._solvers[capacity]
+
+def solve_by_ipopt(
+    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow]
+) -> tuple[Array, str]:
+    """The coefficients (n, size) of least energy, and IPOPT's return status."""
+    solver, arguments = solver_of(program, capacity_for(rows)), solver_arguments(program, start, goal, guess, floor, rows)
+    result = solver(**arguments)
+    unknowns = on_grid(guess @ program._along, SPACING)
+    x = np.asarray(result["x"]).ravel()[: unknowns.size].reshape(unknowns.shape, order="F")
+    kept = program._rounded(guess - unknowns @ program.free.T)
+    return kept + x @ program.free.T, str(solver.stats()["return_status"])
