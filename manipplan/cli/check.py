@@ -48,7 +48,7 @@ def check(
         goal: Where it has to end, as `start`.
         options: Options of the robot and its scene.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
-        path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qw, qx, qy, qz.
+        path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qx, qy, qz, qw.
         path_begin: Time from which the tool follows that path [s], after a lead-in.
         tolerance: Maximum distance of the tool from that path [m] [rad].
         pointing: Tool axis about which the tool may turn.

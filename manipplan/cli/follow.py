@@ -43,7 +43,7 @@ def follow(
     Args:
         options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
-        poses: CSV file with the columns x, y, z [m], qw, qx, qy, qz.
+        poses: CSV file with the columns x, y, z [m], qx, qy, qz, qw.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         tool_speed: Constant speed of the tool along the path [m/s].
         positions: Number of positions at which configurations are enumerated; default: at most 3 cm apart.

@@ -232,7 +232,7 @@ SAME_KNOT = 1e-12
 #: Maximum number of poses of a sample.
 MOST_SAMPLES = 1_000_000
 #: Columns of a CSV file of poses: position [m], then the quaternion.
-COLUMNS = ("x", "y", "z", "qw", "qx", "qy", "qz")
+COLUMNS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
 class CartesianPath(ABC):
@@ -350,22 +350,22 @@ class CartesianPath(ABC):
 
     @classmethod
     def from_csv(cls, file: str | Path) -> "CartesianPath":
-        """The path through the poses of a CSV file with the columns x, y, z [m], qw, qx, qy, qz, as by `through`.
+        """The path through the poses of a CSV file with the columns x, y, z [m], qx, qy, qz, qw, in any order, as by `through`.
 
         Lines that begin with # are left out. Raises a FileFormatError that shows the faulty row.
         """
         path = existing_file("file", file)
         table = Table.read(path, comments=True)
-        if table.header != COLUMNS:
+        if sorted(table.header) != sorted(COLUMNS):
             found = f"{path} with the first line {','.join(table.header)}"
-            raise FileFormatError("file", found, f"a first line {','.join(COLUMNS)}")
-        poses = []
-        for (row, cells), values in zip(table.rows, table.numbers(range(len(COLUMNS))), strict=True):
+            raise FileFormatError("file", found, f"a first line {','.join(COLUMNS)}, in any order")
+        poses, columns = [], [table.header.index(name) for name in COLUMNS]
+        for (row, cells), values in zip(table.rows, table.numbers(columns), strict=True):
             try:
-                w, x, y, z = unit_quaternion("quaternion", values[3:], "qw, qx, qy, qz")
+                quaternion = unit_quaternion("quaternion", values[3:], "qx, qy, qz, qw")
             except InvalidInputError as error:
                 raise FileFormatError("file", f"{path}, row {row}: {','.join(cells)}", error.allowed) from error
-            poses.append(pin.SE3(pin.Quaternion(w, x, y, z).matrix(), values[:3]).homogeneous)
+            poses.append(pin.SE3(pin.Quaternion(quaternion).matrix(), values[:3]).homogeneous)
         return cls.through(poses)
 
 

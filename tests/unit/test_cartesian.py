@@ -5,12 +5,14 @@ from itertools import pairwise
 import numpy as np
 import pinocchio as pin
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import manipplan as mp
 
 START = pin.SE3(pin.rpy.rpyToMatrix(0.1, 0.2, 0.3), np.array([0.4, 0.0, 0.5]))
 END = pin.SE3(pin.rpy.rpyToMatrix(0.5, -0.2, 1.3), np.array([0.4, 0.6, 0.3]))
-HEAD = "x,y,z,qw,qx,qy,qz"
+HEAD = "x,y,z,qx,qy,qz,qw"
 
 
 def some_poses(rng, count=6):
@@ -152,7 +154,7 @@ def test_what_makes_no_path_raises(make, message):
 
 def row(pose, scale=1.0):
     quaternion = pin.Quaternion(pose.rotation)
-    values = [*pose.translation, *(scale * each for each in (quaternion.w, quaternion.x, quaternion.y, quaternion.z))]
+    values = [*pose.translation, *(scale * each for each in quaternion.coeffs())]
     return ",".join(repr(float(value)) for value in values)
 
 
@@ -170,6 +172,16 @@ def test_a_file_gives_the_path_through_its_poses(tmp_path):
         np.testing.assert_allclose(mp.CartesianPath.from_csv(name).sample(20), expected.sample(20), atol=1e-9)
 
 
+@given(order=st.permutations(range(7)))
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_columns_are_found_by_their_names(tmp_path, order):
+    """w first, as older files have it, or last."""
+    lines = [",".join(line.split(",")[k] for k in order) for line in (HEAD, row(START), row(END))]
+    np.testing.assert_allclose(
+        mp.CartesianPath.from_csv(written(tmp_path, *lines))([0.0, 1.0]), [START.homogeneous, END.homogeneous], atol=1e-12
+    )
+
+
 def test_spaces_around_the_columns_do_not_matter(tmp_path):
     file = written(tmp_path, HEAD.replace(",", " , "), row(START).replace(",", ", "), row(END))
     np.testing.assert_allclose(mp.CartesianPath.from_csv(file)(0.0), START.homogeneous, atol=1e-12)
@@ -179,12 +191,12 @@ def test_spaces_around_the_columns_do_not_matter(tmp_path):
     ("lines", "message"),
     [
         ([], "which is empty"),
-        (["x,y,z"], "a first line x,y,z,qw,qx,qy,qz"),
+        (["x,y,z"], "a first line x,y,z,qx,qy,qz,qw, in any order"),
         ([HEAD, row(START), "1,2,3"], "row 3, with 3 cells.*7 cells"),
         ([HEAD, row(START), row(END).replace("0.4", "left")], "row 3, .*: left.*a number"),
         ([HEAD, "nan" + row(START)[3:], row(END)], "row 2, x: nan.*a finite number"),
-        ([HEAD, row(START), row(END, 1.1)], "row 3: .*a quaternion qw, qx, qy, qz of length 1"),
-        ([HEAD, row(START), row(END, 0.0)], "row 3: .*a quaternion qw, qx, qy, qz of length 1"),
+        ([HEAD, row(START), row(END, 1.1)], "row 3: .*a quaternion qx, qy, qz, qw of length 1"),
+        ([HEAD, row(START), row(END, 0.0)], "row 3: .*a quaternion qx, qy, qz, qw of length 1"),
         (["# made by hand", HEAD, "", row(START), "", "1,2,3"], "row 6, with 3 cells.*7 cells"),
     ],
 )

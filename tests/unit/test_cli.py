@@ -314,11 +314,11 @@ def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
     ("text", "message"),
     [
         ("", "which is empty"),
-        ("a,b,c\n1,2,3\n", "a first line x,y,z,qw,qx,qy,qz"),
+        ("a,b,c\n1,2,3\n", "a first line x,y,z,qx,qy,qz,qw"),
         ("x,y,z,qw,qx,qy,qz\n", "at least two poses"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0\n1,1.2,0,1,0,0,0\n", "row 2"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,nan,0,1,0,0,0\n", "row 3"),
-        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion qw, qx, qy, qz of length 1"),
+        ("x,y,z,qw,qx,qy,qz\n1,1,0,2,0,0,0\n1,1.2,0,1,0,0,0\n", "a quaternion qx, qy, qz, qw of length 1"),
         ("x,y,z,qw,qx,qy,qz\n1,1,0,1,0,0,0\n1,1,0,1,0,0,0\n", "at least two poses that differ"),
         ("x,y,z,qw,qx,qy,qz\n9,9,0,1,0,0,0\n9,8,0,1,0,0,0\n", "a pose within reach and joint limits; the arm stays"),
     ],
