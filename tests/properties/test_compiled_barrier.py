@@ -58,6 +58,7 @@ def functions(request):
 ENDS = [(0.0, 0.0), (0.1, 0.0), (0.0, 0.1), (0.1, 0.2)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize(("unlimited", "torque"), [(0, False), (1, False), (2, True), (3, False)])
 def test_compiled_steps_lead_where_numpy_s_do(monkeypatch, functions, ends, unlimited, torque):

@@ -238,6 +238,7 @@ def test_the_nearest_points_of_a_mesh_and_a_cloud(panda, rng):
     assert compared > 50
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arm", ARMS, indirect=True)
 def test_nearest_points_and_directions_agree_with_each_other_and_with_coal(arm, rng):
     """In the world the two points are as far apart as the pair plus both radii, along the direction between them."""

@@ -99,6 +99,7 @@ def found_again(robot, q, parameters=None, held=None):
     return len(found) > 0 and np.abs(found.q - q).max(axis=1).min() < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backward", [False, True], ids=["wrist", "shoulder"])
 @pytest.mark.parametrize("kind", KINDS)
 @examples(25)
@@ -132,6 +133,7 @@ def test_three_parallel_axes(backward, seed):
     assert found_again(robot, q)
 
 
+@pytest.mark.slow
 @examples(50)
 @given(seed=seeds)
 def test_spherical_shoulder_and_wrist(seed):
@@ -150,6 +152,7 @@ def test_spherical_shoulder_and_wrist(seed):
     assert found_again(robot, q, [q[1]], ["joint2"]) or not regular(robot, q, [0, 2, 3, 4, 5, 6])
 
 
+@pytest.mark.slow
 @examples(50)
 @given(seed=seeds)
 def test_a_joint_held_anywhere(seed):

@@ -63,6 +63,7 @@ def test_position_index_scales_with_the_cube_of_the_lengths(seed, n, factor, dat
     np.testing.assert_allclose(kinematics(large, position).manipulability(q), expected, rtol=1e-8, atol=1e-12)
 
 
+@pytest.mark.slow
 @few
 @given(seeds, kinds(6), st.data())
 def test_manipulability_lies_between_powers_of_the_singular_values(seed, prismatic, data):

@@ -73,6 +73,7 @@ def test_no_descent_ends_nearer(seed, joints, slide, spread):
     assert list(found.stopped) == at
 
 
+@pytest.mark.slow
 def test_refusals_of_follow_and_plan_have_the_configuration(panda):
     begin = panda.kinematics().pose(panda.neutral)
     far = begin.copy()

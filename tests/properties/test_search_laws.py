@@ -47,6 +47,7 @@ def forced(request, monkeypatch):
     return request.param != "as it is"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_optimum_is_that_of_brute_force(closed, forced):
     rng = np.random.default_rng(1 + closed)
@@ -227,6 +228,7 @@ def best_cuts(layers, epsilon, strict):
     return min(found) if found else None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_fewest_interruptions_are_those_of_brute_force(closed):
     rng = np.random.default_rng(11 + closed)

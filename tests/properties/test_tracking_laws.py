@@ -177,6 +177,7 @@ def velocities(robot, formulation, q, steps=(0.01, 0.001)):
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("formulation", INVARIANT, ids=str)
 def test_the_velocity_does_not_depend_on_the_time_step(panda, formulation, rng):
     robot = free(panda)

@@ -68,6 +68,7 @@ def test_an_open_bin_stays_open(panda):
     assert depth(scene, inside).max() < 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [
     lambda place: mp.Box(size=(0.05, 0.04, 0.03), position=place, rotation=(0.3, 0.2, 0.1)),
     lambda place: mp.Sphere(radius=0.02, position=place),
@@ -175,6 +176,7 @@ def test_a_start_beside_a_cloud_is_no_obstacle_to_planning(panda):
     assert scene.path_clearance(panda, found.path).proven
 
 
+@pytest.mark.slow
 def test_the_room_around_the_robot_stays_open(panda):
     """A closed cell of points around the robot: its walls are pieces, its inside is not."""
     room = mp.Scene([mp.PointCloud(points=plates(((0.0, 0.0, 0.5), (1.6, 1.6, 1.6)), spacing=0.02), radius=0.01)])

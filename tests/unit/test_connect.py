@@ -165,6 +165,7 @@ def test_an_error_of_coal_s_answer_is_raised(eggs, monkeypatch, error):
         TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("planner", [name for name in PLANNERS if name != STAR])
 def test_the_time_limit_holds_where_coal_is_slow(eggs, planner, monkeypatch):
     arm, scene = eggs

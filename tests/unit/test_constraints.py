@@ -114,6 +114,7 @@ def test_bounds_on_the_tools_acceleration_hold(request, arm):
     assert max(shares) > 0.1
 
 
+@pytest.mark.slow
 def test_proofs_agree_with_dense_samples(panda):
     """Of random paths, each with a limit just above or below its largest tilt: a proof never contradicts 20,000 samples."""
     rng, proven = np.random.default_rng(2), 0
@@ -142,6 +143,7 @@ def test_boxes_and_held_joints_are_proven(panda):
     assert moved.least[0] == pytest.approx(-0.1)
 
 
+@pytest.mark.slow
 def test_a_level_cup(panda, level):
     start, goal, limit = level
     scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.5), position=(0.4, 0.25, 0.25), name="post")])
@@ -169,6 +171,7 @@ def test_constraints_that_nothing_meets_change_nothing(panda, level):
     assert kept.g == pytest.approx(usual.g, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_an_optimum_at_its_limit_is_one(panda, level):
     """No small change of the optimum's coefficients that keeps the limit lowers g by more than the margin of its rows is worth."""
     start, goal, _ = level
@@ -272,6 +275,7 @@ def test_check_judges_constraints(panda, level):
     assert "moved by" in report.faults[1]
 
 
+@pytest.mark.slow
 def test_saved_and_sent_to_other_processes(panda, level, tmp_path, caplog):
     start, goal, limit = level
     constraints = (limit, mp.PositionBox((-1, -1, -np.inf), (1, 1, np.inf)), mp.HeldJoints("panda_joint5"), Cylinder(2.0))

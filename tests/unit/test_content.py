@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 import manipplan as mp
 from manipplan.jobs.plan_many import Problem, checked, problem_key, robot_key, scene_key
@@ -60,6 +61,7 @@ def test_order_counts_where_it_has_a_meaning():
     assert content_key([1, 2]) != content_key([2, 1])
 
 
+@pytest.mark.slow
 def test_keys_are_the_same_in_every_process():
     found = set()
     for seed in ("1", "2"):

@@ -108,6 +108,7 @@ def test_the_number_of_bodies_is_bounded(urdf, mjcf):
         mp.load_robot(mjcf(GEOM * 3000), velocity=1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("before", "elements", "count"),
     [
@@ -159,6 +160,7 @@ def test_deep_descriptions(urdf, mjcf):
         mp.load_robot(file)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", ["", "<joint name='i' type='hinge' axis='1 0 0' range='-1 1'/>"], ids=["fixed", "hinge"])
 @pytest.mark.parametrize(
     "place", ["pos='0.1 0.2 1'", "pos='0 0 1' euler='0 0 90'", "quat='0.5 0.5 0.5 0.5'", "pos='1 0 0' axisangle='0 1 0 30'", ""]

@@ -55,6 +55,7 @@ def samples(robot, count, seed=0):
 # ---- model and kinematics
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROBOTS)
 def test_pose_and_jacobian_are_those_of_the_whole_file(arms, name):
     _, robot, whole = arms(name)
@@ -69,6 +70,7 @@ def test_pose_and_jacobian_are_those_of_the_whole_file(arms, name):
                 np.testing.assert_allclose(kinematics.jacobian(q[joints]), whole.jacobian(q, tool)[:, joints], atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize("name", ONE_TOOL)
 def test_derivatives_of_the_manipulability(arms, name, compiled):
@@ -86,6 +88,7 @@ def test_derivatives_of_the_manipulability(arms, name, compiled):
     np.testing.assert_allclose(kinematics.hessian(q), np.transpose(by_slope, (1, 2, 0)), atol=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ONE_TOOL)
 def test_inverse_kinematics_finds_its_own_configuration(arms, name):
     _, robot, whole = arms(name)
@@ -288,6 +291,7 @@ def test_distances_and_their_gradients(arms, name):
     assert apart.sum() > 10 and np.quantile(np.abs(found.gradients - slopes)[apart], 0.98) < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROBOTS)
 def test_proofs_hold_for_all_bodies(arms, name):
     """The proven distance is below every sample on the original bodies, and near to the least of them."""
@@ -613,6 +617,7 @@ UP = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 DIRECTED = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", mp.available_measures())
 def test_every_measure_has_its_gradient(arms, name):
     _, robot, _ = arms("double")

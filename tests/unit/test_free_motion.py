@@ -136,6 +136,7 @@ def test_the_rows_of_the_path_program_vanish_on_the_set_only(panda, name):
     assert (np.abs(rows.errors(away, poses)).max(axis=1) > 1e-3).all()
 
 
+@pytest.mark.slow
 def test_the_grid_of_a_shift_covers_where_the_tool_can_be(panda):
     """Whatever the arm reaches is inside the grid of the shifts, and no more than its size outside."""
     rng = np.random.default_rng(9)

@@ -289,6 +289,7 @@ def test_of_equal_minima_the_smaller_g_is_taken(planar):
 # what is left out, and wrong input
 
 
+@pytest.mark.slow
 def test_what_is_out_of_reach_is_told(panda, pose):
     with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* mm and .* away"):
         mp.plan(panda, panda.neutral, moved(pose, by=[2.0, 0.0, 0.0]), POST)
@@ -539,6 +540,7 @@ def test_wrong_files_of_goals(panda, tmp_path, text, message):
         goals_from_yaml(tmp_path / "grasps.yaml", panda)
 
 
+@pytest.mark.slow
 def test_a_plan_to_a_pose_from_the_shell(tmp_path, capsys):
     out = ["--out", str(tmp_path / "out")]
     command = ["plan", "panda", "--start", "default", "--goal-pose", "0.45", "0.2", "0.4", "1", "0", "0", "0"]

@@ -41,6 +41,7 @@ def test_corners_of_any_size_give_a_body_that_contains_them(seed, low, high, cou
     assert np.einsum("ti,ti->", a, np.cross(b, c)) > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sides", [3, 200, 255, 256, 300, 1000, 5000])
 @pytest.mark.parametrize("tip", [0.0, 1.0, 0.5])
 def test_cones_and_cylinders_of_any_number_of_sides(sides, tip):

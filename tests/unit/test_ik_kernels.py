@@ -38,6 +38,7 @@ def missed(roots, expected):
     return worst
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spread", [0.1, 1.0, 3.0])
 def test_roots_of_random_quartics(spread, rng):
     for _ in range(200):

@@ -102,6 +102,7 @@ def test_another_duration_is_kept(panda, recording):
         assert plan.status is mp.Status.IMPROVED and plan.trajectory.duration == pytest.approx(duration, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_duration_that_is_too_short_is_refused_with_the_shortest_one(panda, recording):
     with pytest.raises(mp.InvalidInputError, match=r"duration: got 0\.4; allowed: at least .* s, the shortest found") as caught:
         mp.improve(panda, recording, duration=0.4, throw=False)
@@ -112,6 +113,7 @@ def test_a_duration_that_is_too_short_is_refused_with_the_shortest_one(panda, re
         mp.improve(panda, recording, duration=0.97 * shortest)
 
 
+@pytest.mark.slow
 def test_a_recording_of_a_faster_arm_is_refused_with_the_duration_it_needs(panda, recording):
     slow = panda.with_limits(velocity=0.2)
     with pytest.raises(mp.InvalidInputError, match=r"recorded: got 'a motion of 3\.99.*; allowed: duration=[\d.]+ or") as told:
@@ -241,6 +243,7 @@ def test_wrong_arguments_are_refused(panda, recording):
         mp.improve(panda, recording.path(), degrees=True)
 
 
+@pytest.mark.slow
 def test_a_tolerance_below_the_noise_is_refused_with_the_smallest_one(panda, recording):
     with pytest.raises(
         mp.InvalidInputError, match=r"tolerance\.position: got 1e-05; allowed: at least .* m: .* row \d+"

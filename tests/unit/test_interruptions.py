@@ -45,6 +45,7 @@ def tool(robot, plan, begin, end, count=400):
     return t, np.array(poses)
 
 
+@pytest.mark.slow
 def test_the_message_tells_how_many_interruptions_are_needed(panda, circle):
     found = mp.follow(panda, circle, positions=60, throw=False)
     assert found.status is mp.Status.NOT_CONNECTED and found.trajectory is None
@@ -87,6 +88,7 @@ def test_the_tool_leaves_the_path_and_comes_back_straight(panda, plan):
         assert (np.abs(near[:, :2, 3]) < 2e-4).all() and (near[:, 2, 3] < 2e-4).all()  # against its z-axis
 
 
+@pytest.mark.slow
 def test_check_judges_the_parts(panda, circle, table, plan, tmp_path):
     judged = mp.check(panda, plan.trajectory, table, path=circle, path_parts=plan.report.along)
     assert judged.passed and judged.missed.position < 1e-4
@@ -143,6 +145,7 @@ def test_parts_need_a_path_and_no_other_begin(panda, circle, plan):
         mp.check(panda, plan.trajectory, path=circle, path_parts=along, path_begin=0.5)
 
 
+@pytest.mark.slow
 def test_a_retreat_that_is_not_free_names_the_bodies(panda, circle, table):
     table = table + mp.Scene([mp.Box(size=(0.6, 0.4, 0.04), position=(-0.55, 0, 0.2), name="back table")])
     found = mp.follow(panda, circle, table, positions=60, interruptions=1, retreat=[0.0, 0.0, 0.3], throw=False)
@@ -151,6 +154,7 @@ def test_a_retreat_that_is_not_free_names_the_bodies(panda, circle, table):
     assert "4 other places do not help either" in found.message
 
 
+@pytest.mark.slow
 def test_the_tool_leaves_the_path_where_the_retreat_is_free(panda, circle):
     free = mp.follow(panda, circle, positions=60, interruptions=1, retreat=[0.06, 0.0, 0.0])
     at = free.report.along[0].s_end
@@ -192,6 +196,7 @@ def test_bad_input_is_named(panda, circle, options):
         mp.follow(panda, circle, **options)
 
 
+@pytest.mark.slow
 def test_a_closed_path_begins_where_that_takes_the_fewest_interruptions(panda, circle):
     plan = mp.follow(panda, circle, closed=True, interruptions=1, retreat=0.0)
     assert plan.status is mp.Status.FOLLOWED_IN_PARTS
@@ -204,6 +209,7 @@ def test_a_closed_path_begins_where_that_takes_the_fewest_interruptions(panda, c
     assert mp.check(panda, plan.trajectory, path=circle, path_parts=plan.report.along).passed
 
 
+@pytest.mark.slow
 def test_a_closed_path_with_a_free_axis_that_no_motion_follows_is_told_within_seconds(panda, circle):
     objective = mp.PathObjective(task=mp.Task.pointing())
     found = mp.follow(panda, circle, closed=True, positions=60, objective=objective, throw=False)
@@ -217,6 +223,7 @@ def test_the_retreat_of_a_planar_arm_stays_in_its_plane():
         mp.follow(arm, line, positions=5, samples=20, interruptions=1)
 
 
+@pytest.mark.slow
 def test_each_part_has_its_tool_speed(panda, circle):
     plan = mp.follow(panda, circle, interruptions=1, retreat=0.0, tool_speed=0.1)
     assert len(plan.report.along) == 2

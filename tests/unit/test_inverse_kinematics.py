@@ -125,6 +125,7 @@ def test_which_arms_have_a_closed_form(arm):
     assert {name for name, form in forms.items() if form is not None and not form.exact} == set(ROUNDED)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CLOSED)
 def test_random_configurations_are_found_again(arm, rng, name):
     robot = arm(name)

@@ -16,6 +16,7 @@ from manipplan.robots.model_tree import frame_index
 GOLDEN = [0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", mp.available_robots())
 def test_pose_jacobian_and_index_equal_pinocchio(name, rng):
     robot = mp.load_robot(name)
@@ -169,6 +170,7 @@ def test_custom_rows_are_rows_of_the_jacobian_of_that_frame(panda, frame):
     np.testing.assert_allclose(kinematics.jacobian(GOLDEN), ROWS @ oracle, atol=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "tiago", "talos_torso_right_arm", "kinova"])
 def test_mass_matrix_equals_pinocchio(name, rng):
     robot = mp.load_robot(name)

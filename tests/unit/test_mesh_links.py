@@ -184,6 +184,7 @@ def measured(robot):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fine", [(), (12, 24, 48)], ids=["triangles", "pieces"])
 def test_a_later_process_computes_nothing_again(tmp_path, cache, monkeypatch, fine):
     monkeypatch.setattr(build, "FINE", fine)
@@ -196,6 +197,7 @@ def test_a_later_process_computes_nothing_again(tmp_path, cache, monkeypatch, fi
     np.testing.assert_array_equal(distances, again)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "spoil",
     [

@@ -109,6 +109,7 @@ def test_edges_that_are_concave_while_all_corners_are_on_the_hull():
     assert kinds(corners[valley + sides]) == "B" and kinds(corners[ridge + sides]) == "C"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("triangles", [RING, open_bin(0.1), BOX, np.concatenate([BOX, SMALL[:, ::-1]])])
 def test_faces_of_solids_face_outward(triangles, rng):
     """Also when the file has any orientation: the winding number is 1 inside and 0 outside, as rays tell."""

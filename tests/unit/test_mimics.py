@@ -216,6 +216,7 @@ def mjcf(tmp_path):
     return write
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("refs", [("", "", ""), ('ref="20"', 'ref="0.3"', 'ref="-10"')])
 @pytest.mark.parametrize(
     "equality",

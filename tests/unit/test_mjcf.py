@@ -128,6 +128,7 @@ def same_verdicts(robot, judge, rng, count=200):
 # ---- defaults
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "place",
     [
@@ -170,6 +171,7 @@ def test_an_obstacle_beside_a_geom_placed_by_a_default(arm):
     assert Judge(with_box).deepest(robot, mp.JointPath.line([0.1, -0.6, 0.5], [0.1, 0.9, 0.5])) > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("attribute", ['scale=".001 .002 .003"', 'refpos="0 0 .5"', 'refquat=".5 .5 .5 .5"', 'scale="-1 1 1"'])
 @pytest.mark.parametrize("default", [True, False])
 def test_meshes_are_where_mujoco_has_them(arm, rng, tmp_path, attribute, default):
@@ -352,6 +354,7 @@ def test_pairs_that_the_file_names_are_checked(arm, rng):
     assert judged(arm(**FREE), rng).geometry.ngeoms == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", ["", '<pair geom1="ga" geom2="gb"/>', '<pair geom1="ga" geom2="ball"/>'])
 @pytest.mark.parametrize("exclude", ["", '<exclude body1="a" body2="c"/>', '<exclude body1="a" body2="hand"/>'])
 @pytest.mark.parametrize("masks", ["", 'contype="2" conaffinity="2"', 'contype="0" conaffinity="3"', 'contype="4"'])
@@ -623,6 +626,7 @@ def test_nothing_is_printed_or_written(arm, tmp_path, monkeypatch, capfd):
     assert [each.name for each in tmp_path.iterdir()] == ["arm.xml"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("parts", "message"),
     [
@@ -810,6 +814,7 @@ def test_a_part_inside_a_closed_mesh_touches(tmp_path):
         mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("sites", "tool"),
     [

@@ -45,6 +45,7 @@ def arm(request, tmp_path_factory):
     return mobile_arm(request.param, tmp_path_factory.mktemp("mobile"))
 
 
+@pytest.mark.slow
 def test_the_window_holds_every_configuration_that_reaches_the_pose(arm):
     rng = np.random.default_rng(1)
     q = arm.random_configuration(rng, size=300)

@@ -169,6 +169,7 @@ DENSITIES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("floor", [0.0, 0.01])
 @pytest.mark.parametrize(("name", "measure", "metric"), DENSITIES)
 @pytest.mark.parametrize("kind", [energy_density, length_density])

@@ -110,6 +110,7 @@ def ring(inner, outer, length, sides=96):
     return np.array([[[a, b, c], [a, c, d]] for a, b, c, d in quads]).reshape(-1, 3, 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("inner", "outer", "length"), [(0.05, 0.065, 0.15), (0.041, 0.05, 0.2), (0.06, 0.08, 0.04)])
 def test_sectors_of_a_tube_stick_into_its_hole_by_their_chords(inner, outer, length, rng):
     mesh, most = ring(inner, outer, length), 24

@@ -69,6 +69,7 @@ def test_results_in_this_process_are_those_of_plan(problems, expected):
     assert [len(one.result.history) for one in found] == [len(other.result.history) for other in expected]
 
 
+@pytest.mark.slow
 def test_processes_give_the_same_in_the_same_order(problems, expected):
     found = mp.plan_many(iter(problems), 2)
     assert_same(found, expected)
@@ -181,6 +182,7 @@ def hard(planar):
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("executor", [None, 1])
 def test_failures_are_results(hard, executor, caplog, tmp_path):
     with caplog.at_level(logging.INFO, "manipplan"):
@@ -219,6 +221,7 @@ def test_an_unexpected_error_ends_one_problem(problems, monkeypatch, caplog, tmp
     assert mp.plan_many(problems[:3], folder=tmp_path)[1].status is Status.OPTIMAL  # it was not kept
 
 
+@pytest.mark.slow
 def test_progress_names_each_result(hard):
     told = []
     mp.plan_many(hard[:4], 1, progress=lambda share, text: told.append((share, text)))
@@ -392,12 +395,14 @@ def deaths(tmp_path):
     return len(list((tmp_path / "deaths").iterdir()))
 
 
+@pytest.mark.slow
 def test_a_lost_worker_is_replaced_and_its_problem_redone(with_deaths, tmp_path):
     found = mp.plan_many(with_deaths(1), 2)
     assert deaths(tmp_path) == 1
     assert all(isinstance(each, mp.Plan) and each.report.passed for each in found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [1, 2])
 def test_a_problem_that_kills_each_worker_is_a_failure(with_deaths, tmp_path, expected, workers):
     found = mp.plan_many(given := with_deaths(100), workers, folder=tmp_path / "results")
@@ -408,6 +413,7 @@ def test_a_problem_that_kills_each_worker_is_a_failure(with_deaths, tmp_path, ex
     assert len(list((tmp_path / "results").iterdir())) == len(given) - 1
 
 
+@pytest.mark.slow
 def test_a_process_killed_from_outside_is_replaced(problems, expected, started):
     def murder(share, text):
         if text.startswith("2 of"):
@@ -536,6 +542,7 @@ def test_a_file_is_whole_or_not_there(problems, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("executor", [None, 2])
 def test_ctrl_c_keeps_what_is_finished(problems, expected, tmp_path, counted, executor, sigint, started):
     def interrupt(share, text):

@@ -140,6 +140,7 @@ def test_no_stationary_posture_is_missed(lengths, rng):
     np.testing.assert_allclose(planar.squared_manipulability_gradient(arm, ours.q), 0, atol=1e-11 * arm.lengths.sum() ** 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lengths", [[1.0, 1.0, 1.0], [1.0, 0.7, 0.4], [0.3, 1.0, 0.5]])
 @pytest.mark.parametrize("share", [0.15, 0.45, 0.7, 0.93])
 def test_no_stationary_posture_at_a_radius_is_missed(lengths, share, rng):

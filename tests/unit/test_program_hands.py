@@ -36,6 +36,7 @@ def placed_ball(program):
     return scene.obstacles[scene.names.index("ball")].pose.homogeneous
 
 
+@pytest.mark.slow
 def test_the_hand_that_is_named_takes_up_a_part(baxter, tmp_path):
     first = away(baxter, baxter.neutral, RIGHT, 0.1)
     second = away(baxter, away(baxter, first, RIGHT, -0.3), LEFT, 0.2)
@@ -136,6 +137,7 @@ def test_a_part_in_the_other_hand_is_no_goal(left):
     assert mp.PoseGoal(where, of="ball").missed_by(left, left.neutral + 0.3) == ""  # it does not move with the left arm
 
 
+@pytest.mark.slow
 def test_the_other_hand_puts_a_part_down_where_it_is(left, baxter, tmp_path):
     where = frame_pose(left.model, RIGHT, left.neutral) @ left.carried["ball"].solid.pose.homogeneous
     steps = [mp.MoveTo(left.neutral + 0.1), mp.Detach("ball"), mp.MoveTo(left.neutral)]

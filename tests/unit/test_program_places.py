@@ -10,6 +10,7 @@ from manipplan.jobs.programs.courses import nodes_of
 from manipplan.jobs.programs.legs import NOWHERE, State, read_steps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "first", [None, [mp.MoveTo([each @ pose_at(0, 0, -0.1) @ DOWN for each in UPRIGHT]), mp.MoveAlong([0, 0, 0.1])]]
 )
@@ -25,6 +26,7 @@ def flat(x, y, turn):
     return part_pose(x, y, 0.0, turn)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", [flat(-1.0, 1.2, 0.5), flat(-0.5, 1.5, -1.0), flat(0.2, 1.8, 2.0), flat(-1.0, -1.0, 2.0)])
 def test_the_grasp_goes_with_the_place_of_the_part(place):
     """Another grasp is best for each place, and the program is as good as with that one alone."""
@@ -45,6 +47,7 @@ def test_the_grasp_goes_with_the_place_of_the_part(place):
     assert least[whole.goals[0]] >= max(least) * 0.99
 
 
+@pytest.mark.slow
 def test_free_axes_and_tolerances_of_a_part(hand, cell):
     place = part_pose(0.45, -0.3, 0.053, 0.4)
     turned = placed_part(mp.sequence(hand, "default", carried_to(mp.PoseGoal(place, of="part", free_axis=[0, 0, 1])), cell))
@@ -56,6 +59,7 @@ def test_free_axes_and_tolerances_of_a_part(hand, cell):
     assert np.arccos(np.clip((np.trace(off[:3, :3]) - 1) / 2, -1, 1)) <= 0.1 + 1e-6
 
 
+@pytest.mark.slow
 def test_a_part_is_taken_up_twice(hand, cell):
     """Where it is after the first place depends on the grasp; its last pose does not."""
     steps = carried_to([pose_at(0.45, -0.3, 0.09, turn) for turn in (0.0, 1.0)])

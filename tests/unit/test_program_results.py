@@ -11,6 +11,7 @@ from manipplan.viz.program import moved_parts, program_figure
 from manipplan.viz.viewer import plan_viewer
 
 
+@pytest.mark.slow
 def test_the_viewer_shows_parts_where_they_are(program, hand):
     pytest.importorskip("viser")
     with program.show(port=0, open_browser=False) as page:
@@ -52,6 +53,7 @@ def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
         assert seen == [False, True]
 
 
+@pytest.mark.slow
 def test_pictures_of_a_program(program, planar, tmp_path):
     assert "\n" not in repr(program) and len(repr(program)) <= 200
     assert '<img alt="Program(' in program._repr_html_()
@@ -74,6 +76,7 @@ def test_pictures_of_a_program(program, planar, tmp_path):
     assert (tmp_path / "made" / "program.png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_saved_and_loaded(program, tmp_path):
     files = program.save(tmp_path / "made")
     assert all(file.is_file() for file in files)
@@ -142,6 +145,7 @@ steps:
 """
 
 
+@pytest.mark.slow
 def test_a_program_from_a_shell(tmp_path, capsys):
     (tmp_path / "scene.yaml").write_text(
         "obstacles: [{shape: box, size: [0.9, 1.6, 0.04], position: [0.6, 0, -0.02], name: table}]\n"
@@ -152,6 +156,7 @@ def test_a_program_from_a_shell(tmp_path, capsys):
     assert [mark.name for mark in mp.Program.load(tmp_path / "made").marks] == ["MoveTo", "MoveAlong", "Wait", "MoveTo"]
 
 
+@pytest.mark.slow
 def test_a_part_is_carried_from_a_shell(tmp_path, capsys):
     (tmp_path / "scene.yaml").write_text(
         "obstacles: [{shape: box, size: [0.04, 0.04, 0.1], position: [0.45, 0.3, 0.05], name: part}]\n"

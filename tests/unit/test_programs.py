@@ -60,6 +60,7 @@ def test_approach_and_retreat_are_straight(hand, program):
     assert np.abs(low[:, :2, 3] - [0.45, -0.3]).max() < 2e-4
 
 
+@pytest.mark.slow
 def test_blends_leave_out_stops_and_stay_near_corners(hand, cell, steps, program):
     sharp = mp.sequence(hand, "default", steps, cell)
     assert not program.stops
@@ -101,6 +102,7 @@ def seam_steps(speed):
     return [mp.MoveAlong(seam, tool_speed=speed), mp.MoveAlong([0, 0, -0.1], tool_speed=0.05), mp.MoveTo("default")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("blend", [0.0, 0.02])
 def test_the_tool_speed_is_constant(hand, blend, tmp_path):
     made = mp.sequence(hand, "default", seam_steps(0.1), blend=blend)
@@ -121,6 +123,7 @@ def test_the_tool_speed_is_constant(hand, blend, tmp_path):
     assert mp.Program.load(tmp_path / "made").marks[:2] == made.marks[:2]
 
 
+@pytest.mark.slow
 def test_a_tool_speed_that_is_not_possible_is_refused_with_the_fastest(hand):
     steps = seam_steps(3.0)
     with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 3\.0; allowed: at most [\d.]+ m/s") as caught:
@@ -281,6 +284,7 @@ def test_ways_that_do_not_exist_are_told(hand, cell, steps, message):
         mp.sequence(hand, "default", steps, cell)
 
 
+@pytest.mark.slow
 def test_blends_never_overlap(hand, cell, steps):
     made = mp.sequence(hand, "default", steps, cell, blend=2.0)
     assert made.passed
@@ -288,6 +292,7 @@ def test_blends_never_overlap(hand, cell, steps):
     np.testing.assert_allclose(placed[:3, 3], [0.45, -0.3, 0.09], atol=1e-5)
 
 
+@pytest.mark.slow
 def test_blends_keep_the_clearance():
     """A ball inside the corner: the wide blend would touch it, and is halved."""
     hand = mp.load_robot("panda")  # its hand is closed
@@ -303,6 +308,7 @@ def test_blends_keep_the_clearance():
     assert np.linalg.norm(way - corner[1][:3, 3], axis=1).min() < 0.5 * away.min()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("picked", "placed", "message"),
     [
@@ -371,6 +377,7 @@ def poses_around_a_corner(apart):
     return there + [pose_at(0.4 + apart * k, 0.1, 0.3) for k in range(1, count // 2 + 1)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("blend", [0.0, 0.02])
 def test_the_fastest_speed_around_a_sharp_corner(hand, blend):
     """It is found soon, also where the corner is a short piece of a long motion."""
@@ -448,6 +455,7 @@ def test_a_configuration_is_reached_as_it_was_given(ur5):
     assert np.abs(program.trajectory.q[-1] - goal).max() < np.pi
 
 
+@pytest.mark.slow
 def test_paths_whose_orientation_is_free_follow_each_other(panda):
     """The second path begins in the configuration in which the first one ended, which is no sample of it."""
     points = [[0.4, 0.2, 0.3], [0.4, 0.3, 0.3], [0.5, 0.3, 0.35]]

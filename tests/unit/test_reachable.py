@@ -267,6 +267,7 @@ def test_there_is_no_proof_where_there_is_a_path(rng):
     assert proven >= 10 and found >= 25, (proven, found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arm", ["panda", "ur5"])
 def test_there_is_no_proof_for_problems_of_others(arm, monkeypatch):
     """A path is known for each of them."""

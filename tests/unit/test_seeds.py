@@ -116,6 +116,7 @@ def test_another_process_finds_the_same_paths():
         assert first[planner] == second[planner], planner
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("planner", [name for name in PLANNERS if name != STAR])
 def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch):
     quick = CollisionModel.in_collision

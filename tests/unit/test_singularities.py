@@ -128,6 +128,7 @@ def at_equal_lengths(path):
     return path(np.interp(np.linspace(0.0, length[-1], 101), length, s))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur3", "ur5", "ur10", "z1", "kinova"])
 def test_three_parallel_axes_have_three_factors(name, rng):
     robot = mp.load_robot(name)
@@ -190,6 +191,7 @@ def test_arms_without_known_factors(tmp_path, panda):
     assert least_crossings(robot.kinematics(), start, goal) == int(signs[0] != signs[1]) == len(found) % 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "z1", "kinova"])
 def test_crossings_are_where_factors_vanish(name, rng):
     robot = mp.load_robot(name)
@@ -346,6 +348,7 @@ def test_optimising_again_returns_the_path():
     assert again.g == pytest.approx(first.g, rel=1e-5) and again.g <= first.g * (1 + 1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "z1", "kinova"])
 def test_paths_between_aspects_are_optimised(name, rng):
     robot = mp.load_robot(name)

@@ -79,6 +79,7 @@ def test_the_fastest_speed_is_named_and_kept(panda, line):
         mp.follow(panda, line, tool_speed=1.1 * fastest, positions=8, throw=False, **FEW)
 
 
+@pytest.mark.slow
 def test_the_limits_that_bound_a_constant_speed():
     """On a circle of a metre the joint's velocity is the tool's speed."""
     arm, path = one_joint()
@@ -89,6 +90,7 @@ def test_the_limits_that_bound_a_constant_speed():
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_path_too_short_for_its_ramps():
     """From rest v takes v² / 2a, and a tenth of the path is 0.157 m: v = √(2a · 0.157 m)."""
     arm, path = one_joint()
@@ -107,6 +109,7 @@ def test_effort_limits_bound_the_speed_as_well(panda):
     assert bound < free and "effort limit" in reason
 
 
+@pytest.mark.slow
 def test_a_motion_that_turns_back_has_no_constant_speed():
     arm = mp.planar_arm([0.6, 0.4])
     there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])

@@ -46,6 +46,7 @@ def test_a_mesh_is_fitted_once(cache, triangles, fits):
     assert len(fits) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "spoil",
     [

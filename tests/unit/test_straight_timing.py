@@ -118,6 +118,7 @@ def test_limits_that_change_along_a_line_take_the_general_solver(options):
     assert len(motion.t) > 300
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jerk", [np.inf, 50.0])
 def test_chords_of_a_circle_take_time_in_proportion(jerk):
     """F11 of reviews/field.md: 1,000 chords took 8.6 s, and four times as long for twice as many."""

@@ -279,6 +279,7 @@ def test_the_report_tells_of_each_tool(baxter, swapped):
     assert "left_gripper: minimum m" in str(plan.report)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("task", "measure", "of_each"),
     [

@@ -42,6 +42,7 @@ def test_rows_are_those_of_the_tool_that_is_named(baxter):
         np.testing.assert_allclose(slopes, wanted, atol=1e-7)
 
 
+@pytest.mark.slow
 def test_both_hands_keep_level_and_the_report_says_how(baxter):
     def down(x, y, z):
         pose = np.diag([1.0, -1.0, -1.0, 1.0])

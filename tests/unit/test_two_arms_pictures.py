@@ -51,6 +51,7 @@ def test_ellipsoids_of_an_animation_are_at_their_tools(plan, monkeypatch):
     np.testing.assert_allclose(centres, places(plan.robot, plan.path.goal), atol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_viewer_shows_all_tools(plan):
     shown = ShownMotion.of(plan)
     assert len(shown.tools) == len(shown.ours.tools) == 2

@@ -263,6 +263,7 @@ def test_commands_print_names_as_they_are(tmp_path, capsys):
         assert not set(capsys.readouterr().err) & {"\x9b", "\u202e"}
 
 
+@pytest.mark.slow
 def test_the_log_of_a_command_shows_control_characters_as_escapes():
     code = (
         "import logging, manipplan.cli as cli\n"

@@ -54,6 +54,7 @@ def workers():
         yield made
 
 
+@pytest.mark.slow
 def test_results_belong_to_their_call(workers):
     futures = [workers.submit(square, x, plus=1) for x in range(20)]
     assert [future.result() for future in futures] == [x * x + 1 for x in range(20)]
@@ -71,6 +72,7 @@ def test_errors_are_those_of_the_work(workers):
     assert workers.submit(square, 3).result() == 9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("code", "message"), [(None, r"signal 9, Killed"), (3, "exit code 3")])
 def test_only_the_work_of_a_dead_process_is_lost(workers, code, message):
     first = [workers.submit(square, x) for x in range(4)]
@@ -108,6 +110,7 @@ def test_processes_end_with_the_block():
         one.submit(square, 1)
 
 
+@pytest.mark.slow
 def test_an_error_in_the_block_ends_work_at_once():
     began = time.monotonic()
     with pytest.raises(KeyboardInterrupt), Workers(1) as one:

@@ -405,6 +405,7 @@ DOUBLING = '<xacro:macro name="m0"><link name="x"/></xacro:macro>' + "".join(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("elements", "message"),
     [
