@@ -262,22 +262,22 @@ def existing_file(argument: str, path: str | Path) -> Path:
 
 
 def number_array(argument: str, value: ArrayLike) -> Array:
-    """`value` as a new float array; raises InvalidInputError for anything but real numbers, so also for masked values."""
+    """`value` as a new float array; raises InvalidInputError for anything but real numbers, so also for masked arrays."""
     try:
         raw = np.asarray(value)
         if raw.dtype.kind not in "iuf" or not _only_numbers(value):
             raise TypeError(raw.dtype)
         return np.array(raw, dtype=np.float64)
     except Exception as error:  # the __array__ of a foreign object can raise any exception
-        masked = "; no value may be masked" if np.ma.is_masked(value) else ""
+        masked = "; no value may be masked" if isinstance(value, np.ma.MaskedArray) else ""
         raise InvalidInputError(argument, value, f"real numbers{masked}") from error
 
 
 def _only_numbers(value: Any) -> bool:
-    """Whether there is no truth value and no masked value in it: NumPy makes numbers of both."""
+    """Whether there is no truth value and no masked array in it: NumPy makes numbers of both."""
     if isinstance(value, list | tuple):
         return all(map(_only_numbers, value))
-    return not (isinstance(value, bool | np.bool_) or np.ma.is_masked(value))
+    return not isinstance(value, bool | np.bool_ | np.ma.MaskedArray)
 
 
 def _within(argument: str, value: ArrayLike, array: Array, most: float) -> Array:

@@ -218,7 +218,7 @@ def test_a_step_with_nan_brakes_and_says_so(calls):
     controller.step(np.full(3, np.nan), np.zeros(3), target)
     assert controller.report.status not in (mp.StepStatus.SOLVED, mp.StepStatus.BAD_TARGET)
     with pytest.raises(mp.InvalidInputError, match="target"):
-        controller.step(q, np.zeros(3), np.ma.array(target, mask=np.eye(4)))
+        controller.step(q, np.zeros(3), np.ma.array(target))
 
 
 PUSHED = mp.planar_arm([1.0, 1.0, 1.0])
@@ -230,10 +230,7 @@ PUSHED = mp.planar_arm([1.0, 1.0, 1.0])
         (lambda: PUSHED.configuration("q", [100.0] * 3, tolerance=np.nan), "tolerance: got nan"),
         (lambda: mp.Scene().in_collision(PUSHED, [1e300] * 3), "q: got .*; allowed: numbers from -1e\\+08 to 1e\\+08"),
         (lambda: mp.Box(size=np.ma.array([1.0, 1.0, 1.0], mask=[0, 1, 0])), "no value may be masked"),
-        (
-            lambda: mp.plan(PUSHED, np.ma.array([0.1, 0.2, 0.3], mask=[0, 0, 1]), [0.4, 0.2, 0.3]),
-            "start: .*no value may be masked",
-        ),
+        (lambda: mp.plan(PUSHED, np.ma.array([0.1, 0.2, 0.3]), [0.4, 0.2, 0.3]), "start: .*no value may be masked"),
         (lambda: mp.plan(PUSHED, [0.1, 0.2, 0.3], [0.4, 0.2, 0.3], throw="nan"), "throw: got 'nan'; allowed: True or False"),
         (lambda: mp.Seeding(seed=10**5000), "seed: got a whole number of 16610 bits"),
         (lambda: mp.Box(size=[10**5000, 1, 1]), "size: got .*a whole number of 16610 bits.*real numbers"),

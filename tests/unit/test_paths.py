@@ -226,11 +226,3 @@ def test_wrong_trajectories(t, count):
 def test_places_of_a_spline_are_named_as_given(rng):
     with pytest.raises(mp.InvalidInputError, match=r"^s: got .*; allowed: 3 increasing numbers from 0 to 1"):
         mp.JointPath.spline([0, 1, 2], rng.normal(size=(3, 2)))
-
-
-def test_masked_arrays_count_where_nothing_is_masked():
-    ends = np.ma.masked_array([[0.0, 1.0], [1.0, 2.0]])
-    assert mp.JointPath.line(*ends).goal.tolist() == [1.0, 2.0]
-    ends[1, 1] = np.ma.masked
-    with pytest.raises(mp.InvalidInputError, match="no value may be masked"):
-        mp.JointPath.line(ends[0], ends[1])
