@@ -275,24 +275,24 @@ class ConstraintProof:
 
 def prove(constraints: ConstraintSet, path: JointPath) -> ConstraintProof:
     """Judge a path. It is a proof for rows of the tool's pose and held joints."""
-    looks = _Looks(constraints, path)
-    unproven = _prove_tool_rows(looks) if len(constraints.weights) else None
-    if constraints.own is not None and looks.broken_at is None:
-        looks.values(path.fine_samples(SAMPLE_STEP))
+    samples = _RowSamples(constraints, path)
+    unproven = _prove_tool_rows(samples) if len(constraints.weights) else None
+    if constraints.own is not None and samples.broken_at is None:
+        samples.values(path.fine_samples(SAMPLE_STEP))
     if constraints.held.any():
-        looks.take_held()
-    failed_at = looks.broken_at if looks.broken_at is not None else unproven
+        samples.take_held()
+    failed_at = samples.broken_at if samples.broken_at is not None else unproven
     sampled = set(constraints.owners[len(constraints.weights) :].tolist())
     return ConstraintProof(
         kept=failed_at is None,
         failed_at=np.nan if failed_at is None else failed_at,
-        least=looks.least,
-        least_at=looks.least_at,
+        least=samples.least,
+        least_at=samples.least_at,
         proven=tuple(failed_at is None and k not in sampled for k in range(len(constraints.constraints))),
     )
 
 
-class _Looks:
+class _RowSamples:
     """The rows at places of a path, and the smallest values found.
 
     Attributes:
@@ -339,17 +339,17 @@ class _Looks:
             self.least[constraint], self.least_at[constraint] = value, s
 
 
-def _prove_tool_rows(looks: _Looks) -> float | None:
+def _prove_tool_rows(samples: _RowSamples) -> float | None:
     """Where the proof of rows of the tool's pose ends; None where it succeeds, or a row is not kept."""
-    rows = len(looks.constraints.weights)
-    begins, widths, bend = _intervals(looks.constraints, looks.path)
-    low, high = looks.values(begins)[:, :rows], looks.values(begins + widths)[:, :rows]
+    rows = len(samples.constraints.weights)
+    begins, widths, bend = _intervals(samples.constraints, samples.path)
+    low, high = samples.values(begins)[:, :rows], samples.values(begins + widths)[:, :rows]
     for _ in range(HALVINGS):
-        left = np.flatnonzero((np.minimum(low, high) - bend * (widths**2)[:, None] / 8 < looks.floor[:rows]).any(axis=1))
-        if not len(left) or looks.broken_at is not None:
+        left = np.flatnonzero((np.minimum(low, high) - bend * (widths**2)[:, None] / 8 < samples.floor[:rows]).any(axis=1))
+        if not len(left) or samples.broken_at is not None:
             return None
         widths = widths[left] / 2
-        middle = looks.values(begins[left] + widths)[:, :rows]
+        middle = samples.values(begins[left] + widths)[:, :rows]
         begins = np.concatenate([begins[left], begins[left] + widths])
         low, high = np.concatenate([low[left], middle]), np.concatenate([middle, high[left]])
         bend, widths = np.tile(bend[left], (2, 1)), np.tile(widths, 2)

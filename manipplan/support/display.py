@@ -41,12 +41,12 @@ def _repr(value: Any) -> str:
 
 
 def rounded_up(value: float, digits: int) -> float:
-    """The smallest number with so many digits that is not below `value`."""
+    """`value` rounded up to a number of significant digits."""
     return float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal_from_float(value))
 
 
 def rounded_down(value: float, digits: int) -> float:
-    """The largest number with so many digits that is not above `value`."""
+    """`value` rounded down to a number of significant digits."""
     return float(Context(prec=digits, rounding=ROUND_FLOOR).create_decimal_from_float(value))
 
 

@@ -45,7 +45,10 @@ def write_bytes(file: str | Path, write: Callable[[IO[bytes]], object]) -> None:
             write(content)
             path.write_bytes(content.getvalue())
         else:
-            _replace(Path(os.path.realpath(path)), write)
+            target = Path(os.path.realpath(path))
+            if target.is_symlink():
+                raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))  # links that lead to one another
+            _replace(target, write)
     except InvalidInputError:
         raise
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the name

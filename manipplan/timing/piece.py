@@ -73,7 +73,13 @@ class StraightMotion:
         if rise and hold < shortest:
             rise, hold = rise + hold, 0.0
         rise = max(rise, shortest) if rise else 0.0
-        return cls(start=start, goal=goal, rise=_rounded_up(rise), hold=_rounded_up(hold), steady=_rounded_up(steady))
+        return cls(
+            start=start,
+            goal=goal,
+            rise=_whole_nanoseconds(rise),
+            hold=_whole_nanoseconds(hold),
+            steady=_whole_nanoseconds(steady),
+        )
 
     @property
     def duration(self) -> float:
@@ -85,7 +91,7 @@ class StraightMotion:
 
         Those between serve controllers that interpolate samples otherwise.
         """
-        rise, hold, steady = (_rounded_up(each * factor) for each in (self.rise, self.hold, self.steady))
+        rise, hold, steady = (_whole_nanoseconds(each * factor) for each in (self.rise, self.hold, self.steady))
         parts = np.array([rise, hold, rise, steady, rise, hold, rise])
         # the way is jerk · rise (rise + hold) (2 rise + hold + steady); shares of it are used as unit of length
         speed = 1 / (2 * rise + hold + steady)
@@ -124,7 +130,7 @@ def _phases(length: float, v: float, a: float, j: float) -> tuple[float, float]:
     return float(rise), float(ramp - 2 * rise)
 
 
-def _rounded_up(seconds: float) -> float:
+def _whole_nanoseconds(seconds: float) -> float:
     """The next multiple of a nanosecond, of a time that rounding made at most 1e-12 s too long, or negative."""
     return max(float(np.ceil(seconds * 1e9 - 1e-3)), 0.0) / 1e9
 

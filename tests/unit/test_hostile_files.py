@@ -153,6 +153,11 @@ def test_a_link_stays_and_its_file_is_replaced(motion, tmp_path):
     motion.to_csv(beyond)
     assert beyond.is_symlink() and (tmp_path / "new.csv").is_file()
     assert not list(tmp_path.glob("*.part"))
+    for name, other in (("first", "second"), ("second", "first")):
+        (tmp_path / name).symlink_to(tmp_path / other)
+    with pytest.raises(mp.InvalidInputError, match="path that can be written"):
+        motion.to_csv(tmp_path / "first")
+    assert (tmp_path / "first").is_symlink()
 
 
 def test_a_pipe_is_written_and_stays_a_pipe(motion, tmp_path):
