@@ -3,6 +3,7 @@
 The tool path beside the workspace path it follows, and its deviation from that path.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ from manipplan.jobs.recordings.comparison import pose_distances
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviations
 from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -33,8 +35,13 @@ if TYPE_CHECKING:
 
 def save_plan(plan: "Plan", file: str | Path) -> None:
     """Write the picture of a plan as PNG; see `plan_figure`."""
+    save_figure(lambda: plan_figure(plan), file)
+
+
+def save_figure(draw: Callable[[], Any], file: str | Path) -> None:
+    """Write the figure that `draw` returns as PNG."""
     with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
-        figure = plan_figure(plan)
+        figure = draw()
         write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
 
 
@@ -44,33 +51,20 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     `figure` is a Matplotlib figure to draw into; default: a new one of 11.5 x 6 inches. Returns the figure. Raises
     PlanningError for a plan without a trajectory.
     """
-    from matplotlib.figure import Figure
-
     finished(plan)
     paths = named_paths(plan)
     seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
+    title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s"
+    if plan.report.counts:
+        title += f", minimum manipulability {plan.report.min_manipulability:.3g}"
     with style.shared():
-        figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
-        figure.set_layout_engine("constrained")
-        parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
-        left, right = parts
-        title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s"
-        if plan.report.counts:
-            title += f", minimum manipulability {plan.report.min_manipulability:.3g}"
-        left.suptitle(title, fontsize=11, x=0.02, ha="left")
-        if plan.robot.planar:
-            plot_planar_arm(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=left.subplots())
-        else:
-            ax = left.add_subplot(projection="3d")
-            plot_arm(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=ax)
-        top, bottom = right.subplots(2, 1)
+        figure, space, top, bottom = draw_motion(figure, title, plan.robot, plan.trajectory)
+        plot = plot_planar_arm if plan.robot.planar else plot_arm
+        plot(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=space)
         kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
         bound = plan.refinement.bound if plan.refinement is not None else None
         started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path allows no straight line
         plot_manipulability(kinematics, paths, straight=started_free, bound=bound, ax=top)
-        limits = plan.robot.limits
-        ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
-        plot_joints(plan.trajectory, limits, share=ranged, unit=joint_unit(plan.robot), ax=bottom)
         for begin, end in plan.off_path:
             bottom.axvspan(begin, end, color=style.ARM, alpha=0.12, linewidth=0)
             bottom.annotate(
@@ -85,6 +79,26 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     return figure
 
 
+def draw_motion(figure: Any, title: str, robot: Robot, trajectory: Trajectory) -> tuple[Any, Any, Any, Any]:
+    """Draw the title and the joints over time; returns the figure, and its axes for the arm, its measure and its joints.
+
+    `figure` is a Matplotlib figure to draw into, or None for a new one of 11.5 x 6 inches.
+    """
+    from matplotlib.figure import Figure
+
+    figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
+    figure.set_layout_engine("constrained")
+    parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
+    left, right = parts
+    left.suptitle(title, fontsize=11, x=0.02, ha="left")
+    space = left.subplots() if robot.planar else left.add_subplot(projection="3d")
+    top, bottom = right.subplots(2, 1)
+    ranged = bool(np.isfinite([robot.limits.lower, robot.limits.upper]).all())
+    units = {"m" if kind == "prismatic" else "rad" for kind in robot.joint_types}
+    plot_joints(trajectory, robot.limits, share=ranged, unit=" or ".join(sorted(units, reverse=True)), ax=bottom)
+    return figure, space, top, bottom
+
+
 def finished(plan: "Plan") -> None:
     """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory."""
     from manipplan.jobs.result import PartialPlan, Plan
@@ -92,12 +106,6 @@ def finished(plan: "Plan") -> None:
     instance("plan", plan, PartialPlan)
     if not isinstance(plan, Plan):
         raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
-
-
-def joint_unit(robot: Robot) -> str:
-    """The unit of a robot's joint positions."""
-    units = {"m" if kind == "prismatic" else "rad" for kind in robot.joint_types}
-    return " or ".join(sorted(units, reverse=True))
 
 
 #: Number of points at which the tool's z axis is drawn, and its length as a share of the picture.

@@ -16,12 +16,10 @@ from manipplan.robots.attached import Solid
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
-from manipplan.support.files import write_bytes
-from manipplan.support.progress import uninterrupted
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm
-from manipplan.viz.curves import POINTS, plot_joints
-from manipplan.viz.plan import joint_unit
+from manipplan.viz.curves import POINTS
+from manipplan.viz.plan import draw_motion, save_figure
 from manipplan.viz.planar import plot_planar_arm
 from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
@@ -122,45 +120,29 @@ TOGETHER = 0.015
 
 def save_program(program: "Program", file: str | Path) -> None:
     """Write the picture of a program as PNG; see `program_figure`."""
-    with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
-        figure = program_figure(program)
-        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+    save_figure(lambda: program_figure(program), file)
 
 
 def program_figure(program: "Program", figure: Any = None) -> Any:
     """Draw a program: the arm and its parts along the motion, and manipulability and joints over time, with the steps.
 
-    Parts are drawn where they are at the beginning, on their way, and where they are put down. `figure` is a Matplotlib figure
+    Parts are drawn where they are at the start, on their way, and where they are put down. `figure` is a Matplotlib figure
     to draw into; default: a new one of 11.5 x 6 inches. Returns the figure.
     """
-    from matplotlib.figure import Figure
-
     from manipplan.jobs.programs.program import Program
 
     instance("program", program, Program)
-    robot, moved = bare(program.robot), moved_parts(program)
+    robot = bare(program.robot)
+    title = f"{robot.name}: {len(program.marks)} steps, {program.duration:.2f} s, minimum m {program.min_manipulability:.3g}"
     with style.shared():
-        figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
-        figure.set_layout_engine("constrained")
-        parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
-        left, right = parts
-        title = (
-            f"{robot.name}: {len(program.marks)} steps, {program.duration:.2f} s, minimum m {program.min_manipulability:.3g}"
-        )
-        left.suptitle(title, fontsize=11, x=0.02, ha="left")
-        if robot.planar:
-            plot_planar_arm(robot, program.trajectory, program.scene, places=POSTURES, ax=left.subplots())
-        else:
-            ax = left.add_subplot(projection="3d")
-            plot_arm(robot, program.trajectory, program.scene, places=POSTURES, ax=ax)
-            _write_blends(ax, program)
-            for part in moved:
-                _draw_part(ax, program, part)
-        top, bottom = right.subplots(2, 1)
+        figure, space, top, bottom = draw_motion(figure, title, robot, program.trajectory)
+        plot = plot_planar_arm if robot.planar else plot_arm
+        plot(robot, program.trajectory, program.scene, places=POSTURES, ax=space)
+        if not robot.planar:
+            _write_blends(space, program)
+            for part in moved_parts(program):
+                _draw_part(space, program, part)
         _plot_measure(program, top)
-        limits = robot.limits
-        ranged = bool(np.isfinite([limits.lower, limits.upper]).all())
-        plot_joints(program.trajectory, limits, share=ranged, unit=joint_unit(robot), ax=bottom)
         draw_marks(program, top, names=True)
         draw_marks(program, bottom, names=False)
     return figure
