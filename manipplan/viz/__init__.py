@@ -5,10 +5,9 @@ imported with the first picture.
 """
 
 from manipplan.viz.animation import animate
-from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids
+from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm
 from manipplan.viz.curves import plot_convergence, plot_joints, plot_layers, plot_manipulability, plot_singular_values
 from manipplan.viz.plan import plan_figure, plot_deviation, plot_tool_path, save_plan
-from manipplan.viz.planar import plot_planar_arm
 from manipplan.viz.program import program_figure, save_program
 
 __all__ = [

@@ -18,10 +18,9 @@ from manipplan.support.errors import InvalidInputError, MissingProgramError
 from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, teller
 from manipplan.viz import style
-from manipplan.viz.arm import default_scale, draw_scene, plot_ellipsoid
+from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
 from manipplan.viz.motions import beside, drawn_tools, named_paths, skeleton, tool_ways
 from manipplan.viz.plan import finished
-from manipplan.viz.planar import draw_flat_bodies, draw_flat_scene
 from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 if TYPE_CHECKING:

@@ -23,10 +23,9 @@ from manipplan.support.status import RECORDED
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
-from manipplan.viz.arm import plot_arm
+from manipplan.viz.arm import plot_arm, plot_planar_arm
 from manipplan.viz.curves import plot_joints, plot_manipulability
 from manipplan.viz.motions import Motion, joint_path, named_paths
-from manipplan.viz.planar import plot_planar_arm
 from manipplan.viz.shapes import LINES, look_at, write_ends
 
 if TYPE_CHECKING:

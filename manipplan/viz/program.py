@@ -17,10 +17,9 @@ from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.viz import style
-from manipplan.viz.arm import plot_arm
+from manipplan.viz.arm import plot_arm, plot_planar_arm
 from manipplan.viz.curves import POINTS
 from manipplan.viz.plan import draw_motion, save_figure
-from manipplan.viz.planar import plot_planar_arm
 from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
 if TYPE_CHECKING:
