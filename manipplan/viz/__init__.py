@@ -5,10 +5,16 @@ imported with the first picture.
 """
 
 from manipplan.viz.animation import animate
-from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm
-from manipplan.viz.curves import plot_convergence, plot_joints, plot_layers, plot_manipulability, plot_singular_values
-from manipplan.viz.plan import plan_figure, plot_deviation, plot_tool_path, save_plan
-from manipplan.viz.program import program_figure, save_program
+from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm, plot_tool_path
+from manipplan.viz.curves import (
+    plot_convergence,
+    plot_deviation,
+    plot_joints,
+    plot_layers,
+    plot_manipulability,
+    plot_singular_values,
+)
+from manipplan.viz.figure import plan_figure, program_figure, save_plan, save_program
 
 __all__ = [
     "animate",

@@ -19,8 +19,8 @@ from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, teller
 from manipplan.viz import style
 from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
+from manipplan.viz.figure import finished
 from manipplan.viz.motions import beside, drawn_tools, named_paths, skeleton, tool_ways
-from manipplan.viz.plan import finished
 from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 if TYPE_CHECKING:

@@ -15,6 +15,7 @@ from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, number, whole_number
@@ -327,3 +328,48 @@ def _below(plane: Plane, low: Array, high: Array) -> Array:
         if a * b < 0:
             kept.append(corners[k] + a / (a - b) * (corners[(k + 1) % 4] - corners[k]))
     return np.array(kept)
+
+
+#: Number of points at which the tool's z axis is drawn, and its length as a share of the picture.
+AXES, LONG = 9, 0.08
+
+
+def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath | None = None, *, ax: Any = None) -> Any:
+    """The tool path with its z axis at points along it, beside the workspace path that it follows.
+
+    Args:
+        robot: the arm.
+        motion: a JointPath, Trajectory or Tracking.
+        workspace_path: the path that is followed; None: no comparison.
+        ax: Matplotlib axes, with projection="3d" unless the arm is planar; None: those of a new figure.
+
+    Returns the axes.
+    """
+    curve = joint_path("motion", motion, instance("robot", robot, Robot))
+    if workspace_path is not None and not isinstance(workspace_path, CartesianPath):
+        raise InvalidInputError("workspace_path", workspace_path, "a CartesianPath or None")
+    m = 2 if robot.planar else 3
+    pose = robot.kinematics().pose
+    way = pose(curve(np.linspace(0.0, 1.0, 400)))[:, :3, 3]
+    seen = [way]
+    ax = style.axes_for(ax, solid=m == 3, size=(6.0, 5.0))
+    with style.shared():
+        if workspace_path is not None:
+            wanted = workspace_path.sample(400)[:, :3, 3]
+            seen.append(wanted)
+            ax.plot(*wanted[:, :m].T, color=style.STRAIGHT, linewidth=4.0, alpha=0.6, label="workspace path")
+        ax.plot(*way[:, :m].T, color=style.OPTIMUM, label="tool", zorder=LINES)
+        if m == 3:
+            long = LONG * np.ptp(np.concatenate(seen), axis=0).max()
+            for each in pose(curve(np.linspace(0.0, 1.0, AXES))):
+                ray = np.stack([each[:3, 3], each[:3, 3] + long * each[:3, 2]])
+                seen.append(ray)
+                ax.plot(*ray.T, color=style.ELLIPSOID, linewidth=1.2)
+            ax.plot([], [], [], color=style.ELLIPSOID, linewidth=1.2, label="tool's z axis")
+            look_at(ax, seen)
+        else:
+            ax.set_aspect("equal", adjustable="datalim")
+            style.name_axes(ax)
+        write_ends(ax, way[:, :m])
+        ax.legend(loc="upper right")
+    return ax

@@ -1,16 +1,20 @@
 """Curves along a motion: joints and their limits over time, manipulability and singular values over the share of length.
 
-How a result was found: the layered search with its candidates, and the optimiser solve by solve.
+How a result was found: the layered search with its candidates, and the optimiser solve by solve. The tool's
+deviation from the path it follows.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from manipplan.jobs.recordings.comparison import pose_distances
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult
+from manipplan.paths.deviation import deviations
 from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.search.layers import Layers
@@ -19,8 +23,13 @@ from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import SAME
+from manipplan.symbolic.free_motion import FreeMotion
+from manipplan.tracking.track import Tracking
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
+
+if TYPE_CHECKING:
+    from manipplan.jobs.result import Plan
 
 #: Number of points per curve.
 POINTS = 801
@@ -260,3 +269,61 @@ def _evenly(m: Any) -> Any:
     if len(m) <= CANDIDATES:
         return np.sort(m)
     return np.sort(m)[np.linspace(0, len(m) - 1, CANDIDATES).round().astype(int)]
+
+
+def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = None, ax: Any = None) -> Any:
+    """Deviation of the tool from the path it follows over time, in mm, and on a second scale in degrees.
+
+    Args:
+        motion: a Tracking, or a Plan of `follow` or `improve`: a Tracking is compared with its target of the same time, a Plan
+            of `follow` with the nearest point of the workspace path while it follows it, one of `improve` with the recorded
+            pose of the same share of the time.
+        tolerance: drawn as dashed lines; default: the tolerance of the plan.
+        ax: Matplotlib axes; None: those of a new figure. The scale in degrees gets axes of its own over these.
+
+    Returns the axes of the scale in mm. Raises InvalidInputError for a plan that follows no path.
+    """
+    if tolerance is not None:
+        instance("tolerance", tolerance, Tolerance)
+    elif not isinstance(motion, Tracking):
+        tolerance = getattr(motion, "tolerance", None)
+    t, position, rotation = _over_time(motion)
+    ax = style.axes_for(ax)
+    with style.shared():
+        ax.set(xlabel="time [s]", xlim=(t[0], t[-1]), title="deviation of the tool from its path")
+        limits = (None, None) if tolerance is None else (tolerance.position, tolerance.rotation)
+        kinds = [(ax, 1e3 * position, "position [mm]", style.OPTIMUM, limits[0], 1e3)]
+        if np.nan_to_num(rotation).any():
+            twin = ax.twinx()
+            twin.grid(False)
+            twin.spines["right"].set_visible(True)
+            kinds.append((twin, np.rad2deg(rotation), "rotation [°]", style.LIMIT, limits[1], 180 / np.pi))
+        for axes, values, label, colour, limit, unit in kinds:
+            axes.plot(t, values, color=colour)
+            if limit is not None:
+                axes.axhline(limit * unit, color=colour, linestyle=(0, (4, 3)), linewidth=1.0)
+            axes.set_ylim(0, 1.08 * max(np.nanmax(values), 0.0 if limit is None else limit * unit, 1e-9))
+            axes.set_ylabel(label + ("; dashed: allowed" if limit is not None else ""), color=colour)
+            axes.tick_params(axis="y", colors=colour)
+    return ax
+
+
+def _over_time(motion: Any) -> tuple[Array, Array, Array]:
+    """Times [s] and deviations [m, rad], (k,) each."""
+    if isinstance(motion, Tracking):
+        return motion.t, motion.deviation, motion.rotation_deviation
+    workspace_path, trajectory = getattr(motion, "workspace_path", None), getattr(motion, "trajectory", None)
+    if trajectory is not None and motion.comparison is not None:
+        u = np.linspace(0.0, 1.0, POINTS)
+        kinematics = motion.robot.kinematics(motion.result.task)
+        first, second = kinematics.pose(motion.result.seed(u)), kinematics.pose(motion.path(u))
+        return u * trajectory.duration, *pose_distances(first, second, kinematics.task)
+    if trajectory is None or workspace_path is None:
+        raise InvalidInputError("motion", motion, "a Tracking, or a Plan of follow or improve that has a trajectory")
+    t = np.linspace(motion.path_begin, trajectory.duration, POINTS)
+    poses = motion.robot.kinematics().pose(trajectory(t))
+    distances = deviations(workspace_path, poses, FreeMotion.of(motion.result.task, planar=motion.robot.planar))
+    for begin, end in motion.off_path:
+        for values in distances:
+            values[(t > begin) & (t < end)] = np.nan
+    return t, *distances

@@ -16,9 +16,8 @@ from manipplan.robots.robot import Robot
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene
 from manipplan.viz.curves import plot_joints
+from manipplan.viz.figure import plan_figure, program_figure
 from manipplan.viz.motions import skeleton
-from manipplan.viz.plan import plan_figure
-from manipplan.viz.program import program_figure
 from manipplan.viz.shapes import arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 #: Resolution of the pictures [dots per inch], and maximum number of solutions that are drawn.

@@ -11,7 +11,7 @@ import manipplan as mp
 from manipplan.jobs.report import PathPart
 from manipplan.paths.deviation import deviation_from
 from manipplan.search.layers import choose_positions
-from manipplan.viz.plan import plan_figure
+from manipplan.viz.figure import plan_figure
 
 #: Retreat of the tool [m].
 AWAY = 0.04

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.robots.model_tree import frame_pose
-from manipplan.viz.program import moved_parts
+from manipplan.viz.motions import moved_parts
 
 LEFT, RIGHT = "left_gripper", "right_gripper"
 OFF = np.eye(4)

@@ -7,7 +7,8 @@ from program_cell import part_pose, placed_part
 
 import manipplan as mp
 from manipplan.cli import main
-from manipplan.viz.program import moved_parts, program_figure
+from manipplan.viz.figure import program_figure
+from manipplan.viz.motions import moved_parts
 from manipplan.viz.viewer import plan_viewer
 
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 import manipplan as mp
 from manipplan.viz.animation import _stage
 from manipplan.viz.arm import plot_arm, plot_ellipsoids
-from manipplan.viz.plan import plan_figure
+from manipplan.viz.figure import plan_figure
 from manipplan.viz.viewer.bodies import _rods
 from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.plan_viewer import about

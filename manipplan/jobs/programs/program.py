@@ -167,7 +167,7 @@ class Program(Pictured):
         program.json and one file for each part. All files of a plan or program that was saved there before are replaced in one
         step. Raises InvalidInputError when the folder cannot be written.
         """
-        from manipplan.viz.program import save_program
+        from manipplan.viz import save_program
 
         with replacing(folder) as (to, new):
             self.trajectory.to_csv(new / "trajectory.csv")

@@ -16,8 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, beside, drawn_tools, named_paths
-from manipplan.viz.program import MovedPart, bare, fixed, moved_parts
+from manipplan.viz.motions import DrawnTool, MovedPart, bare, beside, drawn_tools, fixed, moved_parts, named_paths
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 
 #: Number of times at which curves are sampled.

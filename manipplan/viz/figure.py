@@ -1,120 +1,108 @@
-"""The picture of a program: the arm with its parts, and manipulability and joints over time, with the steps.
+"""The figures of a plan and of a program: the arm along the motion, and its manipulability and joints over it."""
 
-MovedPart: a part that a program takes up or puts down, with where it is over time.
-"""
-
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.collision.scene import Scene
-from manipplan.robots.attached import Solid
-from manipplan.robots.model_tree import frame_pose
+from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance
+from manipplan.support.checks import instance
+from manipplan.support.errors import PlanningError
+from manipplan.support.files import write_bytes
+from manipplan.support.progress import uninterrupted
+from manipplan.support.status import RECORDED
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm, plot_planar_arm
-from manipplan.viz.curves import POINTS
-from manipplan.viz.plan import draw_motion, save_figure
+from manipplan.viz.curves import POINTS, plot_joints, plot_manipulability
+from manipplan.viz.motions import MovedPart, bare, moved_parts, named_paths
 from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
 if TYPE_CHECKING:
     from manipplan.jobs.programs.program import Program
-
-#: Places that differ by less than this are the same [m].
-SAME = 1e-9
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MovedPart:
-    """A part that a program takes up or puts down.
-
-    Attributes:
-        name: of the part.
-        times: when it is taken up or put down, from 0 on [s].
-        held: for each of these times, whether the hand carries it from then on.
-        solids: for each, the part posed in the frame of the hand or in the world; None while it is nowhere.
-        frames: for each, the tool frame of the hand; "" while no hand carries it.
-    """
-
-    name: str
-    times: tuple[float, ...]
-    held: tuple[bool, ...]
-    solids: tuple[Solid | None, ...]
-    frames: tuple[str, ...]
-
-    def at(self, t: float, robot: Robot, q: Array) -> Solid | None:
-        """The part at time t [s], posed in the world, with the arm at q (n,); None where it is nowhere."""
-        solid, frame = self.solids[self._since(t)], self.frames[self._since(t)]
-        return solid.at(frame_pose(robot.model, frame, q)) if solid is not None and frame else solid
-
-    def is_held(self, t: float) -> bool:
-        """Whether the hand carries it at time t [s]."""
-        return self.held[self._since(t)]
-
-    def _since(self, t: float) -> int:
-        return int(np.searchsorted(self.times, t, side="right")) - 1
-
-    @property
-    def solid(self) -> Solid:
-        """The part, wherever it is first."""
-        return next(each for each in self.solids if each is not None)
-
-
-def moved_parts(program: "Program") -> tuple[MovedPart, ...]:
-    """The parts that a program takes up or puts down, or carries from the beginning."""
-    states = _states(program)
-    names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
-    return tuple(_moved(name, states) for name in names)
-
-
-def bare(robot: Robot) -> Robot:
-    """The arm without what it carries."""
-    for name in robot.carried:
-        robot = robot.detach(name)
-    return robot
-
-
-def fixed(scene: Scene, moved: Sequence[MovedPart]) -> Scene:
-    """The obstacles that stay where they are."""
-    names = {each.name for each in moved}
-    return Scene([each for each in scene.named if each.name not in names])
-
-
-def _states(program: "Program") -> list[tuple[float, Robot, Scene]]:
-    """Arm and scene, and since when they are so: parts change hands at the marks between two motions."""
-    changes = [mark.begin for mark in program.marks if mark.name in ("Attach", "Detach")]
-    states = [(0.0, program.robot, program.scene)]
-    ends = [begin + part.trajectory.duration for part, begin in zip(program.parts, program.begins, strict=True)]
-    later = [(begin, part.robot, part.scene) for part, begin in zip(program.parts, program.begins, strict=True)]
-    for before, (begin, robot, scene) in zip(
-        [0.0, *ends], [*later, (np.inf, program.final_robot, program.final_scene)], strict=True
-    ):
-        at = [each for each in changes if before - 1e-9 <= each <= begin + 1e-9]
-        if at:
-            states.append((min(at), robot, scene))
-    return states
-
-
-def _moved(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
-    times, held, solids, frames = [], [], [], []
-    for since, robot, scene in states:
-        times.append(since)
-        held.append(name in robot.carried)
-        frames.append(robot.carried[name].frame if name in robot.carried else "")
-        standing = next((each for each in scene.named if each.name == name), None)
-        solids.append(robot.carried[name].solid if name in robot.carried else standing)
-    return MovedPart(name=name, times=tuple(times), held=tuple(held), solids=tuple(solids), frames=tuple(frames))
-
+    from manipplan.jobs.result import Plan
 
 #: Number of postures of the arm that are drawn, and of places of a part while it is carried.
 POSTURES, CARRIED = 9, 4
 #: Steps that begin within this share of the duration share a label.
 TOGETHER = 0.015
+
+
+def save_plan(plan: "Plan", file: str | Path) -> None:
+    """Write the picture of a plan as PNG; see `plan_figure`."""
+    save_figure(lambda: plan_figure(plan), file)
+
+
+def save_figure(draw: Callable[[], Any], file: str | Path) -> None:
+    """Write the figure that `draw` returns as PNG."""
+    with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
+        figure = draw()
+        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+
+
+def plan_figure(plan: "Plan", figure: Any = None) -> Any:
+    """Draw a plan: the arm along the path, its manipulability and that of the initial path, and the joints over time.
+
+    `figure` is a Matplotlib figure to draw into; default: a new one of 11.5 x 6 inches. Returns the figure. Raises
+    PlanningError for a plan without a trajectory.
+    """
+    finished(plan)
+    paths = named_paths(plan)
+    seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
+    title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s"
+    if plan.report.counts:
+        title += f", minimum manipulability {plan.report.min_manipulability:.3g}"
+    with style.shared():
+        figure, space, top, bottom = draw_motion(figure, title, plan.robot, plan.trajectory)
+        plot = plot_planar_arm if plan.robot.planar else plot_arm
+        plot(plan.robot, plan.path, plan.scene, seed=seed, names=names, ax=space)
+        kinematics = plan.robot.kinematics(plan.result.task, measure=plan.result.measure)
+        bound = plan.refinement.bound if plan.refinement is not None else None
+        started_free = plan.refinement is None and plan.result.status not in RECORDED  # a tool path allows no straight line
+        plot_manipulability(kinematics, paths, straight=started_free, bound=bound, ax=top)
+        for begin, end in plan.off_path:
+            bottom.axvspan(begin, end, color=style.ARM, alpha=0.12, linewidth=0)
+            bottom.annotate(
+                "off the path",
+                (begin, 0.0),
+                xycoords=("data", "axes fraction"),
+                xytext=(3, 3),
+                textcoords="offset points",
+                fontsize=8,
+                color=style.ARM,
+            )
+    return figure
+
+
+def draw_motion(figure: Any, title: str, robot: Robot, trajectory: Trajectory) -> tuple[Any, Any, Any, Any]:
+    """Draw the title and the joints over time; returns the figure, and its axes for the arm, its measure and its joints.
+
+    `figure` is a Matplotlib figure to draw into, or None for a new one of 11.5 x 6 inches.
+    """
+    from matplotlib.figure import Figure
+
+    figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
+    figure.set_layout_engine("constrained")
+    parts: Any = figure.subfigures(1, 2, width_ratios=(1.15, 1))
+    left, right = parts
+    left.suptitle(title, fontsize=11, x=0.02, ha="left")
+    space = left.subplots() if robot.planar else left.add_subplot(projection="3d")
+    top, bottom = right.subplots(2, 1)
+    ranged = bool(np.isfinite([robot.limits.lower, robot.limits.upper]).all())
+    units = {"m" if kind == "prismatic" else "rad" for kind in robot.joint_types}
+    plot_joints(trajectory, robot.limits, share=ranged, unit=" or ".join(sorted(units, reverse=True)), ax=bottom)
+    return figure, space, top, bottom
+
+
+def finished(plan: "Plan") -> None:
+    """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory."""
+    from manipplan.jobs.result import PartialPlan, Plan
+
+    instance("plan", plan, PartialPlan)
+    if not isinstance(plan, Plan):
+        raise PlanningError(f"there is no trajectory to draw: {plan.status.value}", plan)
 
 
 def save_program(program: "Program", file: str | Path) -> None:
