@@ -63,7 +63,7 @@ class Film:
             return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
         palette = _palette([picture(time) for time in self.times[[0, len(self.times) // 2, -1]]], self.colours)
-        frames = [picture(time).quantize(palette=palette, dither=Image.Dither.NONE) for time in self._told()]
+        frames = [picture(time).quantize(palette=palette, dither=Image.Dither.NONE) for time in self._timed()]
         ends = np.round(100 * np.arange(len(frames)) / self.fps).astype(int)
         shown = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
         frames[0].save(stream, format="GIF", save_all=True, append_images=frames[1:], duration=shown, loop=0)
@@ -78,12 +78,12 @@ class Film:
         with tempfile.TemporaryDirectory() as folder:  # ffmpeg seeks to the start of its file, which a stream may not allow
             file = Path(folder) / "film.mp4"
             with writer.saving(self.figure, str(file), self.figure.dpi):
-                for time in self._told():
+                for time in self._timed():
                     self.show(time)
                     writer.grab_frame()
             stream.write(file.read_bytes())
 
-    def _told(self) -> Iterator[float]:
+    def _timed(self) -> Iterator[float]:
         for k, time in enumerate(self.times.tolist()):
             self.tell(k / len(self.times), f"frame {k + 1} of {len(self.times)}")
             yield time
@@ -111,9 +111,9 @@ def _palette(frames: list[Any], colours: int) -> Any:
 #: Maximum frame rate of a GIF [1/s]: it counts hundredths of a second, and browsers slow down frames shorter than two.
 MOST_GIF_FPS = 50.0
 #: Minimum and maximum side length [pixels]: smaller pictures are illegible, larger ones exceed any screen.
-SIDES = (50, 8192)
+PIXELS = (50, 8192)
 #: Number of points of the motion from which the axis limits are taken.
-LOOKS = 40
+POSTURES = 40
 #: Factor by which the single ellipsoid is drawn larger than the several of a still picture.
 LARGER = 1.8
 
@@ -156,8 +156,8 @@ def animate(
     speed, dpi = number("speed", speed, above=0.0), number("dpi", dpi, least=10.0, most=1000.0)
     colours = whole_number("colours", colours, least=2, most=256)
     pixels = dpi * finite_array("size", size, (2,))
-    if not ((pixels >= SIDES[0]) & (pixels <= SIDES[1])).all():
-        allowed = f"width and height [inches] that make {SIDES[0]} to {SIDES[1]} pixels at {dpi:g} per inch"
+    if not ((pixels >= PIXELS[0]) & (pixels <= PIXELS[1])).all():
+        allowed = f"width and height [inches] that make {PIXELS[0]} to {PIXELS[1]} pixels at {dpi:g} per inch"
         raise InvalidInputError("size", size, allowed)
     finished(plan)
     if kind == ".mp4":
@@ -191,28 +191,28 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     over_time = figure.add_subplot(grid[1])
 
     colours = {name: style.OPTIMUM if path is ours else style.SEED for name, path in paths.items()}
-    courses = {name: trajectory if path is ours else beside(trajectory, path) for name, path in paths.items()}
+    motions = {name: trajectory if path is ours else beside(trajectory, path) for name, path in paths.items()}
     ways = {name: [way[:, :m] for way in tool_ways(robot, path)] for name, path in paths.items()}
-    looks = trajectory(np.linspace(0.0, trajectory.duration, LOOKS))
-    seen = [*chain(*ways.values()), *(skeleton(robot, q)[:, :m] for q in looks)]
+    postures = trajectory(np.linspace(0.0, trajectory.duration, POSTURES))
+    seen = [*chain(*ways.values()), *(skeleton(robot, q)[:, :m] for q in postures)]
     if robot.planar:
         draw_flat_scene(space, plan.scene, seen)
         style.name_axes(space)
     else:
-        ends = [joined(arm_surfaces(robot, q)) for q in (looks[0], looks[-1])]
+        ends = [joined(arm_surfaces(robot, q)) for q in (postures[0], postures[-1])]
         look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
         space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # arm over obstacles, ellipsoid over both: moving parts are always visible
     for name, tools in ways.items():
         label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"
         for k, way in enumerate(tools):
-            look = {"color": colours[name], "linewidth": 1.3, "alpha": 0.7, "zorder": LINES}
-            space.plot(*way.T, label=None if k else label, **look)
+            line = {"color": colours[name], "linewidth": 1.3, "alpha": 0.7, "zorder": LINES}
+            space.plot(*way.T, label=None if k else label, **line)
     space.legend(loc="upper right")
 
     kinematics = robot.kinematics(plan.result.task, measure=plan.result.measure)
     t = np.linspace(0.0, trajectory.duration, 400)
-    for name, at in courses.items():
+    for name, at in motions.items():
         over_time.plot(t, kinematics.manipulability(at(t)), color=colours[name], label=name)
     over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
     if over_time.dataLim.ymin >= 0:
@@ -224,7 +224,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     space.autoscale(False)
 
     drawn = drawn_tools(robot)
-    scale = LARGER * default_scale(robot, drawn, looks)
+    scale = LARGER * default_scale(robot, drawn, postures)
     moving: list[Any] = []
 
     def show(time: float) -> None:
@@ -240,7 +240,7 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         for tool in drawn:
             ellipsoid, centre = velocity_ellipsoid(tool.jacobian(q)), tool.pose(q)[:m, 3]
             plot_ellipsoid(ellipsoid, centre, ax=space, scale=scale, alpha=0.55)
-        for name, at in courses.items():
+        for name, at in motions.items():
             over_time.plot(time, kinematics.manipulability(at(time)), "o", color=colours[name], clip_on=False)
             if at is not trajectory:
                 draw_skeleton(space, skeleton(robot, at(time))[:, :m], colour=colours[name], alpha=0.6)

@@ -55,7 +55,7 @@ def plot_ellipsoid(
     scale: float = 1.0,
     largest: float | None = None,
     axes: bool = False,
-    **look: Any,
+    **options: Any,
 ) -> Any:
     """Draw an ellipsoid of two rows as an ellipse, an ellipsoid of three rows as a surface on 3D axes.
 
@@ -66,7 +66,7 @@ def plot_ellipsoid(
         scale: metres drawn per unit of the radii.
         largest: limit on the drawn radii; required if one is infinite.
         axes: whether the principal axes are drawn as well.
-        **look: color, alpha, label and other properties of the patch or surface.
+        **options: color, alpha, label and other properties of the patch or surface.
 
     Returns the axes. Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
     """
@@ -78,27 +78,27 @@ def plot_ellipsoid(
     radii = ellipsoid.radii if largest is None else np.minimum(ellipsoid.radii, number("largest", largest, above=0.0))
     if not np.isfinite(radii).all():
         raise InvalidInputError("largest", None, "a length to draw the infinite radius with")
-    look = {"color": style.ELLIPSOID, "alpha": 0.3, "linewidth": 0, **look}
+    options = {"color": style.ELLIPSOID, "alpha": 0.3, "linewidth": 0, **options}
     spokes = scale * radii * ellipsoid.axes
     new = ax is None
     ax = style.axes_for(ax, solid=m == 3, size=(5.0, 5.0))
     with style.shared():
         if axes:
             for spoke in spokes.T:
-                ax.plot(*np.stack([middle - spoke, middle + spoke]).T, color=look["color"], linewidth=1.0)
+                ax.plot(*np.stack([middle - spoke, middle + spoke]).T, color=options["color"], linewidth=1.0)
         if m == 2:
             around = np.linspace(0.0, 2 * np.pi, 90)
             outline = middle + np.stack([np.cos(around), np.sin(around)], axis=1) @ spokes.T
-            ax.fill(*outline.T, **look)
+            ax.fill(*outline.T, **options)
         else:
-            ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 11, "ccount": 19, **look})
+            ax.plot_surface(*np.moveaxis(_ball() @ spokes.T + middle, 2, 0), **{"rcount": 11, "ccount": 19, **options})
         if new:
             ax.set_aspect("equal", adjustable="datalim")
     return ax
 
 
 def plot_ellipsoids(
-    kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **look: Any
+    kinematics: Kinematics, path: Motion, places: int = 7, *, scale: float | None = None, ax: Any = None, **options: Any
 ) -> Any:
     """Velocity ellipsoids at each tool, evenly spaced in the parameter of a motion, with the tool path.
 
@@ -109,7 +109,7 @@ def plot_ellipsoids(
         places: number of ellipsoids, at least 2.
         scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
         ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
-        **look: as in `plot_ellipsoid`.
+        **options: as in `plot_ellipsoid`.
 
     Returns the axes.
     """
@@ -131,7 +131,7 @@ def plot_ellipsoids(
         for tool in tools:
             ax.plot(*tool.pose(fine)[:, :m, 3].T, color=style.OPTIMUM, linewidth=1.2, zorder=LINES)
             for jacobian, centre in zip(tool.jacobian(q), tool.pose(q)[:, :m, 3], strict=True):
-                plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **look)
+                plot_ellipsoid(velocity_ellipsoid(jacobian), centre, ax=ax, scale=scale, **options)
         style.name_axes(ax)
         ax.set_aspect("equal", adjustable="datalim")
     return ax

@@ -108,14 +108,14 @@ class ShownMotion:
         tools = drawn_tools(robot)
         t = np.linspace(0.0, trajectory.duration, SAMPLES)
 
-        def course(name: str, at: Callable[..., Array]) -> MotionSamples:
+        def samples(name: str, at: Callable[..., Array]) -> MotionSamples:
             q = at(t)
             ways = tuple(tool.pose(q)[:, :3, 3] for tool in tools)
             return MotionSamples(name=name, at=at, q=q, manipulability=kinematics.manipulability(q), tools=ways)
 
         (name, _), *others = paths.items()
-        ours = course(name, trajectory)
-        seed = next((course(name, beside(trajectory, path)) for name, path in others if path is not None), None)
+        ours = samples(name, trajectory)
+        seed = next((samples(name, beside(trajectory, path)) for name, path in others if path is not None), None)
         box = _box(robot, ours.q if seed is None else np.concatenate([ours.q, seed.q]))
         return cls(
             robot=robot,
@@ -132,7 +132,7 @@ class ShownMotion:
         )
 
     @property
-    def courses(self) -> tuple[MotionSamples, ...]:
+    def motions(self) -> tuple[MotionSamples, ...]:
         """The motion, and the seed where there is one."""
         return (self.ours,) if self.seed is None else (self.ours, self.seed)
 

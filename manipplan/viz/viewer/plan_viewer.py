@@ -185,8 +185,8 @@ class PlanViewer(Page):
 def chart_of(motion: ShownMotion) -> Chart:
     """The measure over time, of the motion and of the seed."""
     curves = [
-        ChartLine(name=course.name, colour=colour, values=np.nan_to_num(course.manipulability, posinf=0.0))
-        for course, colour in zip(motion.courses, (style.OPTIMUM, style.SEED), strict=False)
+        ChartLine(name=each.name, colour=colour, values=np.nan_to_num(each.manipulability, posinf=0.0))
+        for each, colour in zip(motion.motions, (style.OPTIMUM, style.SEED), strict=False)
     ]
     marks = [(mark.begin, f"{mark.step} {mark.name}") for mark in motion.marks]
     return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics), marks=marks)

@@ -164,8 +164,8 @@ class Stage:
         self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
         if self.seed is not None and motion.seed is not None:
             self.layers[motion.seed.name] = self.seed.root
-        for course, node, colour in zip(motion.courses, ("/path", "/seed_path"), (style.OPTIMUM, style.SEED), strict=False):
-            self.layers[f"path, {course.name}"] = draw_path(scene, node, course.tools, colour)
+        for each, node, colour in zip(motion.motions, ("/path", "/seed_path"), (style.OPTIMUM, style.SEED), strict=False):
+            self.layers[f"path, {each.name}"] = draw_path(scene, node, each.tools, colour)
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
