@@ -148,7 +148,7 @@ class MovedPart:
 
 
 def moved_parts(program: "Program") -> tuple[MovedPart, ...]:
-    """The parts that a program takes up or puts down, or carries from the beginning."""
+    """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
     return tuple(_moved(name, states) for name in names)
