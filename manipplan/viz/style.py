@@ -89,3 +89,8 @@ def name_axes(ax: Any) -> None:
     ax.set(xlabel="x [m]", ylabel="y [m]")
     if ax.name == "3d":
         ax.set_zlabel("z [m]")
+
+
+def rgb(colour: str) -> tuple[float, float, float]:
+    """Red, green and blue in [0, 1] of "#rrggbb"."""
+    return int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255

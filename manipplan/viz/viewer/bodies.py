@@ -7,12 +7,14 @@ Triangle meshes of coal's shapes, for a browser.
 
 import logging
 from dataclasses import dataclass
+from itertools import cycle
 
 import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.scene import Scene
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots import attached, mjcf, subchain
 from manipplan.robots.description import read_visuals
@@ -21,6 +23,8 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, ManipplanError
 from manipplan.support.memo import once_per_owner
+from manipplan.tracking.bodies import CapsuleBodies
+from manipplan.viz import style
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -194,17 +198,29 @@ def appearance_of(robot: Robot) -> Appearance:
 
 
 def _bodies(geometry: pin.GeometryModel) -> tuple[DrawnBody, ...]:
-    made = []
+    made: list[DrawnBody] = []
     for item in geometry.geometryObjects:
-        triangles = triangles_of(item.geometry, MOST if item.parentJoint else STILL)
-        if triangles is None:
-            continue
-        vertices, faces = triangles
-        placed = vertices @ item.placement.rotation.T + item.placement.translation
         red, green, blue, alpha = (float(c) for c in item.meshColor)
         colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
-        made.append(DrawnBody(name=item.name, joint=item.parentJoint, vertices=placed, faces=faces, colour=colour))
+        most = MOST if item.parentJoint else STILL
+        made += _drawn(item.name, item.parentJoint, item.placement, item.geometry, colour, most)
     return tuple(made)
+
+
+def _drawn(
+    name: str,
+    joint: int,
+    place: pin.SE3,
+    shape: coal.CollisionGeometry,
+    colour: tuple[float, float, float, float],
+    most: int = MOST,
+) -> list[DrawnBody]:
+    """The body, or nothing for a mesh without triangles."""
+    triangles = triangles_of(shape, most)
+    if triangles is None:
+        return []
+    vertices = triangles[0] @ place.rotation.T + place.translation
+    return [DrawnBody(name=name, joint=joint, vertices=vertices, faces=triangles[1], colour=colour)]
 
 
 def _rods(robot: Robot) -> tuple[DrawnBody, ...]:
@@ -229,3 +245,30 @@ def _rods(robot: Robot) -> tuple[DrawnBody, ...]:
         placed = triangles[0] @ turn.T + np.asarray(end) / 2
         made.append(DrawnBody(name=f"rod{k}", joint=joint, vertices=placed, faces=triangles[1], colour=GREY))
     return tuple(made)
+
+
+#: Opacity of capsules, which are drawn around the links.
+AROUND = 0.35
+
+
+def convex_bodies(robot: Robot) -> list[DrawnBody]:
+    """The bodies of the collision model; neighbouring ones differ in colour."""
+    model = Scene().collision_model(robot)
+    found: list[DrawnBody] = []
+    for item, colour in zip(model.objects[: model.bodies], cycle(style.PIECES), strict=False):
+        if not isinstance(item.geometry, coal.Halfspace | coal.Plane):
+            found += _drawn(item.name, item.parentJoint, item.placement, item.geometry, (*style.rgb(colour), 1.0))
+    return found
+
+
+def capsules(robot: Robot) -> list[DrawnBody]:
+    """The capsules and balls that a controller keeps apart."""
+    found: list[DrawnBody] = []
+    for body in CapsuleBodies.of(robot).items:
+        along = body.end - body.start
+        length = float(np.linalg.norm(along))
+        turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
+        shape = coal.Capsule(body.radius, length) if length > 0 else coal.Sphere(body.radius)
+        place = pin.SE3(turn, (body.start + body.end) / 2)
+        found += _drawn(body.name, body.joint, place, shape, (*style.rgb(style.ELLIPSOID), AROUND))
+    return found

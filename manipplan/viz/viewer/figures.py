@@ -1,9 +1,10 @@
-"""Moving parts of the scene: a robot, and the velocity ellipsoid at its tool.
+"""Moving parts of the scene: a robot, the bodies it is checked with, a carried part, and the velocity ellipsoid at its tool.
 
 The measure over time as SVG, with a mark at the displayed time; a browser draws it without scripts.
 """
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -17,7 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool
-from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, triangles_of
+from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies, triangles_of
 
 #: Opacity of the ghost robot shown for comparison.
 GHOST = 0.45
@@ -45,7 +46,7 @@ class RobotFigure:
         for k, body in enumerate(appearance_of(robot).bodies):
             if ghost is not None and not body.joint:
                 continue  # it would coincide with that of the other robot
-            colour = body.colour if ghost is None else (*rgb(ghost), GHOST)
+            colour = body.colour if ghost is None else (*style.rgb(ghost), GHOST)
             self.meshes.append(draw_body(scene, f"{root}/{body.joint}/{k}", body, colour, casts=ghost is None))
         self.place(robot.neutral)
 
@@ -64,7 +65,9 @@ class PartFigure:
         for k, shape in enumerate(solid.shapes()):
             triangles = triangles_of(shape)
             if triangles is not None:
-                scene.add_mesh_simple(f"{name}/{k}", *triangles, color=rgb(style.OPTIMUM), side="double", receive_shadow=False)
+                scene.add_mesh_simple(
+                    f"{name}/{k}", *triangles, color=style.rgb(style.OPTIMUM), side="double", receive_shadow=False
+                )
         self.place(solid)
 
     def place(self, solid: Solid | None) -> None:
@@ -103,7 +106,7 @@ class EllipsoidFigure:
             name,
             np.asarray(ball.vertices),
             np.asarray(ball.faces),
-            color=rgb(style.ELLIPSOID),
+            color=style.rgb(style.ELLIPSOID),
             opacity=opacity,
             cast_shadow=False,
             receive_shadow=False,
@@ -149,9 +152,51 @@ def put(handle: Any, placement: pin.SE3) -> None:
     handle.wxyz = pin.Quaternion(placement.rotation).coeffs()[[3, 0, 1, 2]]
 
 
-def rgb(colour: str) -> tuple[float, float, float]:
-    """Red, green and blue in [0, 1] of "#rrggbb"."""
-    return int(colour[1:3], 16) / 255, int(colour[3:5], 16) / 255, int(colour[5:7], 16) / 255
+class CheckedFigure:
+    """Bodies that are checked for collisions, on the joint frames of a figure; made when they are shown for the first time."""
+
+    def __init__(
+        self, scene: Any, figure: RobotFigure, name: str, make: Callable[[Robot], Sequence[DrawnBody]], *, replaces: bool
+    ) -> None:
+        """`name`: in the scene; `make` gives the bodies of a robot; `replaces`: whether its links are hidden meanwhile."""
+        self._scene, self._figure, self._name, self._make, self._replaces = scene, figure, name, make, replaces
+        self._lock = threading.Lock()
+        self._meshes: list[Any] = []
+        self._visible = False
+
+    @property
+    def visible(self) -> bool:
+        """Whether the bodies are shown."""
+        return self._visible
+
+    @visible.setter
+    def visible(self, value: bool) -> None:
+        with self._lock:
+            if value and not self._meshes:
+                self._meshes = [
+                    draw_body(
+                        self._scene, f"{self._figure.root.name}/{body.joint}/{self._name}{k}", body, body.colour, casts=False
+                    )
+                    for k, body in enumerate(self._make(self._figure.robot))
+                ]
+            self._visible = value
+            for mesh in self._meshes:
+                mesh.visible = value
+            for link in self._figure.meshes if self._replaces else ():
+                link.visible = not value
+
+
+def checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
+    """The convex bodies that a plan is checked with, and a controller's capsules, by the names of their switches.
+
+    Empty for a robot without collision geometry.
+    """
+    if not figure.robot.geometry.ngeoms:
+        return {}
+    return {
+        "what is checked": CheckedFigure(scene, figure, "checked", convex_bodies, replaces=True),
+        "controller's capsules": CheckedFigure(scene, figure, "capsule", capsules, replaces=False),
+    }
 
 
 #: Size of the drawing and its margins: left, right, top, bottom [px].

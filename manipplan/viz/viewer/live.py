@@ -19,8 +19,16 @@ from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
 from manipplan.viz.motions import drawn_tools
-from manipplan.viz.viewer.checked import checked_layers
-from manipplan.viz.viewer.figures import Chart, ChartLine, EllipsoidFigure, RobotFigure, corners, ellipsoid_scale, put
+from manipplan.viz.viewer.figures import (
+    Chart,
+    ChartLine,
+    EllipsoidFigure,
+    RobotFigure,
+    checked_layers,
+    corners,
+    ellipsoid_scale,
+    put,
+)
 from manipplan.viz.viewer.motion import limits_now
 from manipplan.viz.viewer.plan_viewer import switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra

@@ -16,8 +16,7 @@ from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.shapes import evenly_chosen
 from manipplan.viz.viewer.bodies import PLANE, triangles_of
-from manipplan.viz.viewer.checked import checked_layers
-from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, put, rgb
+from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, checked_layers, corners, put
 from manipplan.viz.viewer.motion import ShownMotion
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
@@ -44,7 +43,7 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
             points = evenly_chosen(obstacle.kept, POINTS).astype(np.float32)
             size = 2 * obstacle.parts()[0].radius
             cloud = scene.add_point_cloud(
-                f"/obstacles/{k}", points, rgb(style.OBSTACLE), point_size=size, point_shape="circle", precision="float32"
+                f"/obstacles/{k}", points, style.rgb(style.OBSTACLE), point_size=size, point_shape="circle", precision="float32"
             )
             put(cloud, obstacle.pose)
             placed = obstacle.kept @ obstacle.pose.rotation.T + obstacle.pose.translation
@@ -59,7 +58,7 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
             mesh = scene.add_mesh_simple(
                 f"/obstacles/{k}/{i}",
                 *triangles,
-                color=rgb(style.OBSTACLE),
+                color=style.rgb(style.OBSTACLE),
                 opacity=0.18 if endless else 0.55,
                 side="double",
                 cast_shadow=not endless,
@@ -190,4 +189,4 @@ class Stage:
 def draw_path(scene: Any, name: str, ways: Sequence[Array], colour: str) -> Any:
     """Lines through the points (k, 3) of each way [m]; returns viser's handle."""
     pieces = np.concatenate([np.stack([points[:-1], points[1:]], axis=1) for points in ways])
-    return scene.add_line_segments(name, pieces, rgb(colour), thickness=LINE, thickness_units="screen")
+    return scene.add_line_segments(name, pieces, style.rgb(colour), thickness=LINE, thickness_units="screen")
