@@ -36,19 +36,19 @@ def run(
     folder = place_for("out", out)
     with terminal.progress() as tell:
         tell(0.0, "loading the robot")
-        told = ProgramFile.read(program)
-        if not (robot or told.robot):
+        file = ProgramFile.read(program)
+        if not (robot or file.robot):
             raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
-        beside = told.path.parent / told.robot
-        name = robot or (str(beside) if beside.is_file() else told.robot)
-        arm, world = options.load(name, jerk=jerk, locked=told.locked)
+        beside = file.path.parent / file.robot
+        name = robot or (str(beside) if beside.is_file() else file.robot)
+        arm, world = options.load(name, jerk=jerk, locked=file.locked)
         made = sequence(
             arm,
-            told.start,
-            told.steps(arm),
-            world if options.scene is not None or told.scene is None else told.scene,
-            blend=told.blend,
-            clearance=told.clearance,
+            file.start,
+            file.steps(arm),
+            world if options.scene is not None or file.scene is None else file.scene,
+            blend=file.blend,
+            clearance=file.clearance,
             torque=torque,
             progress=part(tell, 0.05, 0.95),
         )

@@ -12,7 +12,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 
 #: Value of a row, negative, up to which it counts as kept [rad or m].
-KEPT = 1e-6
+ROW_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.constraints.built_in import POSE, HeldJoints, TiltLimit, ToolFrame, contradiction, tool_frame
-from manipplan.constraints.constraint import KEPT, Constraint, SymbolicPose, constraint_tuple
+from manipplan.constraints.constraint import ROW_TOLERANCE, Constraint, SymbolicPose, constraint_tuple
 from manipplan.paths.joint import JointPath
 from manipplan.robots.arms import led_by
 from manipplan.robots.robot import Robot
@@ -32,7 +32,7 @@ from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.machine_code import BatchFunction
 
 #: Held joints whose values differ by no more than this are the same [rad or m].
-SAME = 1e-9
+EQUAL_VALUE = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -182,7 +182,7 @@ class ConstraintSet:
     def broken(self, q: Array) -> str:
         """Which constraint a configuration (n,) breaks, and how; "" for none. Held joints do not count."""
         for k, value in enumerate(self.worst(self.values(q[None]))):
-            if value < -KEPT:
+            if value < -ROW_TOLERANCE:
                 return f"{self.constraints[k].name}: {self.constraints[k].figure(float(value))}"
         return ""
 
@@ -195,7 +195,7 @@ class ConstraintSet:
     def moved(self, start: Array, q: Array) -> str:
         """Which held joints differ between start and q (n,), and by how much; "" for none."""
         off = np.where(self.held, np.abs(q - start), 0.0)
-        if off.max() <= SAME:
+        if off.max() <= EQUAL_VALUE:
             return ""
         joint = int(off.argmax())
         return f"{self.robot.joint_names[joint]} is held, and differs by {off[joint]:.4g} from the start"
@@ -251,7 +251,7 @@ FIRST_STEP, SAMPLE_STEP = 0.05, 1e-3
 #: Maximum number of halvings of an interval.
 HALVINGS = 14
 #: Number of places at which held joints are looked at.
-PLACES = 1001
+FIXED_JOINT_SAMPLES = 1001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -297,7 +297,7 @@ class _RowSamples:
 
     Attributes:
         least, least_at: as in ConstraintProof.
-        floor: (r,) what rows have to keep; at most KEPT below 0.
+        floor: (r,) what rows have to keep; at most ROW_TOLERANCE below 0.
         broken_at: a place where a row is not kept; None for none.
     """
 
@@ -306,7 +306,7 @@ class _RowSamples:
         count = len(constraints.constraints)
         self.least, self.least_at = np.full(count, np.inf), np.zeros(count)
         ends = constraints.values(np.array([path.start, path.goal])).min(axis=0)
-        self.floor = np.maximum(np.minimum(ends, 0.0) - TOLERANCE, -KEPT)
+        self.floor = np.maximum(np.minimum(ends, 0.0) - TOLERANCE, -ROW_TOLERANCE)
         self.broken_at: float | None = None
 
     def values(self, s: Array) -> Array:
@@ -326,7 +326,7 @@ class _RowSamples:
         bottom, top = self.path.bounds()
         moved = np.maximum(np.abs(bottom - self.path.start), np.abs(top - self.path.start))
         joint = int(np.where(self.constraints.held, moved, -1.0).argmax())
-        s = np.linspace(0.0, 1.0, PLACES)
+        s = np.linspace(0.0, 1.0, FIXED_JOINT_SAMPLES)
         at = float(s[np.abs(self.path(s)[:, joint] - self.path.start[joint]).argmax()])
         for k, each in enumerate(self.constraints.constraints):
             if isinstance(each, HeldJoints):

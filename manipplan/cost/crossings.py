@@ -42,13 +42,13 @@ STANDING = 1e-9
 #: Distance from a crossing, in floors, up to which m must be linear, and the largest relative deviation.
 NEAR, BENT = 10.0, 0.2
 #: A change of sign up to which m stays below this share of its typical value from a singular end can be part of that end.
-SAME = 1e-2
+END_SHARE = 1e-2
 #: The share of a singular end goes up to where m reaches this part of its typical value.
 OUT = 0.1
 #: A path runs along singularities where m is below the floor on more than this share of its length.
 LONG = 0.1
 #: Number of places of the path at which that is measured.
-PLACES = 2000
+PATH_SAMPLES = 2000
 #: Number of places on a path that are checked for whether it is singular everywhere.
 ALONG = 25
 
@@ -164,7 +164,7 @@ def runs_along(path: JointPath, integral: PathIntegral, cost: PathCost) -> bool:
     floor = min(integral.floor, floor_of(integral.kinematics, None))
     if cost.min_manipulability >= floor:
         return False
-    s = np.linspace(0.0, 1.0, PLACES + 1)
+    s = np.linspace(0.0, 1.0, PATH_SAMPLES + 1)
     speed = speeds(path(s, 1), integral.metric)
     low = integral.kinematics.manipulability(path(s)) < floor
     return bool((speed * low).sum() > LONG * speed.sum())
@@ -212,7 +212,7 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
 
 def _share(path: JointPath, integral: PathIntegral, cost: PathCost, end: float) -> float:
     """The part of g between an end and the place where m first reaches a tenth of its typical value."""
-    s = np.abs(end - np.linspace(0.0, 1.0, PLACES + 1))
+    s = np.abs(end - np.linspace(0.0, 1.0, PATH_SAMPLES + 1))
     high = integral.kinematics.manipulability(path(s)) >= OUT * typical_measure(integral.kinematics)
     if not high.any() or not 0 < cost.g < np.inf:
         return np.nan
@@ -252,7 +252,7 @@ def _is_part_of(path: JointPath, kinematics: Kinematics, s: float, kind: str, en
 def _is_low(path: JointPath, kinematics: Kinematics, s: float, end: float) -> bool:
     """Whether m nearly vanishes between two places."""
     between = kinematics.manipulability(path(np.linspace(s, end, 21)))
-    return bool(between.max() < SAME * typical_measure(kinematics))
+    return bool(between.max() < END_SHARE * typical_measure(kinematics))
 
 
 def _linear_cost(integral: PathIntegral, most: float) -> float:

@@ -60,8 +60,8 @@ def warn_of_floor(kinematics: Kinematics, floor: float) -> None:
     typical = typical_measure(kinematics)
     if floor > typical:
         name, unit = kinematics.measure.name, kinematics.measure.unit(kinematics.task)
-        told = "floor=%g is above the typical %s of %s, %.4g %s: singularities hardly count"
-        log.warning(told, floor, name, kinematics.robot.name, typical, unit)
+        template = "floor=%g is above the typical %s of %s, %.4g %s: singularities hardly count"
+        log.warning(template, floor, name, kinematics.robot.name, typical, unit)
 
 
 @once_per_owner

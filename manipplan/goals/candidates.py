@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
-from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint import ROW_TOLERANCE
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.crossings import least_crossings_to
 from manipplan.cost.integral import PathIntegral, speeds
@@ -27,10 +27,10 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Number of places of a straight line at which m is evaluated.
-PLACES = 17
+LINE_SAMPLES = 17
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -38,7 +38,7 @@ class StraightLines:
     """Straight lines from one configuration to k others.
 
     Attributes:
-        m: (k, PLACES) the measure on each.
+        m: (k, LINE_SAMPLES) the measure on each.
         g: (k,) of each, estimated.
         crossings: lower bound on the singularities that any path between its ends crosses; None for redundant arms.
         bound: (k,) upper bound on the minimum m of any path between its ends: the smaller m of both; 0 in another aspect.
@@ -53,7 +53,7 @@ class StraightLines:
 def straight_lines(start: Array, ends: Array, integral: PathIntegral) -> StraightLines:
     """The straight lines from start (n,) to ends (k, n)."""
     kinematics = integral.kinematics
-    m = kinematics.manipulability(start + (ends[:, None] - start) * np.linspace(0.0, 1.0, PLACES)[:, None])
+    m = kinematics.manipulability(start + (ends[:, None] - start) * np.linspace(0.0, 1.0, LINE_SAMPLES)[:, None])
     with np.errstate(divide="ignore"):
         weights = 1.0 / np.hypot(m, integral.floor) ** integral.power
     g = speeds(ends - start, integral.metric) * (weights[:, 1:] + weights[:, :-1]).mean(axis=1) / 2
@@ -69,7 +69,7 @@ REFINED, APART = 6, 0.5
 #: Distance beyond the clearance that refined solutions keep, so that they are not pushed into contact [m].
 MARGIN = 1e-3
 #: What candidates say for which nothing else is known.
-FREE = "left out: its bound is too low"
+LEFT_OUT = "left out: its bound is too low"
 #: Number of pairs of bodies and of goals that an error names.
 NAMED = 3
 
@@ -103,7 +103,7 @@ class GoalCandidate:
     min_manipulability: float = np.nan
     g: float = np.nan
     chosen: bool = False
-    status: str = FREE
+    status: str = LEFT_OUT
 
     @property
     def is_free(self) -> bool:
@@ -288,12 +288,12 @@ def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, co
         first, second = model.pair_names[near.pairs[worst]]
         verb = "collides with" if near.distances[worst] <= 0 else f"is {1e3 * near.distances[worst]:.2g} mm from"
         reasons[touching[row]] = f"left out: {first} {verb} {second}"
-    for k in np.flatnonzero(constraints.values(q).min(axis=1, initial=0.0) < -KEPT):
+    for k in np.flatnonzero(constraints.values(q).min(axis=1, initial=0.0) < -ROW_TOLERANCE):
         reasons[k] = f"left out: it breaks {constraints.broken(q[k])}"
     for k in np.flatnonzero(np.abs(q - start)[:, constraints.held].max(axis=1, initial=0.0) > 0):
         moved = constraints.moved(start, q[k])
         reasons[k] = f"left out: {moved}" if moved else reasons[k]
-    for k in np.flatnonzero(np.abs(q - start).max(axis=1) < SAME):
+    for k in np.flatnonzero(np.abs(q - start).max(axis=1) < COINCIDENT):
         reasons[k] = "left out: it is the start itself"
     return reasons
 
@@ -306,12 +306,12 @@ def _nothing_free(targets: Sequence[Target], rejected: Sequence[GoalCandidate], 
         argument, value = targets[0].argument.partition("[")[0], f"{len(targets)} goals of which none can be used"
     counts = Counter(each.status.removeprefix("left out: ") for each in rejected)
     if len(rejected) == 1:
-        told = next(iter(counts))
+        reasons = next(iter(counts))
     else:
         named = [f"{count} x {reason}" for reason, count in counts.most_common(NAMED)]
         rest = len(rejected) - sum(count for _, count in counts.most_common(NAMED))
-        told = f"of {len(rejected)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
-    return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {told}"
+        reasons = f"of {len(rejected)} configurations, " + "; ".join([*named, *([f"{rest} for other reasons"] if rest else [])])
+    return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {reasons}"
 
 
 def _shown(target: Target) -> object:

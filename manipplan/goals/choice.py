@@ -36,8 +36,10 @@ class GoalChoice:
     def failure(self) -> str:
         """Why there is no path."""
         tried = [each for each in self.candidates if each.status.startswith("left out: no path")]
-        told = tried[0].status.removeprefix("left out: no path: ") if tried else "the time limit ended the search"
-        return told if len(self.candidates) == 1 else f"no path to any of the {len(tried)} candidates tried; the first: {told}"
+        reason = tried[0].status.removeprefix("left out: no path: ") if tried else "the time limit ended the search"
+        return (
+            reason if len(self.candidates) == 1 else f"no path to any of the {len(tried)} candidates tried; the first: {reason}"
+        )
 
 
 def choose(

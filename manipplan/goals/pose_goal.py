@@ -16,7 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, finite_array, instance, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 
@@ -91,7 +91,7 @@ class PoseGoal:
         if axis is not None:
             axis = grip[:3, :3] @ axis
             beside = float(np.linalg.norm(np.cross(grip[:3, 3], axis)))
-            if beside > SAME:
+            if beside > COINCIDENT:
                 wanted = f"an axis on which the tool's origin lies: it is {1e3 * beside:.3g} mm beside that of {self.of}"
                 raise InvalidInputError("free_axis", self.free_axis, f"{wanted}. Give a list of turned poses")
             beside = abs(float(grip[:3, 3] @ axis))
@@ -112,7 +112,7 @@ class PoseGoal:
             return Task.pose()
         if not robot.planar:
             return Task.pointing(self.axis)
-        if abs(self.axis[2]) < 1 - SAME:
+        if abs(self.axis[2]) < 1 - COINCIDENT:
             raise InvalidInputError("free_axis", self.axis.tolist(), "the axis z: a planar arm turns its tool about no other")
         return Task.planar()
 
@@ -136,7 +136,7 @@ class PoseGoal:
         """How far a tool, by default the first, or the part miss the goal at q (n,); "" where it is reached."""
         position, rotation = self.errors(robot, q, instance("robot", robot, Robot).tool if tool is None else tool)
         most = self.allowed
-        if position <= most[0] + SAME and rotation <= most[1] + SAME:
+        if position <= most[0] + COINCIDENT and rotation <= most[1] + COINCIDENT:
             return ""
         name = "the tool" if tool is None or len(robot.tools) == 1 else tool
         return f"{self.of or name} ends {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from the pose of the goal"

@@ -28,7 +28,7 @@ from manipplan.support.checks import (
     unit_quaternion,
 )
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.support.yaml_files import read_yaml
 
 #: The forms of a goal, for messages.
@@ -105,7 +105,7 @@ class Target:
             np.where(robot.turns if self.turns else robot.continuous_joints, off - 2 * np.pi * np.round(off / (2 * np.pi)), off)
         )
         joint = int(off.argmax())
-        return "" if off[joint] <= SAME else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
+        return "" if off[joint] <= COINCIDENT else f"{robot.joint_names[joint]} ends {off[joint]:.3g} from the goal"
 
 
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:

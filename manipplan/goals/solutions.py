@@ -32,7 +32,7 @@ LENGTHS = np.array([1.0] * 3 + [RADIAN] * 3)
 #: Size of the miss that counts as none [m].
 REACHED = 1e-9
 #: Configurations are the same when no joint differs by more than this [rad or m].
-SAME = 1e-3
+DUPLICATE_DISTANCE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -166,7 +166,7 @@ def _different(q: Array) -> Array:
     """Configurations (k, n) without those that are nearly the same as one before."""
     kept: list[Array] = []
     for each in q:
-        if all(np.abs(each - other).max() > SAME for other in kept):
+        if all(np.abs(each - other).max() > DUPLICATE_DISTANCE for other in kept):
             kept.append(each)
     return np.array(kept).reshape(-1, q.shape[1])
 

@@ -267,7 +267,7 @@ TOGETHER, JOINED = 12, 2400
 #: Largest difference of a joint below which two solutions of one arm count as one.
 APART = 0.25
 #: Number of joined configurations that are kept: free ones, and others where none is free.
-FREE, OTHERS = 64, 16
+FREE_PAIRS, OTHER_PAIRS = 64, 16
 #: Distance below which bodies of one arm touch [m].
 TOUCHING = 1e-9
 #: What to try where no configuration was found.
@@ -336,13 +336,13 @@ def _free_together(
         some = order[begin : begin + TOGETHER]
         sets = {tool: each.rows(np.isin(each.place, some)) for tool, each in found.items()}
         free = {tool: each.rows(~_touching(model, each.q, tool, clearance)) for tool, each in sets.items()}
-        touching += [sets[tool].q[:OTHERS] for tool, each in free.items() if not len(each.q)]
+        touching += [sets[tool].q[:OTHER_PAIRS] for tool, each in free.items() if not len(each.q)]
         joined = _joined(ranking, places, some, free)
         is_free = ~model.in_collision_rows(joined, clearance=clearance)
         if is_free.any():
-            return _Together(q=joined[is_free][:FREE], is_free=True)
-        touching.append(joined[:OTHERS])
-    return _Together(q=np.concatenate(touching)[:OTHERS], is_free=False)
+            return _Together(q=joined[is_free][:FREE_PAIRS], is_free=True)
+        touching.append(joined[:OTHER_PAIRS])
+    return _Together(q=np.concatenate(touching)[:OTHER_PAIRS], is_free=False)
 
 
 def _closer(

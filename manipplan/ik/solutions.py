@@ -20,7 +20,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.tolerances import EXACT, SAME
+from manipplan.support.tolerances import COINCIDENT, EXACT
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -285,10 +285,10 @@ def _directions(robot: Robot, q: Array) -> Array:
 
 
 def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Indices of the rows of q (k, n), only the first of those of one sample that differ by less than `SAME`."""
+    """Indices of the rows of q (k, n), only the first of those of one sample that differ by less than `COINCIDENT`."""
     order = np.argsort(source, kind="stable")
     q, source, keep = real(q[order]), whole(source[order]), np.empty(len(order), dtype=np.bool_)
-    calls()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, SAME, keep.ctypes.data)
+    calls()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, COINCIDENT, keep.ctypes.data)
     return order[keep]
 
 

@@ -22,7 +22,7 @@ from manipplan.support.checks import Array, finite_array, instance, number_array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion
 from manipplan.symbolic.task import Task
 
@@ -30,8 +30,8 @@ from manipplan.symbolic.task import Task
 #: world's origin, where rounding is larger, by more than this share of FAR.
 REACHED, FAR = 1e-10, 1e4
 #: The same where a limit or the reach of the arm ends just before the pose, as it may for rounded poses: distance and angle are
-#: then below SAME.
-NEARLY = SAME / 3
+#: then below COINCIDENT.
+NEARLY = COINCIDENT / 3
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.

@@ -12,7 +12,7 @@ from manipplan.ik.newton import MovingArm, Starts
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 #: Number of random starts per round, and their maximum number in total.
@@ -30,7 +30,7 @@ NEAR, MORE_STEPS = 1e-2, 500
 #: the distance.
 TOLERANCE, FAR = 1e-12, 1e3
 #: The same where nothing reaches a pose any nearer: a limit or the reach of the arm may end just before a rounded pose.
-REACHED = SAME / 3
+REACHED = COINCIDENT / 3
 #: Solutions that differ by less than this are the same [rad or m].
 ALIKE = 1e-5
 

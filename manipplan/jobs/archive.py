@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 log = logging.getLogger("manipplan")
 
 #: Tolerance on screws, home pose and bodies of the rebuilt robot against the stored ones [m, rad].
-SAME = 1e-6
+REBUILT_TOLERANCE = 1e-6
 #: Number of values for a body's joint, placement and box.
 OUTLINE = 1 + 12 + 6
 #: Number of points or triangles of an obstacle above which they are stored compressed.
@@ -202,7 +202,7 @@ def with_parts(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) ->
 
 
 def _same(first: Array, second: Array) -> bool:
-    return first.shape == second.shape and np.allclose(first, second, rtol=0.0, atol=SAME)
+    return first.shape == second.shape and np.allclose(first, second, rtol=0.0, atol=REBUILT_TOLERANCE)
 
 
 def scene_data(scene: Scene, folder: Path) -> Any:

@@ -19,7 +19,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, interruptible, teller
+from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
 
 #: Residual of the smooth motion that is small enough, as a share of the tolerance [rad per m or rad].
@@ -119,7 +119,7 @@ def improve(
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)
-    tell = teller(progress)
+    tell = as_callback(progress)
     motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)

@@ -10,7 +10,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint import KEPT, Constraint
+from manipplan.constraints.constraint import ROW_TOLERANCE, Constraint
 from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
@@ -28,7 +28,7 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import Array
 from manipplan.support.status import ALONG, Status
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
@@ -90,7 +90,7 @@ TOLERANCE = 1e-6
 #: Distance in s from an end of the path within which the minimum manipulability counts as that of the end.
 AT_END = 0.01
 #: Number of equal intervals of time, at whose ends the report measures distances.
-PLACES = 400
+TIME_INTERVALS = 400
 #: Number of intervals at whose ends m is compared with the floor, and of places inside those where it may pass it.
 FINE_PLACES, PARTS = 5_000, 200
 
@@ -150,7 +150,7 @@ def measure(
     faults += [
         f"constraint: {each.name}: {each.figure}, at {each.at * trajectory.duration:.3f} s"
         for each in constraint_figures
-        if each.least < -KEPT
+        if each.least < -ROW_TOLERANCE
     ]
     deviation = missed = None
     if workspace_path is not None:
@@ -219,7 +219,7 @@ def measure_plan(
         jerk=jerk,
     )
     first, last = trajectory.q[0], trajectory.q[-1]
-    line = JointPath.line(first, last) if np.linalg.norm(last - first) >= SAME else None
+    line = JointPath.line(first, last) if np.linalg.norm(last - first) >= COINCIDENT else None
     straight = integral.cost(line).min_manipulability if line is not None else float(kinematics.manipulability(first))
     common = {each.name: getattr(found, each.name) for each in fields(found)}
     return PlanReport(
@@ -246,9 +246,9 @@ class _Clearance:
 
     @classmethod
     def of(cls, path: JointPath, model: CollisionModel, clearance: float) -> "_Clearance":
-        least, row, nearest = model.least_distance(path(np.linspace(0.0, 1.0, PLACES + 1)))
+        least, row, nearest = model.least_distance(path(np.linspace(0.0, 1.0, TIME_INTERVALS + 1)))
         pair: tuple[str, ...] = model.pair_names[nearest] if nearest >= 0 else ()
-        at = row / PLACES
+        at = row / TIME_INTERVALS
         proof = path_clearance(model, path, clearance=clearance)
         if proof.refuted and proof.upper < least:
             pair, at = proof.pair, proof.at

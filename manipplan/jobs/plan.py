@@ -33,7 +33,7 @@ from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, interruptible, part, teller
+from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits, retime
 
@@ -172,7 +172,7 @@ def plan(
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
     deadline = Deadline.within((limit - reserve) * seeding.count)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    tell = teller(progress)
+    tell = as_callback(progress)
     targets, is_list = read_goals("goal", goal, robot)
     given = named_configuration("start", start, robot)
     q_start = robot.configuration("start", given)

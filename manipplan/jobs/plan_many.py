@@ -52,7 +52,7 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import writable_folder
 from manipplan.support.memo import once_per_owner
 from manipplan.support.processes.workers import WorkerLostError, Workers
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, as_callback
 from manipplan.support.status import Status
 from manipplan.timing.retime import check_timing_limits
 
@@ -488,7 +488,7 @@ def plan_many(
             was planned then. Or the executor takes no work, or its workers cannot load the problems.
         KeyboardInterrupt: Ctrl-C; finished results are in `folder`.
     """
-    tell = teller(progress)
+    tell = as_callback(progress)
     if executor is not None and not isinstance(executor, Executor):
         executor = whole_number("executor", executor, least=1) if isinstance(executor, int) else _no_executor(executor)
     batch = _Batch.of(problems, None if folder is None else Finished(folder), tell)

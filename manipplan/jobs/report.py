@@ -28,7 +28,7 @@ from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
 from manipplan.support.json_data import from_json, json_ready, read_json
 from manipplan.support.status import RECORDED, Status
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 
@@ -123,7 +123,7 @@ def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, .
             continue
         one = robot.arm(tool).kinematics(task, measure=measure, compiled=kinematics.compiled, threads=1)
         own = JointPath(breaks=path.breaks, control=path.control[:, :, joints])
-        if own.length < SAME:
+        if own.length < COINCIDENT:
             found.append(ToolFigure(tool=tool, min_manipulability=float(one.manipulability(own.start)), min_at=0.0))
             continue
         cost = replace(integral, kinematics=one, metric=None).cost(own)

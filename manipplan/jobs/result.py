@@ -84,8 +84,8 @@ class PartialPlan(Pictured):
         raise InvalidInputError("trajectory", other, wanted)
 
     def __repr__(self) -> str:
-        told = short(self.message) if self.report is None else self.report.summary
-        return f"{type(self).__name__}({self.robot.name!r}, {self.status.name}, {told})"
+        summary = short(self.message) if self.report is None else self.report.summary
+        return f"{type(self).__name__}({self.robot.name!r}, {self.status.name}, {summary})"
 
     @property
     def path_begin(self) -> float:

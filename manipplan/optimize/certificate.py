@@ -138,7 +138,7 @@ def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
 
 
 #: Number of intervals of the path at whose ends all distances are measured; the grid is refined around the smallest one.
-PLACES = 400
+DISTANCE_INTERVALS = 400
 
 
 @one_line
@@ -340,7 +340,7 @@ def _clearance(path: JointPath, model: CollisionModel | None) -> tuple[float, fl
     """Smallest distance of all pairs [m], the s where it occurs, and the names of the pair."""
     if model is None or not model.pair_names:
         return np.inf, np.nan, ()
-    s = np.linspace(0.0, 1.0, PLACES + 1)
+    s = np.linspace(0.0, 1.0, DISTANCE_INTERVALS + 1)
     least, at, pair = np.inf, 0.0, 0
     for _ in range(3):  # 400 intervals, then 40 around the smallest distance, then 40 around that
         distance, k, nearest = model.least_distance(path(s))

@@ -132,7 +132,7 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
 
 
 #: Number of intervals of a path at whose ends all distances are measured.
-PLACES = 160
+DISTANCE_INTERVALS = 160
 #: A pair gets rows where its distance has a dip below the clearance plus this [m].
 NEAR = 0.03
 #: Margin of rows above the required clearance, to cover the path between places [m].

@@ -30,9 +30,9 @@ from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Status
 
 #: Number of places along two paths, and of stages between them, at which their homotopy is checked.
-PLACES, STAGES = 80, 9
+PATH_SAMPLES, STAGES = 80, 9
 #: Two results are the same path when no joint differs by more than this at equal shares of their length [rad or m].
-SAME = 1e-2
+EQUAL_PATHS = 1e-2
 
 log = logging.getLogger("manipplan")
 T = TypeVar("T")
@@ -164,7 +164,7 @@ def _missing(results: Sequence[PathResult]) -> float:
 
 
 def _ends_together(first: JointPath, second: JointPath) -> bool:
-    return bool(np.abs(first.goal - second.goal).max() < SAME)
+    return bool(np.abs(first.goal - second.goal).max() < EQUAL_PATHS)
 
 
 def _best_first(results: Sequence[PathResult]) -> list[PathResult]:
@@ -197,14 +197,14 @@ def _outside(robot: Robot, joint: int, value: float) -> bool:
 def _same(first: JointPath | None, second: JointPath | None) -> bool:
     if first is None or second is None:
         return first is second
-    return bool(np.abs(_even(first) - _even(second)).max() < SAME)
+    return bool(np.abs(_even(first) - _even(second)).max() < EQUAL_PATHS)
 
 
 def _even(path: JointPath) -> Array:
-    """Configurations (PLACES, n) at equal shares of the path's length."""
+    """Configurations (PATH_SAMPLES, n) at equal shares of the path's length."""
     s = np.linspace(0.0, 1.0, 1001)
     gained = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path(s), axis=0), axis=1))])
-    return path(np.interp(np.linspace(0.0, gained[-1], PLACES), gained, s))
+    return path(np.interp(np.linspace(0.0, gained[-1], PATH_SAMPLES), gained, s))
 
 
 def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline) -> JointPath | str:

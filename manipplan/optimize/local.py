@@ -36,7 +36,7 @@ PROMISING = 0.8
 #: runs along one [rad or m], and number of directions, each to both sides.
 ASIDE, DIRECTIONS = 0.5, 3
 #: Maximum deviation of the fit to a path at which the basis counts as containing the path [rad or m].
-SAME = 1e-9
+FIT_TOLERANCE = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
 #: Tolerance on the joint limits of rounded solutions of the energy, from which a descent moves back inside [rad or m].
@@ -102,10 +102,12 @@ class LocalSearch(ProvenDescents):
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
         """The local optimum reached from a path, or from its fit at an even pace when the basis does not contain it."""
-        basis, even = self.program.basis, np.linspace(0.0, 1.0, near.PLACES + 1)
+        basis, even = self.program.basis, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        same = off < SAME  # then a margin wider than the path's own would first lead away from it, such as from an optimum
+        same = (
+            off < FIT_TOLERANCE
+        )  # then a margin wider than the path's own would first lead away from it, such as from an optimum
         found = self.descend(
             "path", coefficients if same else self._followed(first)[1], kept=first if same else None, softens=not same
         )
@@ -127,7 +129,7 @@ class LocalSearch(ProvenDescents):
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum reached from a path of a lower degree."""
         basis = self.program.basis
-        coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.PLACES + 1))
+        coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1))
         return self.optimum_from("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
 
     def optimum_from(self, name: str, coefficients: Array) -> list[Candidate]:
@@ -162,7 +164,7 @@ class LocalSearch(ProvenDescents):
         other.
         """
         best, rng = found, np.random.default_rng(0)
-        shape = self.program.basis.values(np.linspace(0.0, 1.0, near.PLACES + 1)) @ self.program.free[:, :1]
+        shape = self.program.basis.values(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)) @ self.program.free[:, :1]
         for _ in range(DIRECTIONS):
             if not self._is_wedged(best):
                 break
@@ -286,8 +288,8 @@ class LocalSearch(ProvenDescents):
         """g of the local optimum near a path, without limits and obstacles."""
         basis = self.program.basis
         same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places is the path itself
-        even = np.linspace(0.0, 1.0, near.PLACES + 1)
-        s = even if same_breaks else self.program.integral.constant_speed(path, near.PLACES + 1)
+        even = np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
+        s = even if same_breaks else self.program.integral.constant_speed(path, near.DISTANCE_INTERVALS + 1)
         coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
         if not self.program.free.size:
             return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
@@ -304,9 +306,9 @@ class LocalSearch(ProvenDescents):
         solution is appended to `history`.
         """
         path = self.program.basis.path(self.start, self.goal, solution.coefficients)
-        profile, least = NearPairs.of((near.PLACES + 1, 0), np.empty(0, dtype=np.intp), np.empty(0)), np.inf
+        profile, least = NearPairs.of((near.DISTANCE_INTERVALS + 1, 0), np.empty(0, dtype=np.intp), np.empty(0)), np.inf
         if self.model is not None and self.model.pair_names:
-            q = path(np.linspace(0.0, 1.0, near.PLACES + 1))
+            q = path(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1))
             profile = near.distance_profile(self.model, q, self.clearance + near.NEAR)
             least = float(profile.distances.min()) if len(profile.distances) else self.model.least_distance(q)[0]
         failed_at: tuple[near.Place, ...] = ()
@@ -331,6 +333,6 @@ class LocalSearch(ProvenDescents):
 
     def _followed(self, path: JointPath) -> tuple[Array, Array]:
         """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
-        s = self.program.integral.constant_speed(path, near.PLACES + 1)
+        s = self.program.integral.constant_speed(path, near.DISTANCE_INTERVALS + 1)
         basis = self.program.basis
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)

@@ -23,7 +23,7 @@ from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.progress import Progress, interruptible, teller
+from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
 
 
@@ -150,7 +150,7 @@ def optimize_path(
         raise InvalidInputError("constraints", constraints, "none without a scene; scene=mp.Scene() checks for self-collision")
     if executor is not None:
         instance("executor", executor, Executor)
-    tell = teller(progress)
+    tell = as_callback(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     if recorded is not None:  # full turns of a continuous joint are those of the first path
         q_goal = q_goal + np.where(robot.continuous_joints, 2 * np.pi * np.round((recorded.goal - q_goal) / (2 * np.pi)), 0.0)

@@ -188,8 +188,8 @@ def solve_local(
     if interrupted:
         status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
-    told = [best.solver] if best is not None and path is best.path and is_free else []
-    solver = "; ".join(dict.fromkeys([*told, *([LATE] if late else [])]))
+    solvers = [best.solver] if best is not None and path is best.path and is_free else []
+    solver = "; ".join(dict.fromkeys([*solvers, *([LATE] if late else [])]))
     return make_result(
         path,
         integral,

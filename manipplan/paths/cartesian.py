@@ -41,7 +41,7 @@ from manipplan.support.checks import (
 )
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Distance from the polygon that counts as near, as a share of the longest of a piece and its two neighbours.
 NEAR = 1 / 8
@@ -340,7 +340,7 @@ class CartesianPath(ABC):
             )
         ]
         if len(matrices) < 2:
-            wanted = f"at least two poses that differ: all are within {SAME:g} m and rad of the first one"
+            wanted = f"at least two poses that differ: all are within {COINCIDENT:g} m and rad of the first one"
             raise InvalidInputError("poses", f"{len(poses)} poses", wanted)
         turns = rotation_vectors(np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3])
         steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + RADIAN * np.linalg.norm(turns, axis=1)

@@ -84,7 +84,7 @@ def _columns(names: Sequence[str], controller: ControllerFormat) -> list[int]:
 RATE = 1000
 UNITS = {"velocity": "rad/s", "acceleration": "rad/s²", "jerk": "rad/s³"}
 #: Share of a limit that counts as kept: positions are written to 1e-12 rad, whose third difference is 8e-3 rad/s³.
-KEPT = 1 + 1e-5
+LIMIT_MARGIN = 1 + 1e-5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -156,7 +156,7 @@ def to_franka_csv(trajectory: Trajectory, file: str | Path) -> None:
     for order, (kind, (least, most)) in enumerate(bounds.items(), start=1):
         values = np.diff(values, axis=0) * RATE
         allowed = np.where(values < 0, -least, most)
-        excess = np.abs(values) - KEPT * allowed
+        excess = np.abs(values) - LIMIT_MARGIN * allowed
         row, joint = (int(k) for k in np.unravel_index(int((excess / getattr(arm, kind)).argmax()), excess.shape))
         if excess[row, joint] > 0:
             at = max(row - 3 + order // 2, 0) / RATE

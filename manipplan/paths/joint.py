@@ -22,7 +22,7 @@ from manipplan.support.checks import Array, finite_array, flag, number, number_a
 from manipplan.support.compiling.native import NativeCode, native_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Curves of a higher degree are evaluated by NumPy; as in curves.c.
 MOST_DEGREE = 30
@@ -173,7 +173,7 @@ class JointPath:
             raise InvalidInputError("waypoints", points, "at least two points")
         points = points[distinct(len(points), lambda i, j: np.linalg.norm(points[i] - points[j], axis=1))]
         if len(points) < 2:
-            wanted = f"at least two points that differ: all are within {SAME:g} rad or m of the first one"
+            wanted = f"at least two points that differ: all are within {COINCIDENT:g} rad or m of the first one"
             raise InvalidInputError("waypoints", np.asarray(waypoints), wanted)
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
         breaks = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
@@ -218,8 +218,8 @@ class JointPath:
         """
         if not isinstance(parts, list | tuple) or not all(isinstance(part, JointPath) for part in parts):
             raise InvalidInputError("parts", parts, "a list of JointPath")
-        if not parts or any(part.length < SAME for part in parts):
-            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {SAME:g}")
+        if not parts or any(part.length < COINCIDENT for part in parts):
+            raise InvalidInputError("parts", parts, f"at least one path, each with a length of at least {COINCIDENT:g}")
         ends = np.cumsum([0.0, *(part.length for part in parts)])
         ends /= ends[-1]
         degree = max(part.degree for part in parts)

@@ -1,6 +1,6 @@
 """Relaxation: how stiffly a controller holds its path, and how far it may leave the path.
 
-Points that are one but for rounding: of neighbours nearer than `SAME` a path keeps one.
+Points that are one but for rounding: of neighbours nearer than `COINCIDENT` a path keeps one.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from manipplan.support.checks import Array, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 
@@ -107,7 +107,7 @@ def row_shares(task: Task) -> tuple[list[float], list[float]]:
 Distances = Callable[[NDArray[np.intp], NDArray[np.intp]], Array]
 
 
-def distinct(count: int, apart: Distances, most: float = SAME) -> NDArray[np.intp]:
+def distinct(count: int, apart: Distances, most: float = COINCIDENT) -> NDArray[np.intp]:
     """Indices of the points of a sequence that are `most` or more apart from the one kept before, with the last point.
 
     `apart` gives the distances of points i and j (k,). The first point and the last one are kept; [0] where all are one.

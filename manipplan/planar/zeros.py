@@ -124,7 +124,7 @@ MOST = 4_000_000
 #: Factor by which a box is enlarged for Krawczyk's test, so that a zero on an edge can be proven.
 MARGIN = 1.25
 #: Proven zeros closer than this are one, found by neighbouring boxes: two would lie in one enlarged box [rad].
-SAME = 1e-9
+ZERO_DISTANCE = 1e-9
 #: Maximum number of boxes per batch.
 _BATCH = 60_000
 
@@ -284,7 +284,7 @@ class _System:
         kept: list[Array] = []
         for x in found:
             turned = np.pi - np.mod(np.pi - x + 1e-9, 2 * np.pi) + 1e-9
-            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > SAME for y in kept):
+            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > ZERO_DISTANCE for y in kept):
                 kept.append(turned)
         return np.array(kept).reshape(-1, self.dimension)
 

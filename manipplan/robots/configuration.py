@@ -130,18 +130,18 @@ def _allowed(robot: "Robot", joint: int, value: float) -> str:
     lower, upper = float(robot.limits.lower[joint]), float(robot.limits.upper[joint])
     slides = robot.joint_types[joint] == "prismatic"
     off = max(lower - value, value - upper)
-    told = limits_missed(lower, upper, value, "m" if slides else "rad")
+    missed = limits_missed(lower, upper, value, "m" if slides else "rad")
     if off <= LARGEST_TOLERANCE:
-        return f"{told}; robot.with_limits(limit_tolerance={rounded_up(off, 1):g}) takes it to the limit"
+        return f"{missed}; robot.with_limits(limit_tolerance={rounded_up(off, 1):g}) takes it to the limit"
     if slides:
         far = off > upper - lower and lower <= value / 1e3 <= upper
-        return f"{told}; {value:g} mm are {value / 1e3:.4g} m" if far else told
+        return f"{missed}; {value:g} mm are {value / 1e3:.4g} m" if far else missed
     angle = float(np.deg2rad(value))
     if off > NO_DEGREES and abs(value) > 2 * np.pi and lower <= angle <= upper:
-        return f"{told}; {value:g} degrees are {angle:.4g} rad"
+        return f"{missed}; {value:g} degrees are {angle:.4g} rad"
     turned = value + 2 * np.pi * (
         np.ceil((lower - value) / (2 * np.pi)) if value < lower else np.floor((upper - value) / (2 * np.pi))
     )
     if robot.turns[joint] and lower <= turned <= upper:
-        return f"{told}; {turned:.9g} rad is the same posture"
-    return told
+        return f"{missed}; {turned:.9g} rad is the same posture"
+    return missed

@@ -20,7 +20,7 @@ from manipplan.search.sweep import Subset, ThreadPool, check_epsilon, exclusive
 from manipplan.support.checks import Array, flag, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, as_callback
 
 #: Number of values of m in the first sweep of the search for the largest minimum, and how it grows.
 FIRST, GROWTH = 4096, 4
@@ -105,7 +105,7 @@ def fewest_parts(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, pro
 @contextmanager
 def _search(layers: Layers, progress: Progress | None) -> Iterator[ThresholdSearch]:
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        yield ThresholdSearch(layers, pool, teller(progress), work=WORK * layers.count)
+        yield ThresholdSearch(layers, pool, as_callback(progress), work=WORK * layers.count)
 
 
 def _reach(layers: Layers, epsilon: ArrayLike, strict: bool) -> Array:

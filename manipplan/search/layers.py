@@ -30,7 +30,7 @@ MOST_POSITIONS = 100_000
 #: Angle of a corner between the ways from and to the poses beside it [rad]. A position is at every corner.
 CORNER = np.deg2rad(30.0)
 #: Number of places at which the tool's way is measured.
-PLACES = 2001
+WAY_SAMPLES = 2001
 #: Way between two poses of a path below which they share a position [m]: half of the default tolerance.
 SHARED = 5e-5
 
@@ -42,7 +42,7 @@ def choose_positions(path: CartesianPath, *, stride: float = STRIDE, closed: boo
     path does not repeat its first position.
     """
     knots = path.knots
-    places = np.union1d(np.linspace(0.0, 1.0, PLACES), knots)
+    places = np.union1d(np.linspace(0.0, 1.0, WAY_SAMPLES), knots)
     poses = path(places)
     steps = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1)
     steps += RADIAN * angles_between(poses[:-1, :3, :3], poses[1:, :3, :3])

@@ -31,7 +31,7 @@ from manipplan.search.sweep import (
 from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
-from manipplan.support.progress import Progress, silent, teller
+from manipplan.support.progress import Progress, as_callback, silent
 from manipplan.support.status import Status
 
 
@@ -224,7 +224,7 @@ def max_min_search(
     for name, value in {"strict": strict, "anytime": anytime, "explain": explain, "throw": throw}.items():
         flag(name, value)
     one_of("prefer", prefer, [each.value for each in Prefer])
-    tell = teller(progress)
+    tell = as_callback(progress)
     if threads is None:
         from manipplan.kinematics.batch import all_cores
 
@@ -361,8 +361,8 @@ def _not_connected(search: ThresholdSearch, epsilon: Array, reach: Array, strict
         smallest = search.least_epsilon(epsilon)
         factor = float((smallest / epsilon).max())
         least = ", ".join(f"{each:.6g}" for each in smallest)
-        told = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
-        remedy = f"the layers are connected {told} ({least}); "
+        which = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
+        remedy = f"the layers are connected {which} ({least}); "
     message = f"{where}; {remedy}{Status.NOT_CONNECTED.value}"
     search.tell(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

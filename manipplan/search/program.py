@@ -192,7 +192,7 @@ class PoseRows:
 
 
 #: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
-PLACES = 4
+POINTS_BETWEEN_KNOTS = 4
 DOUBLINGS = 6
 
 
@@ -214,10 +214,10 @@ def joint_path(
     """
     for _ in range(DOUBLINGS):
         joints = JointPath.spline(s, q, closed=closed)
-        shares = np.arange(1, 2 * PLACES, 2) / (2 * PLACES)
+        shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
         places = s[:-1, None] + np.diff(s)[:, None] * shares
-        errors = rows.errors(joints(places.ravel()), path(places.ravel())).reshape(len(s) - 1, PLACES, -1)
-        outside = solver.robot.limits.outside(joints(places.ravel())).reshape(len(s) - 1, PLACES, -1) > 0
+        errors = rows.errors(joints(places.ravel()), path(places.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
+        outside = solver.robot.limits.outside(joints(places.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
         if not len(wide):
             break

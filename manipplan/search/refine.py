@@ -13,7 +13,7 @@ from manipplan.search.sweep import path_length, path_steps, steps_between, withi
 from manipplan.support.checks import Array, flag, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.progress import Progress, interruptible, teller
+from manipplan.support.progress import Progress, as_callback, interruptible
 
 if TYPE_CHECKING:
     from manipplan.search.sampling import CandidateSampler
@@ -41,7 +41,7 @@ NEAR = 0.05
 #: Tolerance on a pose, in position [m] and rotation [rad].
 MET = 1e-9
 #: Tolerance within which a configuration equals a candidate of the layers [rad or m]: full turns cause rounding.
-SAME = 1e-9
+CANDIDATE_TOLERANCE = 1e-9
 
 
 @one_line
@@ -118,14 +118,14 @@ def refine(
         )
     for k, (q, index) in enumerate(zip(layers.q, found.indices, strict=True)):
         same = index < len(q) and q.shape[1] == found.q.shape[1]
-        if not same or np.abs(steps_between(q[index], found.q[k], layers.continuous)).max() > SAME:
+        if not same or np.abs(steps_between(q[index], found.q[k], layers.continuous)).max() > CANDIDATE_TOLERANCE:
             raise InvalidInputError("found", f"another candidate at position {k}", "the result of a search in these layers")
     whole_number("resample", resample, least=0, most=MOST_RESAMPLED)
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     flag("hold_start", hold_start)
     refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start)
-    return refiner.run(resample, teller(progress))
+    return refiner.run(resample, as_callback(progress))
 
 
 class _Refiner:

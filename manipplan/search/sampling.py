@@ -30,7 +30,7 @@ from manipplan.search.layers import Layers, check_positions, count_positions
 from manipplan.support.checks import Array, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.processes.workers import usable_memory
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, as_callback
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ def sample_layers(
     )
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
-    tell = teller(progress)
+    tell = as_callback(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)

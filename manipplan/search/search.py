@@ -80,7 +80,7 @@ def _cut(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple[N
 #: Minimum time between progress calls [s].
 RATE = 0.1
 #: Maximum memory of the sorted layers of a cycle that are kept for the next sweep [bytes].
-KEPT = 256e6
+CACHE_BYTES = 256e6
 #: Number of cells per candidate of a layer, and minimum number of cells.
 CELLS, FEWEST_CELLS = 2, 64
 #: Ratio of the bounds on the smallest factor of ε at which the bisection stops and the exact search starts.
@@ -221,7 +221,7 @@ class ThresholdSearch:
         inner = [SweepStage(layers.q[i], layers.m[i]) for i in turned[1:]]
         begins = np.sort(sort_stage(SweepStage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
         kept: list[Cells] | None = None
-        if part.share * sum(active) * 8 * (layers.n + 2) < KEPT:
+        if part.share * sum(active) * 8 * (layers.n + 2) < CACHE_BYTES:
             kept = list(self._sorted(inner, part, grid))
 
         whole = Subset(threshold=part.threshold, cap=part.cap)

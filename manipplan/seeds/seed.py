@@ -31,7 +31,7 @@ from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask, acceptance, crossi
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 log = logging.getLogger("manipplan")
 
@@ -320,8 +320,8 @@ def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callab
 def check_apart(start: Array, goal: Array) -> None:
     """Raise InvalidInputError if start and goal coincide, or are so far apart that a path cannot be checked."""
     motion = np.abs(goal - start)
-    if motion.max() < SAME:
-        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {SAME:g} or more")
+    if motion.max() < COINCIDENT:
+        raise InvalidInputError("goal", goal.tolist(), f"a configuration that differs from start by {COINCIDENT:g} or more")
     if motion.max() > LONGEST:
         joint = int(motion.argmax())
         allowed = f"{start[joint] - LONGEST:g} to {start[joint] + LONGEST:g}: at most {LONGEST:g} rad or m from start"

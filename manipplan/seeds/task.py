@@ -11,7 +11,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint import ROW_TOLERANCE
 from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.kinematics.factors import SingularitySigns
 from manipplan.paths.joint import JointPath
@@ -125,7 +125,7 @@ def keeps_constraints(task: SeedTask, path: JointPath) -> bool:
 def looks_free(task: SeedTask, path: JointPath) -> bool:
     """Whether the path is free and keeps the constraints at samples."""
     q = configurations(path, LOOK_STEP)
-    if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -KEPT:
+    if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -ROW_TOLERANCE:
         return False
     few = q[FIRST // 2 :: FIRST]
     return not any(task.model.in_collision_rows(rows, clearance=task.clearance).any() for rows in (few, q))

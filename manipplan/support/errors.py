@@ -35,8 +35,10 @@ class InvalidInputError(ManipplanError, ValueError):
         self.argument = argument
         self.value = value
         self.allowed = allowed
-        told = plain_numbers(_cut(allowed, 2000))
-        super(ManipplanError, self).__init__(f"{_cut(argument, 400)}: got {_short(value)}; allowed: {told}")  # a text as it is
+        allowed_text = plain_numbers(_cut(allowed, 2000))
+        super(ManipplanError, self).__init__(
+            f"{_cut(argument, 400)}: got {_short(value)}; allowed: {allowed_text}"
+        )  # a text as it is
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.argument, self.value, self.allowed)

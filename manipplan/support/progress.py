@@ -24,7 +24,7 @@ def silent(_share: float, _text: str) -> None:
     """Ignore progress."""
 
 
-def teller(progress: Progress | None) -> Progress:
+def as_callback(progress: Progress | None) -> Progress:
     """The progress callback, `silent` for None; raises InvalidInputError when it cannot be called."""
     if progress is not None and not callable(progress):
         raise InvalidInputError("progress", progress, "a function of (share, text), or None")

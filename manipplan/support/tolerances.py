@@ -11,4 +11,4 @@ EXACT = 1e-12
 #: Largest difference of a quaternion's length from 1: two digits or more. Its length says nothing of the rotation.
 QUATERNION = 1e-2
 #: Two points, configurations or poses nearer than this are one [rad or m]: a goal this near is reached.
-SAME = 1e-6
+COINCIDENT = 1e-6

@@ -15,7 +15,7 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.piece import TimedPiece, TimingProblem, smooth_piece, stepped_piece, straight_ends, straight_piece
 from manipplan.timing.stops import STANDSTILL, LimitsAlong, MovingPath, Segment, ToolSpeed, check_segments, stops
 
@@ -80,8 +80,8 @@ def retime(
     names = distinct_names("robot.joint_names", robot.joint_names, robot.n)  # a file of the trajectory holds them
     speeds = (number("start_speed", start_speed, least=0.0), number("end_speed", end_speed, least=0.0))
     parts = check_segments(segments, limits)
-    if path.length < SAME:
-        raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {SAME:g}")
+    if path.length < COINCIDENT:
+        raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {COINCIDENT:g}")
     course = MovingPath(path)
     places = course.here(np.array([[part.begin, part.end] for part in parts]).reshape(-1, 2))
     along = LimitsAlong(limits, parts, places)

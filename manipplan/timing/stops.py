@@ -16,7 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
 STANDSTILL = 1e-6
@@ -26,18 +26,18 @@ CORNER = 1e-4
 class MovingPath:
     """A path without pieces that stand still, and the conversion between its parameter and that of the given path.
 
-    A piece stands still where it stays within `SAME` of where the one kept before ends. The next one begins there.
+    A piece stands still where it stays within `COINCIDENT` of where the one kept before ends. The next one begins there.
     """
 
     def __init__(self, path: JointPath) -> None:
         self._given = self._kept = np.array([0.0, 1.0])
         self.path = path
-        if (_extents(path.control, path.control[:, :1]) >= SAME).all():
+        if (_extents(path.control, path.control[:, :1]) >= COINCIDENT).all():
             return
         pieces: list[Array] = []
         moving, at = np.zeros(len(path.control), dtype=bool), path.start
         for k, piece in enumerate(path.control):
-            moving[k] = _extents(piece, at) >= SAME
+            moving[k] = _extents(piece, at) >= COINCIDENT
             if moving[k]:
                 pieces.append(_begun(piece, at))
                 at = piece[-1]

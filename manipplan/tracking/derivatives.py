@@ -140,9 +140,9 @@ def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     damped = -theta * y + (1 - theta) * bs
     along = ca.dot(s, damped)
     # a secant perpendicular to the step would make B grow without bound
-    told = along > SLANTED * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(damped))
-    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.if_else(told, along, 1)
-    return -ca.if_else(told, updated, b)
+    is_curved = along > SLANTED * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(damped))
+    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.if_else(is_curved, along, 1)
+    return -ca.if_else(is_curved, updated, b)
 
 
 def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:

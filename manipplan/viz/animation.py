@@ -16,7 +16,7 @@ from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.support.checks import Array, finite_array, number, whole_number
 from manipplan.support.errors import InvalidInputError, MissingProgramError
 from manipplan.support.files import write_bytes
-from manipplan.support.progress import Progress, teller
+from manipplan.support.progress import Progress, as_callback
 from manipplan.viz import style
 from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
 from manipplan.viz.figure import finished
@@ -148,7 +148,7 @@ def animate(
         PlanningError: the plan has no trajectory.
         MissingProgramError: ffmpeg is needed and not installed.
     """
-    tell = teller(progress)
+    tell = as_callback(progress)
     kind = Path(file).suffix.lower() if isinstance(file, str | Path) else ""
     if kind not in (".gif", ".mp4"):
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")

@@ -152,7 +152,7 @@ def _ball() -> Any:
 
 
 #: Number of postures of the arm drawn along a path.
-PLACES = 7
+POSTURES = 7
 #: Offset of an obstacle's name from its centre towards the viewer, as a share of its size: less is in front of it there.
 FORWARD = np.array([0.28, -0.28, 0.0])
 
@@ -164,7 +164,7 @@ def plot_arm(
     *,
     seed: Motion | None = None,
     names: tuple[str, str] = ("path", "seed"),
-    places: int = PLACES,
+    places: int = POSTURES,
     ax: Any = None,
 ) -> Any:
     """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
@@ -193,7 +193,7 @@ def plot_planar_arm(
     *,
     seed: Motion | None = None,
     names: tuple[str, str] = ("path", "seed"),
-    places: int = PLACES,
+    places: int = POSTURES,
     ax: Any = None,
 ) -> Any:
     """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and its tool path.

@@ -22,7 +22,7 @@ from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
@@ -122,7 +122,7 @@ def plot_manipulability(
     if flag("straight", straight):
         first = next(iter(curves.values()))
         colours["straight"] = style.STRAIGHT
-        if first.length >= SAME:  # unless the arm stands still
+        if first.length >= COINCIDENT:  # unless the arm stands still
             curves["straight"] = JointPath.line(first.start, first.goal)
     s = np.linspace(0.0, 1.0, POINTS)
     drawn: list[tuple[Array, Any]] = []

@@ -225,7 +225,7 @@ LINES, NAMES = 60, 70
 #: Maximum distance between the ends of a closed tool path, as a share of its extent.
 CLOSED = 0.05
 #: Maximum difference of two tool paths that are drawn as one, as a share of their size.
-SAME = 1e-2
+EQUAL_PATHS = 1e-2
 
 
 def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> None:
@@ -254,7 +254,7 @@ def draw_ways(ax: Any, ways: Mapping[str, Sequence[Array]]) -> None:
     If both are the same, as along a workspace path that is followed, one line gets both names.
     """
     first, *others = (np.concatenate(each) for each in ways.values())
-    if others and np.abs(others[0] - first).max() < SAME * np.ptp(first, axis=0).max():
+    if others and np.abs(others[0] - first).max() < EQUAL_PATHS * np.ptp(first, axis=0).max():
         ways = {" and ".join(ways): next(iter(ways.values()))}
     for (name, tools), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
         label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"

@@ -34,7 +34,7 @@ def rows(panda, program):
     scene = mp.Scene([POST])
     model = scene.collision_model(panda)
     seed = mp.seed_path(panda, START, GOAL, scene, clearance=0.01)
-    profile = near.distance_profile(model, seed(np.linspace(0.0, 1.0, near.PLACES + 1)), 0.05)
+    profile = near.distance_profile(model, seed(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)), 0.05)
     places = near.around(near.dips(profile, 0.05))
     assert places
     return near.rows_for(model, program.basis.path(START, GOAL, NONE), seed, places, 0.01)

@@ -13,7 +13,7 @@ from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import are_poses, distinct, residuals
 from manipplan.support.compiling.native import llvm_code, source_text
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 
 @pytest.fixture(scope="module")
@@ -89,11 +89,11 @@ def test_residuals_and_duplicates_as_numpy_has_them(rng):
     reached, targets, owners = rng.normal(size=(20, 4, 4)), rng.normal(size=(3, 4, 4)), rng.integers(3, size=20)
     reached[:, 3] = targets[:, 3] = [0, 0, 0, 1]
     np.testing.assert_array_equal(residuals(reached, targets, owners), np.abs(reached - targets[owners]).max(axis=(1, 2)))
-    q = rng.integers(2, size=(60, 2)) + rng.uniform(-0.4, 0.4, (60, 2)) * SAME
+    q = rng.integers(2, size=(60, 2)) + rng.uniform(-0.4, 0.4, (60, 2)) * COINCIDENT
     source = rng.integers(4, size=60)
     kept = []
     for k in np.argsort(source, kind="stable"):
-        if not any(source[k] == source[i] and (np.abs(q[k] - q[i]) < SAME).all() for i in kept):
+        if not any(source[k] == source[i] and (np.abs(q[k] - q[i]) < COINCIDENT).all() for i in kept):
             kept.append(k)
     assert distinct(q, source).tolist() == kept
     assert 4 < len(kept) < 20

@@ -20,7 +20,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag
 from manipplan.support.errors import PlanningError
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, interruptible, part, teller
+from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
 from manipplan.timing.retime import retime
 
@@ -148,7 +148,7 @@ def carry(
         seed=seed,
     )
     flag("throw", throw)
-    tell, held, allowed, integral = teller(progress), request.grasps, request.tolerance, request.integral
+    tell, held, allowed, integral = as_callback(progress), request.grasps, request.tolerance, request.integral
     first = request.way(next(iter(held)))
     draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
     try:

@@ -78,7 +78,7 @@ def tool_tolerance(tolerance: Tolerance, grasps: Mapping[str, Array]) -> Toleran
 #: Smallest number of joints with which an arm reaches all poses near one.
 LEAST = 6
 #: Number of poses of the path whose distance from the arms is looked at.
-PLACES = 51
+POSE_SAMPLES = 51
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -212,7 +212,7 @@ def _grasps(robot: Robot, grasps: Mapping[str, Any]) -> dict[str, Array]:
 
 def _check_reach(robot: Robot, path: CartesianPath, grasps: Mapping[str, Array]) -> None:
     """Raise InvalidInputError where a pose of the path is farther away from an arm than its links are long."""
-    for s in np.linspace(0.0, 1.0, PLACES):
+    for s in np.linspace(0.0, 1.0, POSE_SAMPLES):
         for tool, grasp in grasps.items():
             proof = beyond_links(robot, tool, PoseGoal(path(s) @ grasp))
             if proof:

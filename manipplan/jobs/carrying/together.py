@@ -131,7 +131,7 @@ def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Ro
 
 
 #: Number of places at which the nearest bodies are looked for.
-PLACES = 401
+PROXIMITY_SAMPLES = 401
 #: How many times as many samples are taken where those of the default do not connect.
 FINER = 4
 
@@ -227,5 +227,5 @@ def _in_order(request: Request, lead: LoneArm, follow: LoneArm) -> tuple[JointPa
         joint = side_by_side([(refined, lead.joints), (own, follow.joints)], still)
         if model.path_is_free(joint, CHECK_STEP, request.clearance):
             return joint, seed
-    bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PLACES)))
+    bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PROXIMITY_SAMPLES)))
     raise PlanningError(f"between the positions {bodies}; take more positions")

@@ -32,9 +32,9 @@ from manipplan.support.checks import Array, finite_array, flag, instance, number
 from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, interruptible, part, teller
+from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import ALONG, Status
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import check_tool_speed
 from manipplan.timing.retime import check_timing_limits
@@ -44,7 +44,7 @@ SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/cu
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
 #: Number of places at which it is looked whether the poses of a path differ.
-PLACES = 50
+POSE_SAMPLES = 50
 #: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
 FINER, MOST = 10, 20_000_000
 
@@ -197,7 +197,7 @@ def follow(
                 "axis too"
             )
         raise InvalidInputError("objective", objective, wanted)
-    tell = teller(progress)
+    tell = as_callback(progress)
     epsilon = check_epsilon(epsilon, robot.continuous_joints)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
@@ -279,8 +279,8 @@ def follow(
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
-    still = all(each.course.path.length < SAME for each in motion.parts)
-    if still and np.ptp(path.sample(PLACES), axis=0).max() > SAME:
+    still = all(each.course.path.length < COINCIDENT for each in motion.parts)
+    if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.measured(integral, scene, clearance)

@@ -25,7 +25,7 @@ from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Gain in the minimum manipulability below which another first configuration is not tried, nor taken.
 GAIN = 0.01
@@ -155,7 +155,7 @@ class FirstConfigurations:
         """The k-th configuration and those that differ from it by full turns and allow as much, (t, n)."""
         away = self.finder.layers.q[0] - self.finder.layers.q[0][k]
         turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
-        same = (np.abs(away - turns).max(axis=1) < SAME) & (self.minimum >= self.minimum[k] * (1 - SAME))
+        same = (np.abs(away - turns).max(axis=1) < COINCIDENT) & (self.minimum >= self.minimum[k] * (1 - COINCIDENT))
         return np.asarray(self.finder.layers.q[0][same])
 
 
@@ -174,7 +174,7 @@ def _compared(q: Array, start: Array, steps: Array, turns: NDArray[np.bool_]) ->
 
 def _first_of_alike(q: Array, turns: NDArray[np.bool_], *figures: Array) -> NDArray[np.int64]:
     """Of configurations (k, n) that are alike but for full turns the first by figures (k,), those that come first most."""
-    alike = np.round(np.where(turns, q % (2 * np.pi), q) / SAME).astype(np.int64) @ KEYS[: q.shape[1]]
+    alike = np.round(np.where(turns, q % (2 * np.pi), q) / COINCIDENT).astype(np.int64) @ KEYS[: q.shape[1]]
     order = np.lexsort((*figures[::-1], alike))
     return order[np.append(True, np.diff(alike[order]) != 0)] if len(order) else order
 
@@ -294,8 +294,8 @@ def choose_entry(
         failure = f"no lead-in to any of the {tried} first configurations of the path that were tried; the first: {failure}"
     rows = [*done, *(row for row, _ in waiting)]
     same = any(not each.least_crossings for each in rows)
-    told = [_tried(each, same) if k < len(done) else _left_out(each, best) for k, each in enumerate(rows)]
-    return EntryChoice(entry=best, candidates=tuple(told), failure="" if best is not None else failure)
+    candidates = [_tried(each, same) if k < len(done) else _left_out(each, best) for k, each in enumerate(rows)]
+    return EntryChoice(entry=best, candidates=tuple(candidates), failure="" if best is not None else failure)
 
 
 def _tried(row: GoalCandidate, same: bool) -> GoalCandidate:

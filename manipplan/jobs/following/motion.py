@@ -126,7 +126,7 @@ def _part(finder: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) ->
 
 
 #: Places at which the tool is compared with the path, and at which the nearest bodies are looked for, for a message.
-PLACES = np.linspace(0.0, 1.0, 1500)
+S_SAMPLES = np.linspace(0.0, 1.0, 1500)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -140,7 +140,7 @@ class FollowedPart:
     def missed(self, kinematics: Kinematics, tolerance: Tolerance) -> str:
         """By how much the course misses poses of the path, the given ones among them, in their order; "" for none."""
         path = self.part.finder.path
-        s = np.union1d(PLACES, path.knots)
+        s = np.union1d(S_SAMPLES, path.knots)
         return deviation_at(path, s, kinematics.pose(self.course.path(s)), kinematics.free_motion).excess(tolerance, "path")
 
 
@@ -254,7 +254,9 @@ class FollowingMotion:
         )
         made = replace(made, report=replace(made.report, along=along))
         if made.status not in ALONG:
-            near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(PLACES))}; take more positions"
+            near = (
+                "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(S_SAMPLES))}; take more positions"
+            )
             return made, f"{made.report}{near}"
         faults = [deviation.excess(tolerance, "time"), *(each.missed(integral.kinematics, tolerance) for each in self.parts)]
         if any(faults):

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from manipplan.constraints.constraint import KEPT
+from manipplan.constraints.constraint import ROW_TOLERANCE
 from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
@@ -123,7 +123,7 @@ IN_THE_AIR = 5e-3
 #: The same where a part is taken up: a hand closes around it [m].
 OUT_OF_HAND = 5e-2
 #: Number of places at which a motion is compared with the path of the tool, and a blend with what it replaces.
-PLACES, BLEND_PLACES = 800, 200
+MOTION_SAMPLES, BLEND_SAMPLES = 800, 200
 
 
 def assemble(
@@ -286,7 +286,7 @@ def _part(
     report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
     begins = times_of(trajectory, path, middles)
     kept = _constraint_figures(group, trajectory, begins, legs)
-    broken = [f"constraint: {each}" for each in kept if each.least < -KEPT]
+    broken = [f"constraint: {each}" for each in kept if each.least < -ROW_TOLERANCE]
     faults = (
         *report.faults,
         *broken,
@@ -357,8 +357,10 @@ def _off_paths(
         kinematics = motion.state.robot.kinematics(motion.task)
         pose, free = kinematics.pose, kinematics.free_motion
         knots = motion.workspace_path.knots
-        s = np.union1d(np.linspace(low, high, PLACES), knots[(knots >= low) & (knots <= high)])  # given poses are met, too
-        timed = trajectory(np.linspace(begin, end, PLACES))
+        s = np.union1d(
+            np.linspace(low, high, MOTION_SAMPLES), knots[(knots >= low) & (knots <= high)]
+        )  # given poses are met, too
+        timed = trajectory(np.linspace(begin, end, MOTION_SAMPLES))
         fault = deviation_from(motion.workspace_path, pose(timed), free).excess(motion.tolerance, "time") or deviation_at(
             motion.workspace_path, s, pose(motion.path(s)), free
         ).excess(motion.tolerance, "path")
@@ -382,7 +384,7 @@ def _off_hulls(
             begin, end = times_of(trajectory, path, [before[1], after[0]])
             if begin + step >= end - step:
                 continue
-            beyond = blend.beyond(trajectory(np.linspace(begin + step, end - step, BLEND_PLACES)))
+            beyond = blend.beyond(trajectory(np.linspace(begin + step, end - step, BLEND_SAMPLES)))
             if beyond > HULL:
                 faults.append(f"steps[{motion.step}]: at its end the tool is {1e3 * beyond:.3g} mm outside of the corner")
     return faults

@@ -56,7 +56,7 @@ class BlendHull:
 
 
 #: Number of places of a motion at which the tool's distance from a corner is measured, of a blend, and of a piece it replaces.
-PLACES, ALONG_BLEND, OF_PIECE = 400, 100, 50
+CORNER_SAMPLES, BLEND_SAMPLES, PIECE_SAMPLES = 400, 100, 50
 #: Largest share of a free motion that a blend takes at either end, and of the tool's way along a path that all its blends take.
 MOST, OF_PATH = 0.45, 0.5
 #: Number of halvings of a blend that is not allowed.
@@ -158,7 +158,7 @@ def blend_of(
         path = _inside(_quintic(before.path, leaves, after.path, joins), hulls, tools, distance)
         if path is None:
             reason = "it would leave the convex hull of the pieces that it replaces"
-        elif away(path, _evenly(ALONG_BLEND)).max() > distance:
+        elif away(path, _evenly(BLEND_SAMPLES)).max() > distance:
             reason = "it would leave the neighbourhood of the corner"
         else:
             reason = _forbidden(path, before, clearance, constraints)
@@ -202,7 +202,7 @@ def with_blends(motions: list[RawMotion], blends: list[Blend | None]) -> tuple[J
 
 def _reach(away: Callable[[Array], Array], distance: float) -> float:
     """The s up to which the tool stays within a distance [m] of s = 0, at most MOST."""
-    s = _evenly(PLACES) * MOST
+    s = _evenly(CORNER_SAMPLES) * MOST
     outside = np.flatnonzero(away(s) > distance)
     return float(s[max(outside[0] - 1, 1)]) if len(outside) else MOST
 
@@ -212,7 +212,7 @@ def _evenly(count: int) -> Array:
 
 
 def _between(begin: float, end: float) -> Array:
-    return np.linspace(begin, end, OF_PIECE + 1)
+    return np.linspace(begin, end, PIECE_SAMPLES + 1)
 
 
 def _inside(path: JointPath, hulls: Sequence[BlendHull], tools: Sequence[ToolWay], size: float) -> JointPath | None:
@@ -222,7 +222,7 @@ def _inside(path: JointPath, hulls: Sequence[BlendHull], tools: Sequence[ToolWay
     not change the ends, their tangents and their curvatures.
     """
     control = raised(path.control, DEGREE)[0]
-    basis = bernstein(DEGREE, _evenly(ALONG_BLEND))
+    basis = bernstein(DEGREE, _evenly(BLEND_SAMPLES))
     inner = basis[:, 3:-3]
     for _ in range(ROUNDS):
         q = basis @ control

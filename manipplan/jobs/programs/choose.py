@@ -25,7 +25,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01
@@ -179,7 +179,7 @@ class ProgramSearch:
             if not self.nodes[k][node].is_given:
                 course = _turned(course, q, state)
             plan = None
-            if leg.is_free and np.abs(course.entry - q).max() >= SAME:
+            if leg.is_free and np.abs(course.entry - q).max() >= COINCIDENT:
                 made = self._motion(k, before, node, q, course.entry, state)
                 self._planned[k][before, node] = True
                 kept = -np.inf if isinstance(made, str) else made.report.min_manipulability

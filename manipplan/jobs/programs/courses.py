@@ -39,7 +39,7 @@ from manipplan.symbolic.task import Task
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
 #: Maximum number of finders that are kept: each may hold a hundred thousand configurations.
-KEPT = 32
+STORED_PLANNERS = 32
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -127,7 +127,7 @@ class Finders:
                 made: ToolPathPlanner | LegFailure = self.made(step, path, state, closer=closer)
             except InvalidInputError as error:
                 made = LegFailure(message=f"{error.argument} is not {error.allowed}", always=True)
-            if len(self.kept) >= KEPT:
+            if len(self.kept) >= STORED_PLANNERS:
                 del self.kept[next(iter(self.kept))]
             self.kept[key] = made
         return self.kept[key]

@@ -29,7 +29,7 @@ from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import SAME
+from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.timing.constant_speed import check_corners, check_tool_speed
 
@@ -98,7 +98,7 @@ def read_steps(
                 before = steps[k - 1] if k else step
                 radii = [each.blend for each in (before, step) if isinstance(each, MoveTo | MoveAlong)]
                 _check_speed(k, step, robot, max(blend if each is None else each for each in radii))
-            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > SAME:
+            if at is None or max(PoseGoal(step.path(0.0)).distances(at[None])) > COINCIDENT:
                 legs.append(Leg(number=k, targets=(), approach=None, constraints=none, rest=()))
             at = step.path(1.0)
         elif isinstance(step, MoveAlong) and at is not None:
@@ -195,7 +195,7 @@ NOWHERE = PartPoses()
 
 def rounded(pose: Array) -> tuple[int, ...]:
     """A pose (4, 4), or a configuration (n,), as a key: equal for the same ones."""
-    return tuple(np.round(pose.ravel() / SAME).astype(np.int64).tolist())
+    return tuple(np.round(pose.ravel() / COINCIDENT).astype(np.int64).tolist())
 
 
 def needed_by(legs: Sequence[Leg]) -> list[set[str]]:

@@ -25,7 +25,7 @@ from manipplan.support.checks import Array, flag, instance, number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, interruptible, part, teller
+from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.timing.retime import check_timing_limits
 
 
@@ -91,7 +91,7 @@ def sequence(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     blend, clearance = number("blend", blend, least=0.0), number("clearance", clearance, least=0.0)
     flag("torque", torque)
-    tell = teller(progress)
+    tell = as_callback(progress)
     check_timing_limits(robot.limits)
     given = named_configuration("start", start, robot)
     q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
@@ -118,8 +118,8 @@ def sequence(
     )
     chosen = search.best(part(tell, 0.2, 0.9))
     if chosen is None:
-        told = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
-        raise PlanningError(f"no program was found: {told}")
+        reasons = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
+        raise PlanningError(f"no program was found: {reasons}")
     items = list(_items(legs, chosen))
     if not any(isinstance(each, RawMotion) for each in items):
         raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")

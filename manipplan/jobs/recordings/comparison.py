@@ -15,7 +15,7 @@ from manipplan.symbolic.task import Task
 #: Number of intervals of time over which the mean manipulability is taken, and at whose ends two motions are compared.
 TIMES = 2000
 #: Relative change up to which a figure counts as the same, and by which manipulability has to rise to count as better.
-SAME, BETTER = 1e-6, 1e-3
+UNCHANGED, BETTER = 1e-6, 1e-3
 #: Manipulability below this is rounding noise.
 VANISHING = 1e-12
 
@@ -81,9 +81,9 @@ class Comparison:
     def worse(self) -> tuple[str, ...]:
         """Names of figures that must not get worse and did: minimum manipulability, g, and jerk unless the motion is faster."""
         before, after = self.recorded, self.improved
-        rises = [] if after.duration < before.duration * (1 - SAME) else ["peak_jerk", "rms_jerk"]
-        names = [name for name in ("g", *rises) if getattr(after, name) > getattr(before, name) * (1 + SAME)]
-        if before.min_manipulability >= VANISHING and after.min_manipulability < before.min_manipulability * (1 - SAME):
+        rises = [] if after.duration < before.duration * (1 - UNCHANGED) else ["peak_jerk", "rms_jerk"]
+        names = [name for name in ("g", *rises) if getattr(after, name) > getattr(before, name) * (1 + UNCHANGED)]
+        if before.min_manipulability >= VANISHING and after.min_manipulability < before.min_manipulability * (1 - UNCHANGED):
             names.insert(0, "min_manipulability")
         return tuple(names)
 

@@ -15,7 +15,16 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.jobs.recordings.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
 from manipplan.jobs.recordings.program import TubeProgram, Weights
 from manipplan.jobs.recordings.smooth import Smooth
-from manipplan.optimize.clearance import NEAR, PLACES, ClearanceRow, Place, distance_profile, more_places, nearest, rows_for
+from manipplan.optimize.clearance import (
+    DISTANCE_INTERVALS,
+    NEAR,
+    ClearanceRow,
+    Place,
+    distance_profile,
+    more_places,
+    nearest,
+    rows_for,
+)
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -260,7 +269,7 @@ class _PieceSearch:
             excess = np.array([found.position, found.rotation]) - self.tube.radii
             more = places
             if not proof.proven:
-                profile = distance_profile(model, path(np.linspace(0.0, 1.0, PLACES + 1)), clearance + NEAR)
+                profile = distance_profile(model, path(np.linspace(0.0, 1.0, DISTANCE_INTERVALS + 1)), clearance + NEAR)
                 failed_at = ((proof.at, proof.pair_id),) if proof.refuted else ()
                 more = more_places(places, profile, failed_at, clearance, is_free=False)
             if more == places and not (excess > 0).any():

@@ -13,7 +13,7 @@ from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array
 
 #: Number of places per piece at which a spline is fitted to a curve.
-PLACES = 4
+FIT_SAMPLES = 4
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,7 +62,7 @@ class SplineBasis:
     @property
     def places(self) -> Array:
         """Evenly spaced places for `fit`."""
-        return np.linspace(0.0, 1.0, PLACES * self.pieces + 1)
+        return np.linspace(0.0, 1.0, FIT_SAMPLES * self.pieces + 1)
 
     def trajectory(self, control: Array, duration: float, spacing: float, joint_names: tuple[str, ...]) -> Trajectory:
         """The curve with control points (size, n) in a duration [s], with samples at most `spacing` [s] apart; exact."""

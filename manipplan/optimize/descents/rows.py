@@ -312,7 +312,7 @@ class FixedRowsAt:
 #: Rows keep this much more than is required, or what start and goal have: a timed motion leaves its path by some 1e-6 rad.
 MARGIN = 5e-5
 #: Number of intervals of a path at whose ends all rows are evaluated; every STRIDE-th of these places may get a row.
-PLACES, STRIDE = 128, 2
+ROW_INTERVALS, STRIDE = 128, 2
 #: Rows are made within this value of the target: per radian of the radius of the trust region, at least and at most.
 BAND, LEAST_BAND, MOST_BAND = 2.0, 5e-3, 0.5
 #: Maximum number of rows: smallest along the path first, then the smallest of the others.
@@ -360,7 +360,7 @@ class ConstraintSearch:
 
     def find_near(self, curve: Curve, radius: float) -> ConstraintSamples:
         """The places that a step of a radius [rad or m] can use up."""
-        s = np.unique(np.concatenate([np.linspace(0.0, 1.0, PLACES + 1), self.always]))
+        s = np.unique(np.concatenate([np.linspace(0.0, 1.0, ROW_INTERVALS + 1), self.always]))
         values = self._values(curve, s)
         band = min(max(BAND * radius, LEAST_BAND), MOST_BAND)
         inner = values[1:-1]

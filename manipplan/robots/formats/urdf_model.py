@@ -63,8 +63,8 @@ def build_model(file: Path, root: ET.Element) -> pin.Model:
         found = [(str(joint.get("name")), limit) for joint in plain.findall("joint") for limit in joint.findall("limit")]
         below = [(name, limit) for name, limit in found if float(limit.get(kind, "0")) < 0]
         if below:
-            told = ", ".join(f"{name} ({limit.get(kind)})" for name, limit in below)
-            log.warning("%s: %s limits below zero count as %s: joint %s", file, kind, meaning, told)
+            joints = ", ".join(f"{name} ({limit.get(kind)})" for name, limit in below)
+            log.warning("%s: %s limits below zero count as %s: joint %s", file, kind, meaning, joints)
         for _, limit in below:
             limit.set(kind, "0")
     text = ET.tostring(plain, encoding="unicode")

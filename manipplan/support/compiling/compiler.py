@@ -119,8 +119,8 @@ def find_compiler(language: str = "c") -> Compiler | None:
             broken.append(error.output)
     if os.environ.get(variable):
         reason = "".join(f": {each}" for each in broken)
-        told = f"${variable} = {os.environ[variable]!r} is not a working compiler{reason}"
-        warnings.warn(told, CompilerWarning, stacklevel=2)
+        problem = f"${variable} = {os.environ[variable]!r} is not a working compiler{reason}"
+        warnings.warn(problem, CompilerWarning, stacklevel=2)
     elif broken:
         warnings.warn(f"no working {language.upper()} compiler was found: {'; '.join(broken)}", CompilerWarning, stacklevel=2)
     return None

@@ -22,7 +22,7 @@ from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 #: Number of times at which curves are sampled.
 SAMPLES = 201
 #: Number of these times at which ellipsoids are drawn.
-PLACES = 7
+ELLIPSOID_TIMES = 7
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -138,8 +138,8 @@ class ShownMotion:
 
     @property
     def places(self) -> Array:
-        """Configurations (PLACES, n) at which ellipsoids are drawn."""
-        return np.asarray(self.ours.q[np.linspace(0, SAMPLES - 1, PLACES).round().astype(int)])
+        """Configurations (ELLIPSOID_TIMES, n) at which ellipsoids are drawn."""
+        return np.asarray(self.ours.q[np.linspace(0, SAMPLES - 1, ELLIPSOID_TIMES).round().astype(int)])
 
     def least(self) -> list[tuple[str, str]]:
         """Names and values of the minimum manipulability of the motion and of the seed."""
