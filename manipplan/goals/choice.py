@@ -22,10 +22,15 @@ Planner = Callable[[Array, float, Progress], PathResult | str]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class GoalChoice:
-    """The path that was chosen, None where none was found, and all candidates with what became of them."""
+    """The path that was chosen, None where none was found, and all candidates with what became of them.
+
+    Attributes:
+        failures: for each candidate that was tried without success, in their order, why there is no path to it.
+    """
 
     result: PathResult | None
     candidates: tuple[GoalCandidate, ...]
+    failures: tuple[str, ...]
 
     @property
     def goal_index(self) -> int:
@@ -35,11 +40,10 @@ class GoalChoice:
     @property
     def failure(self) -> str:
         """Why there is no path."""
-        tried = [each for each in self.candidates if each.status.startswith("left out: no path")]
-        reason = tried[0].status.removeprefix("left out: no path: ") if tried else "the time limit ended the search"
-        return (
-            reason if len(self.candidates) == 1 else f"no path to any of the {len(tried)} candidates tried; the first: {reason}"
-        )
+        first = self.failures[0] if self.failures else "the time limit ended the search"
+        if len(self.candidates) == 1:
+            return first
+        return f"no path to any of the {len(self.failures)} candidates tried; the first: {first}"
 
 
 def choose(
@@ -51,7 +55,7 @@ def choose(
     manipulability: first the one nearest to it, then the others, at most PATHS paths in all. Each candidate gets SHARE of
     the time that is left, the last one all of it, and one alone `seconds`.
     """
-    search = _Search(rows=list(candidates), tried=[], paths={})
+    search = _Search(rows=list(candidates), tried=[], paths={}, failures={})
     if len(candidates) == 1:
         search.take(0, planner(candidates[0].q, seconds, tell))
         return search.choice()
@@ -66,11 +70,12 @@ def choose(
 
 @dataclass(kw_only=True, eq=False)
 class _Search:
-    """The state of a search: the candidates, those tried, and the paths found, by the index of the candidate."""
+    """The state of a search: the candidates, those tried, and by the index of a candidate its path, or why it has none."""
 
     rows: list[GoalCandidate]
     tried: list[int]
     paths: dict[int, PathResult]
+    failures: dict[int, str]
 
     @property
     def best(self) -> int | None:
@@ -108,6 +113,7 @@ class _Search:
         """Take what planning to a candidate gave."""
         self.tried.append(k)
         if isinstance(found, str):
+            self.failures[k] = found
             self.rows[k] = replace(self.rows[k], status=f"left out: no path: {found}")
             return
         self.paths[k] = found
@@ -118,10 +124,11 @@ class _Search:
     def choice(self) -> GoalChoice:
         """The best path, and what became of every candidate."""
         best = self.best
-        rows = [self._told(k, best) for k in range(len(self.rows))]
-        return GoalChoice(result=None if best is None else self.paths[best], candidates=tuple(rows))
+        rows = [self._with_outcome(k, best) for k in range(len(self.rows))]
+        failures = tuple(self.failures[k] for k in sorted(self.failures))
+        return GoalChoice(result=None if best is None else self.paths[best], candidates=tuple(rows), failures=failures)
 
-    def _told(self, k: int, best: int | None) -> GoalCandidate:
+    def _with_outcome(self, k: int, best: int | None) -> GoalCandidate:
         row = self.rows[k]
         if best is not None and k == best:
             aspect = ""

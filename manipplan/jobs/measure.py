@@ -224,7 +224,7 @@ def measure_plan(
     common = {each.name: getattr(found, each.name) for each in fields(found)}
     return PlanReport(
         **common,
-        status=result.status.value,
+        status=result.status,
         seed_g=result.seed_cost.g,
         seed_length=result.seed_cost.length,
         seed_min_manipulability=result.seed_cost.min_manipulability,
@@ -345,7 +345,7 @@ def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
         return "seed: the same motions without blends; straight: a line between the ends"
     if not found.counts:
         return UNCOUNTED
-    first = first_path(result.status.value)
+    first = first_path(result.status)
     others = {first: result.seed_cost.min_manipulability, "straight path": straight}
     note = ", ".join(_compared(least, other, name) for name, other in others.items())
     if least > 0 and all(least >= 2 * other for other in others.values()):

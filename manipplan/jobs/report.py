@@ -323,7 +323,7 @@ class PlanReport(Report):
     """The report of a plan: that of its trajectory, with the attributes of Report, beside the seed and the straight line.
 
     Attributes:
-        status: text of the Status.
+        status: the outcome of the job.
         seed_g, seed_length, seed_min_manipulability: figures of the seed; for `improve`, of the recorded motion.
         straight_min_manipulability: minimum manipulability on the straight line from start to goal.
         straight_free: whether that line is collision-free.
@@ -331,7 +331,7 @@ class PlanReport(Report):
         comparison: for `improve`, the recorded motion and this one side by side.
     """
 
-    status: str
+    status: Status
     goal_error: float
     seed_g: float
     seed_length: float
@@ -347,7 +347,7 @@ class PlanReport(Report):
         others += "" if self.straight_free else ", which collides"
         lines = [
             f"{self.robot}, tool {self.tool}, task {self.task}: {self._verdict()}",
-            f"  status       {self.status}",
+            f"  status       {self.status.value}",
             *(f"  failed       {fault}" for fault in self.faults),
             f"  duration     {self.duration:.3f} s",
             f"  minimum m    {self._minimum(others) if self.counts else UNCOUNTED}",
@@ -361,7 +361,7 @@ class PlanReport(Report):
         return "\n".join(lines)
 
     def _verdict(self) -> str:
-        if self.passed and self.status == Status.SINGULAR.value:
+        if self.passed and self.status is Status.SINGULAR:
             return "limits, collisions and goal passed their checks, but the path is SINGULAR"
         return super()._verdict()
 
@@ -371,6 +371,6 @@ def shown(m: float) -> str:
     return f"{m:.4g}" if m >= VANISHING else "0"
 
 
-def first_path(status: str) -> str:
+def first_path(status: Status) -> str:
     """Name of the path that the result is compared with."""
-    return "recorded" if status in {each.value for each in RECORDED} else "seed"
+    return "recorded" if status in RECORDED else "seed"

@@ -214,7 +214,7 @@ def finish(
 def check_failed(plan: Plan, throw: bool, message: str = "") -> Plan:
     """The plan with Status.CHECK_FAILED, returned or raised; without a message that of its report."""
     faults = plan.report.faults or (message,)
-    report = replace(plan.report, status=Status.CHECK_FAILED.value, passed=False, faults=faults)
+    report = replace(plan.report, status=Status.CHECK_FAILED, passed=False, faults=faults)
     return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message or str(report))
 
 

@@ -107,7 +107,7 @@ class Status(Enum):
     @property
     def has_path(self) -> bool:
         """Whether there is a path: for a job, a checked one that a robot can execute."""
-        return not self.value.startswith("failed")
+        return self not in FAILED
 
 
 MET = (
@@ -123,6 +123,21 @@ MET = (
     Status.COMPOSED,
     Status.PROVEN_OPTIMAL,
     Status.TRACKED,
+)
+#: Statuses without a path.
+FAILED = (
+    Status.NOT_FOLLOWED,
+    Status.NOT_CONNECTED,
+    Status.NO_PATH,
+    Status.NO_TIMING,
+    Status.CHECK_FAILED,
+    Status.NOT_VALID,
+    Status.WORKER_LOST,
+    Status.ERROR,
+    Status.GAVE_UP,
+    Status.LEFT_TOLERANCE,
+    Status.NOT_REACHED,
+    Status.BRAKED,
 )
 #: Statuses of motions along a workspace path.
 ALONG = (Status.FOLLOWED, Status.FOLLOWED_IN_PARTS)

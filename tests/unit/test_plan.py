@@ -288,3 +288,8 @@ def test_a_plane_in_the_scene_does_not_spoil_the_picture(panda, tmp_path):
     plan = mp.plan(panda, panda.neutral, panda.neutral + 0.2, scene)
     assert (tmp_path / "plan.png") in plan.save(tmp_path)
     assert (tmp_path / "plan.png").stat().st_size > 10_000
+
+
+def test_statuses_without_a_path_say_that_they_failed():
+    for status in mp.Status:
+        assert status.value.startswith("failed") == (not status.has_path) and not (status.ok and not status.has_path)

@@ -229,7 +229,7 @@ goal = nearest(goals[m > 0.7 * m.max()], start)
 grasp = nearest(free_configurations(lifting, pick), start)
 
 plan = mp.plan(carrying, start, goal, free, clearance=clearance)
-print(plan.report.status.split(":")[0])
+print(plan.report.status.name.lower())
 print(f"proven clearance {1e3 * plan.report.proven_clearance:.1f} mm")
 assert plan.report.passed
 assert plan.report.proven_clearance > clearance - 1e-4

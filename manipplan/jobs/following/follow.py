@@ -301,7 +301,7 @@ def follow(
     if fault:
         return check_failed(made, throw, fault)
     if is_singular(result.path, integral, integral.cost(result.path)):
-        made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR.value))
+        made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR))
     tell(1.0, "done")
     return made
 

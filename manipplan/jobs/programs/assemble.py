@@ -304,7 +304,7 @@ def _part(
         for each in legs[motion.step].targets[goals[motion.step]].taken
     )
     report = replace(
-        report, faults=faults, passed=not faults, status=status.value, constraints=tuple(kept), taken_to_limits=taken
+        report, faults=faults, passed=not faults, status=status, constraints=tuple(kept), taken_to_limits=taken
     )
     part = Plan(
         robot=robot,
