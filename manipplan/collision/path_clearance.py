@@ -224,7 +224,7 @@ def _few_points(robot: Robot, item: pin.GeometryObject) -> tuple[Array, float]:
     points, radius = core_of(item.geometry)
     place = item.placement
     if len(points) > MOST_POINTS:
-        known, key = _enclosed(robot), points.tobytes()
+        known, key = _enclosures(robot), points.tobytes()
         if key not in known:
             around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
             known[key] = *core_of(around.shape), around.placement
@@ -234,7 +234,7 @@ def _few_points(robot: Robot, item: pin.GeometryObject) -> tuple[Array, float]:
 
 
 @once_per_owner
-def _enclosed(_robot: Robot) -> dict[bytes, tuple[Array, float, pin.SE3]]:
+def _enclosures(_robot: Robot) -> dict[bytes, tuple[Array, float, pin.SE3]]:
     """What encloses the bodies that were met with this robot, by their core points: it is the same in every scene."""
     return {}
 
@@ -325,7 +325,7 @@ class _Bisection:
     def run(self, path: JointPath) -> PathClearance:
         control, breaks = path.control, path.breaks
         while len(control) < 2 * FIRST:
-            control, breaks = _halved(control, breaks)
+            control, breaks = _halve(control, breaks)
         edges = np.stack([breaks[:-1], breaks[1:]], axis=1)
         rows, pairs, known = self._begin(control, breaks)
         while len(rows) and not self.decided:
@@ -469,7 +469,7 @@ class _Intervals:
         )
 
 
-def _halved(control: Array, breaks: Array) -> tuple[Array, Array]:
+def _halve(control: Array, breaks: Array) -> tuple[Array, Array]:
     """Control points and breaks of the same curve in twice as many pieces."""
     left, right = split(control)
     middles = (breaks[:-1] + breaks[1:]) / 2

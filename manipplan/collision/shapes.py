@@ -101,13 +101,13 @@ class Obstacle(ABC):
         moved = pin.SE3(pose_matrix("pose", pose)) * self.pose
         position = finite_array("pose", moved.translation, (3,), most=FARTHEST)
         rotation = finite_array("pose", moved.rotation, (3, 3))
-        return self._changed(position=position, rotation=rotation)
+        return self._change(position=position, rotation=rotation)
 
     def called(self, name: str) -> Self:
         """A copy with another name."""
-        return self if text("name", name) == self.name else self._changed(name=name)
+        return self if text("name", name) == self.name else self._change(name=name)
 
-    def _changed(self, **values: Any) -> Self:
+    def _change(self, **values: Any) -> Self:
         """A copy with other values, which are valid; the file of a mesh is not read again."""
         changed = copy.copy(self)
         for name, value in values.items():

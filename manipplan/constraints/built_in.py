@@ -143,7 +143,7 @@ class TiltLimit(Constraint):
 
     @property
     def name(self) -> str:
-        return f"tilt of {self.tool or 'tool'} axis {_shown(self.axis)} from {_shown(self.direction)}"
+        return f"tilt of {self.tool or 'tool'} axis {_format_vector(self.axis)} from {_format_vector(self.direction)}"
 
     @property
     def of_tool(self) -> str | None:
@@ -187,7 +187,7 @@ def _unit(argument: str, vector: ArrayLike) -> tuple[float, ...]:
     return tuple(float(each) for each in array / length)
 
 
-def _shown(vector: ArrayLike) -> str:
+def _format_vector(vector: ArrayLike) -> str:
     return "(" + ", ".join(f"{each:.4g}" for each in np.asarray(vector)) + ")"
 
 

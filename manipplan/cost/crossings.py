@@ -112,7 +112,7 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
     else:
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
-    met += [(s, _listed(_vanishing(kinematics, q[0]))) for s, q in ends.items()]
+    met += [(s, _list_names(_vanishing(kinematics, q[0]))) for s, q in ends.items()]
     return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
 
 
@@ -300,7 +300,7 @@ def _vanishing(kinematics: Kinematics, q: Array) -> list[str]:
     return [] if sides is None else sides.vanishing(q)
 
 
-def _listed(names: list[str]) -> str:
+def _list_names(names: list[str]) -> str:
     """Names with commas and an "and"."""
     return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names)
 

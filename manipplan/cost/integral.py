@@ -285,7 +285,7 @@ class PathIntegral:
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) that divide a path into parts of equal g, or of equal length where m is mostly zero."""
         s = np.linspace(0.0, 1.0, 1001)
-        density = _weighted_speed(path, s, self)
+        density = _compute_weighted_speed(path, s, self)
         median = np.median(density)
         # capped, so that the parameters do not all cluster near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
@@ -345,7 +345,7 @@ def path_cost(
     return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
 
-def _weighted_speed(path: JointPath, s: Array, integral: PathIntegral) -> Array:
+def _compute_weighted_speed(path: JointPath, s: Array, integral: PathIntegral) -> Array:
     """h = ‖q'‖_W / (m² + ε²)^(p/2) at s (m,), whose integral is g; inf at a singular configuration without a floor."""
     m = integral.kinematics.manipulability(path(s))
     with np.errstate(divide="ignore"):
@@ -369,7 +369,7 @@ def _compiled(path: JointPath, integral: PathIntegral) -> Panels | None:
 def _integrate_by_numpy(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
     """As `_integrate_panels`."""
     s, weights = gauss(begin, end)
-    h = _weighted_speed(path, s.ravel(), integral)
+    h = _compute_weighted_speed(path, s.ravel(), integral)
     return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))
 
 

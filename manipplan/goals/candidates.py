@@ -170,7 +170,7 @@ def find_candidates(
     ]
     best = found.rows(np.flatnonzero(free[len(rows) :]))
     q, index = every[free], index[free]
-    more, of = _refined(best, start, model, integral, clearance, constraints)
+    more, of = _refine(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):
         refusal = _nothing_free(targets, rejected, ", within the constraints" if constraints.constraints else "")
@@ -196,7 +196,7 @@ def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegra
     return [
         GoalCandidate(
             goal_index=goals[k],
-            q=_frozen(q[k]),
+            q=_freeze(q[k]),
             manipulability=float(lines.m[k, -1]),
             bound=float(lines.bound[k]),
             straight_length=float(np.linalg.norm(q[k] - start)),
@@ -237,10 +237,10 @@ def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
     joint = int(outside.argmax())
     unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
     reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} {unit} outside its limits"
-    return GoalCandidate(goal_index=goal, q=_frozen(q), status=reason)
+    return GoalCandidate(goal_index=goal, q=_freeze(q), status=reason)
 
 
-def _refined(
+def _refine(
     found: Reaching,
     start: Array,
     model: CollisionModel,
@@ -301,7 +301,7 @@ def _reasons(q: Array, start: Array, model: CollisionModel, clearance: float, co
 def _nothing_free(targets: Sequence[Target], rejected: Sequence[GoalCandidate], also: str) -> tuple[str, object, str]:
     """Argument, value and what is allowed, where no goal can be used."""
     if len(targets) == 1:
-        argument, value = targets[0].argument, _shown(targets[0])
+        argument, value = targets[0].argument, _describe(targets[0])
     else:
         argument, value = targets[0].argument.partition("[")[0], f"{len(targets)} goals of which none can be used"
     counts = Counter(each.status.removeprefix("left out: ") for each in rejected)
@@ -314,7 +314,7 @@ def _nothing_free(targets: Sequence[Target], rejected: Sequence[GoalCandidate], 
     return argument, value, f"a goal that can be reached inside the limits{also} and collision-free: {reasons}"
 
 
-def _shown(target: Target) -> object:
+def _describe(target: Target) -> object:
     if target.q is not None:
         return target.q.tolist()
     if target.tools is not None:
@@ -323,7 +323,7 @@ def _shown(target: Target) -> object:
     return target.pose.matrix.tolist()
 
 
-def _frozen(q: Array) -> Array:
+def _freeze(q: Array) -> Array:
     q = q.copy()
     q.flags.writeable = False
     return q

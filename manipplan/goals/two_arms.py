@@ -322,7 +322,7 @@ def reaching_tools(
         more = _closer(robot, goals, common if moves else start[None], met, start, held)
         closer = _free_together(model, ranking, *more, clearance)
         joined = closer if closer.is_free or not len(joined.q) else joined
-    rejected = () if len(joined.q) else tuple(_missed(robot, goals, found, start, held))
+    rejected = () if len(joined.q) else tuple(_find_misses(robot, goals, found, start, held))
     return Joined(q=joined.q, rejected=rejected)
 
 
@@ -337,7 +337,7 @@ def _free_together(
         sets = {tool: each.rows(np.isin(each.place, some)) for tool, each in found.items()}
         free = {tool: each.rows(~_touching(model, each.q, tool, clearance)) for tool, each in sets.items()}
         touching += [sets[tool].q[:OTHER_PAIRS] for tool, each in free.items() if not len(each.q)]
-        joined = _joined(ranking, places, some, free)
+        joined = _join(ranking, places, some, free)
         is_free = ~model.in_collision_rows(joined, clearance=clearance)
         if is_free.any():
             return _Together(q=joined[is_free][:FREE_PAIRS], is_free=True)
@@ -364,7 +364,7 @@ def _closer(
     return places, found
 
 
-def _missed(
+def _find_misses(
     robot: Robot, goals: Mapping[str, PoseGoal], found: Mapping[str, OfTool], start: Array, held: NDArray[np.bool_]
 ) -> Iterator[tuple[Array, str]]:
     """The nearest configuration found of each tool that none brought to its goal; the start where each reaches it alone."""
@@ -396,7 +396,7 @@ def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> N
     return touching
 
 
-def _joined(ranking: Ranking, places: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
+def _join(ranking: Ranking, places: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
     """Configurations (k, n) with a solution of each arm at the same one of some places (p, n), the best first."""
     count, found = int((JOINED / len(some)) ** (1 / len(free))), [np.zeros((0, places.shape[1]))]
     for place in some.tolist():

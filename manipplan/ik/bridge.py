@@ -207,14 +207,14 @@ class Bridge:
 
     def allows(self, values: Array, pose: Array) -> bool:
         """Whether the bound allows that a pose (4, 4) is reached with values (g,) of the swept joints."""
-        at = self._bounded(values[None], values[None], pose[None])
+        at = self._bound_boxes(values[None], values[None], pose[None])
         return bool(at.violation[0] <= CLOSE)
 
     def _regular(self, lower: Array, upper: Array, counts: Sequence[int], poses: Array) -> HeldValues | None:
         """A regular grid between limits (g,); None where the bound leaves little of it."""
         lines = [line(*each) for each in zip(lower, upper, counts, strict=True)]
         values = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, len(lines))
-        at = self._bounded(values, values, poses)
+        at = self._bound_boxes(values, values, poses)
         if (at.violation <= 0).mean() < REGULAR:
             return None
         step = (upper - lower) / np.maximum(np.array(counts) - 1, 1)
@@ -231,7 +231,7 @@ class Bridge:
 
     def _boxes(self, count: int, poses: Array) -> _Boxes:
         """At least `count` boxes that hold every value with which one of poses (p, 4, 4) is reached; else the nearest."""
-        boxes = self._left(self._bounded(self.lower[None], self.upper[None], poses))
+        boxes = self._left(self._bound_boxes(self.lower[None], self.upper[None], poses))
         for _ in range(HALVINGS):
             sizes = (boxes.levers + ANGLE * self.reach) * (boxes.upper - boxes.lower)
             largest = sizes.max(axis=1)
@@ -243,7 +243,7 @@ class Bridge:
             middle = (some.lower + some.upper)[rows, joints] / 2
             lower, upper = some.lower.copy(), some.upper.copy()
             upper[rows, joints], lower[rows, joints] = middle, middle
-            new = self._bounded(np.vstack([some.lower, lower]), np.vstack([upper, some.upper]), poses)
+            new = self._bound_boxes(np.vstack([some.lower, lower]), np.vstack([upper, some.upper]), poses)
             rest = boxes.rows(~halved)
             boxes = self._left(_Boxes(**{name: np.concatenate([each, vars(new)[name]]) for name, each in vars(rest).items()}))
         return boxes
@@ -254,22 +254,22 @@ class Bridge:
         left = beyond <= CLOSE * (1 + boxes.change)
         return boxes.rows(left if left.any() else np.array([int(beyond.argmin())]))
 
-    def _bounded(self, lower: Array, upper: Array, poses: Array) -> _Boxes:
+    def _bound_boxes(self, lower: Array, upper: Array, poses: Array) -> _Boxes:
         """The boxes between lower and upper (k, g), with what the bound says about them."""
         if not self._decides:
             none = np.zeros(len(lower))
             return _Boxes(lower=lower, upper=upper, violation=none, change=none, levers=np.ones(lower.shape))
         middle, half = (lower + upper) / 2, (upper - lower) / 2
-        first, levers = self._carried(self._leading, 1.0, self._points[0], middle, half)
+        first, levers = self._sweep_point(self._leading, 1.0, self._points[0], middle, half)
         sides = np.empty((len(middle), len(self._between)))
         for k, group in enumerate(self._between):
-            point, own = self._carried(group, 1.0, self._points[k + 1], middle, half)
+            point, own = self._sweep_point(group, 1.0, self._points[k + 1], middle, half)
             sides[:, k] = np.linalg.norm(point - self._points[k], axis=1)
-            other = self._carried(group[::-1], -1.0, self._points[k], middle, half)[1]
+            other = self._sweep_point(group[::-1], -1.0, self._points[k], middle, half)[1]
             levers = levers + np.minimum(own, other)  # to turn one end of the side is to turn the other end back
         targets = poses[:, :3, 3]
         if self._whole:
-            behind, own = self._carried(self._trailing[::-1], -1.0, self._points[-1], middle, half)
+            behind, own = self._sweep_point(self._trailing[::-1], -1.0, self._points[-1], middle, half)
             levers = levers + own
             undone = poses @ np.linalg.inv(self._screws.home)
         total, longest = sides.sum(axis=1) + self._slack, sides.max(axis=1, initial=0.0)
@@ -285,7 +285,7 @@ class Bridge:
         change = np.minimum(levers * half, np.where(self._screws.slides[list(self._swept)], np.inf, 2 * levers)).sum(axis=1)
         return _Boxes(lower=lower, upper=upper, violation=violation, change=change, levers=levers)
 
-    def _carried(self, joints: Sequence[int], sign: float, point: Array, middle: Array, half: Array) -> tuple[Array, Array]:
+    def _sweep_point(self, joints: Sequence[int], sign: float, point: Array, middle: Array, half: Array) -> tuple[Array, Array]:
         """Places (k, 3) of a point that swept joints carry, the first of them outermost, and the travel per unit (k, g) that
         each causes at most in boxes with these middles and half widths (k, g).
         """

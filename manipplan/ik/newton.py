@@ -120,10 +120,10 @@ def descend(
     damping = np.full(len(q), DAMPING)
     for _ in range(STEPS):
         slope = slopes[rows] * ~held
-        step = _damped_step(slope, miss[rows], damping[rows])
+        step = _compute_damped_step(slope, miss[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
         stuck = ((q[rows] <= lower) & (step < 0)) | ((q[rows] >= upper) & (step > 0))
-        step = _damped_step(slope * ~stuck[:, None, :], miss[rows], damping[rows])
+        step = _compute_damped_step(slope * ~stuck[:, None, :], miss[rows], damping[rows])
         moved = np.clip(q[rows] + step, lower, upper)
         left, bent = missing(rows, moved)
         good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
@@ -135,7 +135,7 @@ def descend(
     return q, miss
 
 
-def _damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
+def _compute_damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
     """Damped steps (k, n) of the joints that reduce the miss (k, r)."""
     turned = np.swapaxes(jacobian, 1, 2)
     solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(miss.shape[1]), miss[:, :, None])

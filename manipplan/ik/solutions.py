@@ -141,13 +141,13 @@ def inverse_kinematics(
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
-    found = _solved(solver, poses, parameters, samples, deadline)
+    found = _solve(solver, poses, parameters, samples, deadline)
     if parameters is None and samples is None:
         for count in solver.finer_counts():
             none = np.setdiff1d(np.arange(len(poses)), found.owners)
             if not len(none) or deadline.passed:
                 break
-            found = found.with_more(_solved(solver, poses[none], None, count, deadline), none)
+            found = found.with_more(_solve(solver, poses[none], None, count, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
             q = solver.random_solutions(poses[k])
             if len(q) and not deadline.passed:
@@ -204,7 +204,7 @@ class _Solved:
         )
 
 
-def _solved(
+def _solve(
     solver: "Solver", poses: Array, parameters: ArrayLike | None, samples: int | Sequence[int] | None, deadline: Deadline
 ) -> _Solved:
     """All solutions of poses (p, 4, 4) for given parameters or a grid; each pose has its own grid where slides are in it."""
@@ -232,7 +232,7 @@ def _solved(
 def _with_these(solver: "Solver", pose: Array, q: Array, deadline: Deadline) -> _Solved:
     """All solutions of a pose (4, 4) with the parameters of known ones, q (k, n), and these themselves."""
     values = solver.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
-    found = _solved(solver, pose[None], values, None, deadline)
+    found = _solve(solver, pose[None], values, None, deadline)
     own = solver.judged(q, pose)
     return replace(
         found,

@@ -214,7 +214,7 @@ class Solver:
             if not len(q):
                 q = Starts.near(self.robot, target, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
             q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
-            allowed, ratio = float(_allowed(target[None])[0]), share
+            allowed, ratio = float(_allow_residual(target[None])[0]), share
             q, miss = arm.search(q, target, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
             q = q[miss <= allowed]
             if not len(q):
@@ -286,16 +286,16 @@ class Solver:
         Joints of a redundant arm that would come nearer to a limit than `inside` [rad or m] stop there, and the others move on.
         """
         limits = self.robot.limits
-        moved = self._moved(q, poses, np.ones(self.robot.n, dtype=np.bool_))
+        moved = self._move_onto(q, poses, np.ones(self.robot.n, dtype=np.bool_))
         inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
         beyond = inner != moved
         for stopped in np.unique(beyond[beyond.any(axis=1)], axis=0):
             if self.robot.n - stopped.sum() >= (PLANAR_POSE if self.robot.planar else POSE) - len(self.free.names):
                 rows = np.flatnonzero((beyond == stopped).all(axis=1))
-                moved[rows] = self._moved(inner[rows], poses[rows], ~stopped)
+                moved[rows] = self._move_onto(inner[rows], poses[rows], ~stopped)
         return np.clip(moved, limits.lower, limits.upper)
 
-    def _moved(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
+    def _move_onto(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
         """Configurations (k, n) after minimum-norm Newton steps of the joints `moves` (n,) onto poses (k, 4, 4)."""
         if self.free.names and (self.by_rows or not self.robot.planar):
             return onto_rows(self.kinematics, self.free, q, poses, moves, REACHED / 100)
@@ -317,7 +317,7 @@ class Solver:
         if stopped.any():
             targets, at = self._targets(poses, owners[order], samples[order], source[stopped])
             residual[stopped] = self._residual(q[stopped], targets, at)
-        allowed = _allowed(poses)[owners[order][source]]
+        allowed = _allow_residual(poses)[owners[order][source]]
         source = order[source]
         usual = np.lexsort((residual > allowed, source))  # `distinct` takes the first of those that are one
         usual = usual[self._counts(q, source, residual, allowed)[usual]]
@@ -370,10 +370,10 @@ class Solver:
             asked = self._targets(poses, owners, samples, every)[0], every, samples[:, : -len(self.free.names)]
         blocks: list[Found] = []
         for q, source, solved in self._enumeration(*asked):
-            blocks.append(self._judged(q, source, *self._targets(poses, owners, samples, source)))
+            blocks.append(self._check_solutions(q, source, *self._targets(poses, owners, samples, source)))
             if deadline.passed:
-                return replace(_joined(blocks, self.robot.n), solved=solved / len(samples))
-        return _joined(blocks, self.robot.n)
+                return replace(_join(blocks, self.robot.n), solved=solved / len(samples))
+        return _join(blocks, self.robot.n)
 
     def _targets(
         self, poses: Array, owners: NDArray[np.int64], samples: Array, source: NDArray[np.int64]
@@ -386,11 +386,11 @@ class Solver:
 
     def judged(self, q: Array, pose: Array) -> Found:
         """The rows of q (k, n) that reach a pose (4, 4), after refinement where rounding requires it."""
-        return self._judged(q, np.arange(len(q)), pose[None], np.zeros(len(q), dtype=np.int64))
+        return self._check_solutions(q, np.arange(len(q)), pose[None], np.zeros(len(q), dtype=np.int64))
 
-    def _judged(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
+    def _check_solutions(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""
-        residual, allowed = self._residual(q, targets, rows), _allowed(targets)[rows]
+        residual, allowed = self._residual(q, targets, rows), _allow_residual(targets)[rows]
         off = residual > allowed
         if self.form is not None and self.form.exact:
             off &= residual < ROUNDED * allowed / REACHED
@@ -421,10 +421,10 @@ class Solver:
             q = places.random(poses[source], rng)
             q[:, list(self.held)] = samples[source, : len(self.held)]
             q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
-            good = (residual <= _allowed(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
+            good = (residual <= _allow_residual(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
             blocks.append(Found(q=in_turn(robot, q[good]), source=source[good], residual=residual[good]))
             begin += TOGETHER
-        found = _joined(blocks, robot.n)
+        found = _join(blocks, robot.n)
         kept, hits = merged(found.q, found.source)
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
         solved = min(begin / max(len(samples), 1), 1.0)
@@ -440,16 +440,16 @@ class Solver:
                 continue
             setup = ArmWithHeldJoints(robot=self.robot, screws=self.screws, held=self.held, values=samples[k, : len(self.held)])
             q, share = random_answers(setup, target, places.of(target), rng, deadline)
-            blocks.append(self._judged(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
+            blocks.append(self._check_solutions(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             missing.append(share)
             if deadline.passed:
                 solved = (k + 1) / len(samples)
                 break
-        found = _joined(blocks, self.robot.n)
+        found = _join(blocks, self.robot.n)
         return replace(found, missing=float(np.mean(missing)) if missing else 0.0, solved=solved)
 
 
-def _allowed(poses: Array) -> Array:
+def _allow_residual(poses: Array) -> Array:
     """The largest entry (p,) by which a configuration may miss each of poses (p, 4, 4)."""
     return np.asarray(REACHED * np.maximum(np.abs(poses[:, :3, 3]).max(axis=1, initial=0.0) / FAR, 1.0))
 
@@ -500,7 +500,7 @@ def _check_limits(robot: Robot) -> None:
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 
-def _joined(blocks: list[Found], n: int) -> Found:
+def _join(blocks: list[Found], n: int) -> Found:
     if not blocks:
         return Found(q=np.zeros((0, n)), source=np.zeros(0, dtype=np.int64), residual=np.zeros(0))
     return Found(

@@ -208,7 +208,7 @@ def _same(first: Array, second: Array) -> bool:
 def scene_data(scene: Scene, folder: Path) -> Any:
     """The data of a scene for a file in `folder`, or why there are none: an obstacle is of an unknown class."""
     try:
-        obstacles = [{key: _stored(value, folder) for key, value in entry.items()} for entry in scene.entries()]
+        obstacles = [{key: _store(value, folder) for key, value in entry.items()} for entry in scene.entries()]
         return {"obstacles": obstacles, "allowed": scene.allowed_names()}
     except InvalidInputError as error:
         return {"missing": str(error)}
@@ -220,7 +220,7 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
         return instance("scene", given, Scene)
     if "missing" in data:
         raise FileFormatError("file", str(path), f"a result with its scene, but {data['missing']}; give scene=")
-    entries = [{key: _restored(key, value, folder) for key, value in entry.items()} for entry in data["obstacles"]]
+    entries = [{key: _restore(key, value, folder) for key, value in entry.items()} for entry in data["obstacles"]]
     try:
         return Scene.from_entries(entries, folder, allowed=data["allowed"])
     except InvalidInputError as error:
@@ -228,14 +228,14 @@ def scene_of(path: Path, data: Any, folder: Path, given: Scene | None) -> Scene:
         raise FileFormatError("file", str(path), wanted) from error
 
 
-def _stored(value: Any, folder: Path) -> Any:
+def _store(value: Any, folder: Path) -> Any:
     """A value of an obstacle: paths as two, many numbers compressed."""
     if isinstance(value, Path):
         return absolute_and_relative(value, folder)
     return packed_array(np.array(value, dtype=float)) if isinstance(value, list) and len(value) > MANY else value
 
 
-def _restored(key: str, value: Any, folder: Path) -> Any:
+def _restore(key: str, value: Any, folder: Path) -> Any:
     if key == "file":
         return found_again(value, folder)
     return unpacked_array(value) if isinstance(value, Mapping) else value

@@ -326,7 +326,7 @@ def _unit_of(joint: str, robot: Robot) -> str:
     return "m" if joint and robot.joint_types[robot.joint_names.index(joint)] == "prismatic" else "rad"
 
 
-def _compared(least: float, other: float, name: str) -> str:
+def _compare(least: float, other: float, name: str) -> str:
     """Comparison of a minimum manipulability with that of another path."""
     if other < VANISHING:
         return f"the {name}'s is zero"
@@ -347,7 +347,7 @@ def _minimum_note(found: Report, result: PathResult, straight: float) -> str:
         return UNCOUNTED
     first = first_path(result.status)
     others = {first: result.seed_cost.min_manipulability, "straight path": straight}
-    note = ", ".join(_compared(least, other, name) for name, other in others.items())
+    note = ", ".join(_compare(least, other, name) for name, other in others.items())
     if least > 0 and all(least >= 2 * other for other in others.values()):
         return note
     if at <= AT_END or at >= 1 - AT_END:

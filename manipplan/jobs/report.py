@@ -231,7 +231,7 @@ class Report:
             f"  minimum m    {f'{self._minimum()}, after {self.min_at * self.duration:.3f} s' if self.counts else UNCOUNTED}",
             f"  g            {self.g:.5g}, exponent {self.power:g}",
             f"  length       {self.length:.4g} rad",
-            *self._measured(),
+            *self._figure_lines(),
         ]
         for name, error in (("start", self.start_error), ("goal", self.goal_error)):
             if error is not None:
@@ -266,7 +266,7 @@ class Report:
         """Unit of the measure behind a space; "" for none."""
         return f" {self.measure_unit}" if self.measure_unit != "1" else ""
 
-    def _measured(self) -> list[str]:
+    def _figure_lines(self) -> list[str]:
         """Lines on singularities, clearance, constraints and limits."""
         lines = [f"  limit        {each}" for each in self.taken_to_limits]
         if self.crossing_note:
@@ -355,7 +355,7 @@ class PlanReport(Report):
             f"  g            {self.g:.5g} ({first} {self.seed_g:.5g}), exponent {self.power:g}",
             f"  length       {self.length:.4g} rad ({first} {self.seed_length:.4g})",
         ]
-        lines += [*part_lines(self.along, self.duration), *self._measured()]
+        lines += [*part_lines(self.along, self.duration), *self._figure_lines()]
         if self.comparison is not None:
             lines += [f"  {line}" for line in str(self.comparison).splitlines()]
         return "\n".join(lines)

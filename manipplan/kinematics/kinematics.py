@@ -64,12 +64,12 @@ class View:
         if not (task.turns_freely and _straight(chain) and task.relative_to is None):
             return cls(jacobian=plain, smooth=smooth)
         if task.tool_rows:
-            return cls(jacobian=_led(chain, task.rows_of(*_seen_from(chain, n, None))), smooth=smooth)
+            return cls(jacobian=_with_followers(chain, task.rows_of(*_express_at(chain, n, None))), smooth=smooth)
         middle = (n + 1) // 2
         if len(task.world_rows) < 6:
-            return cls(jacobian=_led(chain, task.rows_of(*_seen_from(chain, middle, None))), smooth=smooth)
+            return cls(jacobian=_with_followers(chain, task.rows_of(*_express_at(chain, middle, None))), smooth=smooth)
         places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
-        views = [(_seen_from(chain, f, at)[0], f) for f, at in places]
+        views = [(_express_at(chain, f, at)[0], f) for f, at in places]
         seen, f = min(views, key=lambda view: int(view[0].nnz()))
         rows = ca.sparsify(ca.DM(task.matrices[0]))
         smooth = LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows), chain.tree)
@@ -87,7 +87,7 @@ def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     if not (_straight(chain) and is_pose and task.relative_to is None):
         return task_rows(chain, task)
     middle = (n + 1) // 2
-    seen, _ = _seen_from(chain, middle, middle)
+    seen, _ = _express_at(chain, middle, middle)
     rows = ca.sparsify(ca.DM(task.matrices[0]))
     return LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=middle, rows=rows), chain.tree)
 
@@ -115,14 +115,16 @@ class ViewMotion(Motion):
         n = self.jacobian.shape[1]
         derivatives = []
         for k in range(n):
-            moved = self._moved(k)
+            moved = self._differentiate_axes(k)
             derivatives.append(self.rows @ ca.horzcat(*(moved.get(j, ca.SX(6, 1)) for j in range(n))))
         return derivatives
 
     def first(self, weights: ca.SX) -> ca.SX:
         plain = self.rows.T @ weights
         n = self.jacobian.shape[1]
-        return ca.vertcat(*(sum((ca.dot(plain[:, j], s) for j, s in self._moved(k).items()), ca.SX(0.0)) for k in range(n)))
+        return ca.vertcat(
+            *(sum((ca.dot(plain[:, j], s) for j, s in self._differentiate_axes(k).items()), ca.SX(0.0)) for k in range(n))
+        )
 
     def second(self, weights: ca.SX) -> ca.SX:
         plain = self.rows.T @ weights
@@ -131,13 +133,13 @@ class ViewMotion(Motion):
         for k in range(n):
             after = k >= self.f
             # <weights_j, [S_i, [S_k, S_j]]> = S_i · Σ_j (dual of [S_k, S_j] with weights_j), for every i nearer to f
-            dual = sum((_dual(s, plain[:, j]) for j, s in self._moved(k).items()), ca.SX(6, 1))
+            dual = sum((_dual(s, plain[:, j]) for j, s in self._differentiate_axes(k).items()), ca.SX(6, 1))
             for i in range(self.f, k + 1) if after else range(k, self.f):
                 entry = ca.dot(self.jacobian[:, i], dual)
                 out[i, k] = out[k, i] = entry if after else -entry
         return out
 
-    def _moved(self, k: int) -> dict[int, ca.SX]:
+    def _differentiate_axes(self, k: int) -> dict[int, ca.SX]:
         """∂_k S_j for the j that joint k moves; joints counted from 0."""
         n = self.jacobian.shape[1]
         if k >= self.f:
@@ -151,7 +153,7 @@ def _straight(chain: SymbolicChain) -> bool:
     return chain.own and list(chain.model.parents)[1:] == list(range(n)) and chain.frame.parentJoint == n
 
 
-def _led(chain: SymbolicChain, jacobian: ca.SX) -> ca.SX:
+def _with_followers(chain: SymbolicChain, jacobian: ca.SX) -> ca.SX:
     """The Jacobian by q of one with a column for each joint."""
     return jacobian @ ca.sparsify(ca.DM(chain.tree.matrix)) if chain.tree.has_followers else jacobian
 
@@ -166,7 +168,7 @@ def _dual(b: ca.SX, weights: ca.SX) -> ca.SX:
     return ca.vertcat(ca.cross(b[3:], f), ca.cross(b[:3], f) + ca.cross(b[3:], t))
 
 
-def _seen_from(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
+def _express_at(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca.SX]:
     """The Jacobian (6, N) along the axes of joint f for the origin of joint `at` (None: the tool), and the tool's rotation.
 
     It has a column for each joint, whether it follows another or not.

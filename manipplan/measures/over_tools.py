@@ -82,7 +82,7 @@ class OverTools(Measure):
 
     def value(self, posture: Posture) -> ca.SX:
         tools = posture.tools()
-        return self._combined(list(tools), [each.placed(self.measure.value) for each in tools.values()])[0]
+        return self._combine(list(tools), [each.placed(self.measure.value) for each in tools.values()])[0]
 
     def gradient(self, posture: Posture) -> ca.SX:
         slopes, _, _ = self._derivatives(posture)
@@ -96,7 +96,7 @@ class OverTools(Measure):
         """Σ_k c_k ∇m_k, Σ_k c_k ∇²m_k and Σ_kl c_kl ∇m_k ∇m_lᵀ, with c_k, c_kl the derivatives by m_k, and by m_k and m_l."""
         tools, n = posture.tools(), posture.q.shape[0]
         values = [each.placed(self.measure.value) for each in tools.values()]
-        _, first, mixed = self._combined(list(tools), values)
+        _, first, mixed = self._combine(list(tools), values)
         gradients = [_column(each, self.measure.gradient, n) for each in tools.values()]
         slopes = sum((c * slope for c, slope in zip(first, gradients, strict=True)), ca.SX(n, 1))
         bends, outer = ca.SX(n, n), ca.SX(n, n)
@@ -108,7 +108,7 @@ class OverTools(Measure):
                     outer += mixed[k][j] * a @ b.T
         return slopes, bends, outer
 
-    def _combined(self, tools: list[str], m: list[ca.SX]) -> tuple[ca.SX, list[ca.SX], list[list[ca.SX]]]:
+    def _combine(self, tools: list[str], m: list[ca.SX]) -> tuple[ca.SX, list[ca.SX], list[list[ca.SX]]]:
         """The value, its derivatives by each m_k, and by each two."""
         if self.weights is not None:
             given = dict(self.weights)
@@ -121,7 +121,7 @@ class OverTools(Measure):
             least = ca.fmin(least, each)
         safe = [ca.fmax(each, VANISHING) for each in m]
         floor = ca.fmax(least, VANISHING)
-        root = sum((_doubled(floor / each) for each in safe), ca.SX(0.0))
+        root = sum((_double_power(floor / each) for each in safe), ca.SX(0.0))
         for _ in range(DOUBLED):
             root = ca.sqrt(root)
         value = least / root
@@ -129,7 +129,7 @@ class OverTools(Measure):
         # -17 t_k^17 / m_k Σ_{l≠k} t_l^16 for k = l
         power = 2**DOUBLED + 1
         ratios = [floor / root / each for each in safe]
-        powers = [_doubled(t) for t in ratios]
+        powers = [_double_power(t) for t in ratios]
         first = [each * t for each, t in zip(powers, ratios, strict=True)]
         mixed = [[power * a * b / (floor / root) for b in first] for a in first]
         for k, each in enumerate(safe):
@@ -142,7 +142,7 @@ def _is_pair(given: object) -> bool:
     return isinstance(given, list | tuple) and len(given) == 2 and isinstance(given[0], str)
 
 
-def _doubled(base: ca.SX) -> ca.SX:
+def _double_power(base: ca.SX) -> ca.SX:
     """base^(2^DOUBLED)."""
     for _ in range(DOUBLED):
         base = base * base

@@ -75,7 +75,7 @@ def from_rosbag(file: str | Path, topic: str | None = None, *, joints: Sequence[
         reason = " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
         raise FileFormatError("file", str(path), f"a ROS bag that can be read ({reason[:200]})") from error
     where = f"{path}, {chosen}"
-    names, t, q, qd = (_commands if topics[chosen] == TRAJECTORY else _recorded)(where, messages, joints)
+    names, t, q, qd = (_commands if topics[chosen] == TRAJECTORY else _collect)(where, messages, joints)
     return _motion(where, names, t, q, qd)
 
 
@@ -96,7 +96,7 @@ def _topic(path: Path, topics: dict[str, str], topic: str | None) -> str:
     raise FileFormatError("file", str(path), f"a bag with a topic of type {STATE} or {TRAJECTORY}; this one has {listed}")
 
 
-def _recorded(
+def _collect(
     where: str, messages: list[tuple[int, Any]], joints: Sequence[str] | None
 ) -> tuple[tuple[str, ...], Array, Array, Array | None]:
     """Names (n,), times (k,) [s], positions and, where every message has them, velocities (k, n) of JointStates.
@@ -150,7 +150,7 @@ def _recorded(
 def _commands(
     where: str, messages: list[tuple[int, Any]], joints: Sequence[str] | None
 ) -> tuple[tuple[str, ...], Array, Array, Array | None]:
-    """The same as `_recorded`, for the only JointTrajectory of a topic."""
+    """The same as `_collect`, for the only JointTrajectory of a topic."""
     if len(messages) != 1:
         raise FileFormatError("file", where, f"one JointTrajectory; the topic has {len(messages)}")
     message = messages[0][1]

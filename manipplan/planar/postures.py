@@ -73,7 +73,7 @@ def fixed_radius_postures(arm: PlanarArm, radius: float) -> Array:
         if square:
             areas = _root_of(h1, square), _root_of(h2, square)
             for sign in _signs(n1, n2, square):
-                rows += _mirrored(lengths, v, square, areas, sign)
+                rows += _mirror_pair(lengths, v, square, areas, sign)
     if l2 == l3 and root == l1:  # u = 0: μ = l_1 l_3 |sin θ_2|
         rows += [(turn, np.pi) for turn in (0.0, np.pi / 2, np.pi, -np.pi / 2)]
     return _distinct(wrapped(np.array(rows).reshape(-1, 2)))
@@ -105,7 +105,7 @@ def _signs(n1: Polynomial, n2: Polynomial, u: Fraction) -> tuple[int, ...]:
     return (-1,) if first * second > 0 else (1,)
 
 
-def _mirrored(
+def _mirror_pair(
     lengths: list[Fraction], v: Fraction, u: Fraction, areas: tuple[float, float], sign: int
 ) -> list[tuple[float, float]]:
     """(θ_2, θ_3) and its mirror image for sqrt(H_1), sqrt(H_2) and the sign of M_12 M_23."""

@@ -102,8 +102,8 @@ def reachable_orientations(
             if limits.contain(family(0.5 * (low + high))).any():
                 pieces.append((low, high))
         pieces += [(cut, cut) for cut in cuts.tolist() if limits.contain(family(cut)).any()]
-    pieces += _folded(arm, family.position, limits)
-    return _joined(pieces)
+    pieces += _fold_interval(arm, family.position, limits)
+    return _join(pieces)
 
 
 def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
@@ -133,7 +133,7 @@ def check_few_links(arm: PlanarArm) -> None:
         raise InvalidInputError("arm", arm, "a PlanarArm with two or three links")
 
 
-def _folded(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
+def _fold_interval(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
     """The one orientation at which equal links 1 and 2 fold onto each other: θ_1 is free and θ_3 follows from it."""
     slack = GRAZE * arm.lengths.sum()
     if abs(arm.lengths[0] - arm.lengths[1]) > slack or abs(np.hypot(*target) - arm.lengths[2]) > slack:
@@ -168,7 +168,7 @@ def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
     return marks
 
 
-def _joined(pieces: list[Interval]) -> tuple[Interval, ...]:
+def _join(pieces: list[Interval]) -> tuple[Interval, ...]:
     """The union on the circle; intervals that touch become one."""
     turn = 2 * np.pi
     rows: list[list[float]] = []
@@ -309,7 +309,7 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
             sides = (piece(0.5) + sign * aside * outward for sign in (1, -1))
             if not all(is_reachable(arm, side, lower, upper) for side in sides):
                 kept.append(piece)
-    return _merged(kept, 6 * aside)
+    return _merge(kept, 6 * aside)
 
 
 def _critical(arm: PlanarArm, limits: AngleLimits) -> list[tuple[int, Arc]]:
@@ -391,7 +391,7 @@ def _different(arcs: tuple[Arc, ...], size: float) -> list[Arc]:
     return kept
 
 
-def _merged(pieces: list[Arc], gap: float) -> tuple[Arc, ...]:
+def _merge(pieces: list[Arc], gap: float) -> tuple[Arc, ...]:
     """Joins pieces of one circle that are less than `gap` [m] apart, and drops duplicates."""
     kept: list[Arc] = []
     for piece in sorted(pieces, key=lambda arc: (round(arc.radius, 6), *np.round(arc.centre, 6), arc.begin)):

@@ -423,7 +423,7 @@ def _refined(p: list[int], a: Fraction, b: Fraction) -> Fraction:
     if not end:
         return b
     while b - a > WIDTH:
-        middle = _rounded((a + b) / 2, b - a)
+        middle = _round_fraction((a + b) / 2, b - a)
         value = _value(p, middle)
         if not value:
             return middle
@@ -431,7 +431,7 @@ def _refined(p: list[int], a: Fraction, b: Fraction) -> Fraction:
     return (a + b) / 2
 
 
-def _rounded(x: Fraction, width: Fraction) -> Fraction:
+def _round_fraction(x: Fraction, width: Fraction) -> Fraction:
     """A fraction with a small denominator within an eighth of `width` of x."""
     digits = 8 * (width.denominator // width.numerator + 1)
     digits = 1 << digits.bit_length()

@@ -84,7 +84,7 @@ def _of_descriptions(name: str) -> RobotFile:
     known = importlib.import_module(DESCRIPTIONS).DESCRIPTIONS
     if name not in known:
         raise UnknownNameError("name", name, known)
-    found = _fetched(name, DESCRIPTIONS, name)
+    found = _fetch(name, DESCRIPTIONS, name)
     above = [Path(found["PACKAGE_PATH"]), Path(found["REPOSITORY_PATH"])]
     if not {"URDF_PATH", "XACRO_PATH"} & set(found):
         return RobotFile(file=Path(found["MJCF_PATH"]))
@@ -98,7 +98,7 @@ def _of_descriptions(name: str) -> RobotFile:
     return RobotFile(file=Path(found["XACRO_PATH"]), options={key: value for key, value in options.items() if value})
 
 
-def _fetched(name: str, package: str, robot: str) -> dict[str, Any]:
+def _fetch(name: str, package: str, robot: str) -> dict[str, Any]:
     """The files of a robot of a package, from its cache or the network, by `collections_child` in a process of its own."""
     with tempfile.TemporaryDirectory() as folder:
         try:
@@ -132,7 +132,7 @@ def _of_menagerie(name: str) -> RobotFile:
     if folder_name not in package.names():
         raise UnknownNameError("name", folder_name, package.names())
     robot = package.get(folder_name)
-    folder = _fetched(f"{MENAGERIE}{folder_name}", DOWNLOADER, folder_name)["path"]
+    folder = _fetch(f"{MENAGERIE}{folder_name}", DOWNLOADER, folder_name)["path"]
     return RobotFile(file=_robot_of(Path(folder), file_name, robot.entry(robot.default_model).file))
 
 

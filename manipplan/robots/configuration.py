@@ -93,7 +93,7 @@ def checked_configuration(robot: "Robot", argument: str, q: ArrayLike, tolerance
     if outside.any() and not taken_to_limits(robot, argument, q, tolerance):
         joint = int(outside.argmax())
         name = f"{argument}[{joint}] ({robot.joint_names[joint]})"
-        raise InvalidInputError(name, float(q[joint]), _allowed(robot, joint, float(q[joint])))
+        raise InvalidInputError(name, float(q[joint]), _describe_limits(robot, joint, float(q[joint])))
     return to_limits(robot, argument, q, tolerance)
 
 
@@ -125,7 +125,7 @@ def limits_missed(lower: float, upper: float, value: float, unit: str) -> str:
     return f"{enough_digits(lower, off)} to {enough_digits(upper, off)} {unit}; it is {off:.3g} {unit} {side}"
 
 
-def _allowed(robot: "Robot", joint: int, value: float) -> str:
+def _describe_limits(robot: "Robot", joint: int, value: float) -> str:
     """The limits that a value is outside of, by how much, and what helps."""
     lower, upper = float(robot.limits.lower[joint]), float(robot.limits.upper[joint])
     slides = robot.joint_types[joint] == "prismatic"

@@ -62,7 +62,7 @@ def read_mjcf(file: Path) -> Description:
         model=model,
         geometry=geometry,
         mimics=_couplings(file, mj, names),
-        unchecked=_unchecked(mj, colliding, [item.name for item in geometry.geometryObjects]),
+        unchecked=_find_unchecked(mj, colliding, [item.name for item in geometry.geometryObjects]),
     )
 
 
@@ -317,7 +317,7 @@ def _colour(mj: Any, geom: int) -> Array:
 # ---- pairs
 
 
-def _unchecked(mj: Any, geoms: Sequence[int], names: Sequence[str]) -> dict[frozenset[str], str]:
+def _find_unchecked(mj: Any, geoms: Sequence[int], names: Sequence[str]) -> dict[frozenset[str], str]:
     """The pairs of geoms that MuJoCo does not check, and those of the base and the link that its first joint moves."""
     of = np.array(geoms, dtype=int)
     body = mj.geom_bodyid[of]
@@ -400,7 +400,7 @@ def _log_left_out(file: Path, mj: Any) -> None:
     free = [_body_names(mj)[k] for k in range(1, mj.nbody) if _is_free(mj, k)]
     others = [f"the free joint of {each}, which stays where it is" for each in free]
     kinds = (("ntendon", "tendon"), ("nflex", "flex"), ("nskin", "skin"), ("nplugin", "plugin"))
-    others += list(_counted(mj, (*kinds, ("nu", "actuator"), ("nkey", "keyframe"))))
+    others += list(_count(mj, (*kinds, ("nu", "actuator"), ("nkey", "keyframe"))))
     others += ["gravcomp"] if np.any(mj.body_gravcomp) else []
     others += ["contact=disable"] if _flag(mj, "mjDSBL_CONTACT") else []
     if constraints or others:
@@ -408,7 +408,7 @@ def _log_left_out(file: Path, mj: Any) -> None:
         say("%s: not taken over: %s", file, ", ".join([*constraints, *others]))
 
 
-def _counted(mj: Any, kinds: Sequence[tuple[str, str]]) -> Iterator[str]:
+def _count(mj: Any, kinds: Sequence[tuple[str, str]]) -> Iterator[str]:
     for attribute, name in kinds:
         count = int(getattr(mj, attribute))
         if count:

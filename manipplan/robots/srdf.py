@@ -94,7 +94,7 @@ def read_srdf(file: Path, model: pin.Model) -> Semantics:
             raise FileFormatError("srdf", str(file), f"elements of SRDF; <{element.tag}>: did you mean <{near[0]}>?")
     links = {frame.name for frame in model.frames if frame.type == pin.FrameType.BODY}
     effector = root.find("end_effector")
-    disabled = {_disabled(file, pair) for pair in root.findall("disable_collisions")}
+    disabled = {_read_pair(file, pair) for pair in root.findall("disable_collisions")}
     unknown = {link for pair in disabled for link in pair} - links
     _log_unknown(logging.WARNING, file, "links in <disable_collisions>", unknown)
     states = _states(file, root, model)
@@ -106,7 +106,7 @@ def read_srdf(file: Path, model: pin.Model) -> Semantics:
     )
 
 
-def _disabled(file: Path, pair: ET.Element) -> frozenset[str]:
+def _read_pair(file: Path, pair: ET.Element) -> frozenset[str]:
     """The two links of a <disable_collisions>."""
     for name in ("link1", "link2", *pair.attrib):
         if name not in pair.attrib or name not in ("link1", "link2", "reason"):

@@ -297,7 +297,7 @@ def coupled(
             first.add(leader)
             order.append((leader, joints[leader], False))
         order.append((name + _ITSELF if name in first else name, joints[name], True))
-    together, geometry = _rebuilt(model, geometry, order, {})
+    together, geometry = _rebuild(model, geometry, order, {})
     mimics = {leader + _ITSELF: Mimic(leader=leader, multiplier=1.0, offset=0.0) for leader in first} | dict(followers)
     for name, mimic in mimics.items():
         leads, follows = together.getJointId(mimic.leader), together.getJointId(name)
@@ -321,10 +321,10 @@ def uncoupled(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model,
         if model.joints[i].nq == 0:
             kinds[i] = joint_about(tree.axes[i - 1], slides=bool(tree.slides[i - 1]))
         order.append((name.removesuffix(_ITSELF), i, True))
-    return *_rebuilt(model, geometry, order, kinds), followers
+    return *_rebuild(model, geometry, order, kinds), followers
 
 
-def _rebuilt(
+def _rebuild(
     model: pin.Model,
     geometry: pin.GeometryModel,
     order: Sequence[tuple[str, int, bool]],

@@ -33,11 +33,11 @@ def level_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "L
     """The program for L positions of one arm and task; those of short paths, which programs of moves have, are kept."""
     if positions > SHORT:
         return LevelProgram(kinematics, positions, closed=closed)
-    return _kept_program(kinematics, positions, closed=closed)
+    return _find_program(kinematics, positions, closed=closed)
 
 
 @once_per_owner
-def _kept_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
+def _find_program(kinematics: Kinematics, positions: int, *, closed: bool) -> "LevelProgram":
     return LevelProgram(kinematics, positions, closed=closed)
 
 
@@ -237,12 +237,12 @@ def _into(tube: Tolerance, targets: Array, poses: Array) -> Array:
     moved = targets.copy()
     offset = poses[:, :3, 3] - targets[:, :3, 3]
     turn = Rotation.from_matrix(np.swapaxes(targets[:, :3, :3], 1, 2) @ poses[:, :3, :3]).as_rotvec()
-    moved[:, :3, 3] += _shortened(offset, tube.position)
-    moved[:, :3, :3] = targets[:, :3, :3] @ Rotation.from_rotvec(_shortened(turn, tube.rotation)).as_matrix()
+    moved[:, :3, 3] += _shorten(offset, tube.position)
+    moved[:, :3, :3] = targets[:, :3, :3] @ Rotation.from_rotvec(_shorten(turn, tube.rotation)).as_matrix()
     return moved
 
 
-def _shortened(vectors: Array, longest: float | None) -> Array:
+def _shorten(vectors: Array, longest: float | None) -> Array:
     """Vectors (k, 3) shortened to at most `longest`; zeros for None."""
     lengths = np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300)
     return np.asarray(vectors * np.minimum((longest or 0.0) / lengths, 1.0))

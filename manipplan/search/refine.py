@@ -155,11 +155,11 @@ class _Refiner:
         q = self.found.q
         for k in range(resample):
             progress(0.3 * k / max(resample, 1), f"finer samples, minimum manipulability {self.least(q):.6g}")
-            q = self._resampled(q, self.found.epsilon * CLOSER**k)
+            q = self._resample(q, self.found.epsilon * CLOSER**k)
         resampled = self.least(q)
-        q = self._raised(q, progress)
+        q = self._raise_minimum(q, progress)
         progress(0.9, "shortening the path")
-        q = self._shortened(q, resampled)
+        q = self._shorten(q, resampled)
         m = self.kinematics.manipulability(q)
         return Refinement(
             q=q,
@@ -175,7 +175,7 @@ class _Refiner:
     def least(self, q: Array) -> float:
         return float(self.kinematics.manipulability(q).min())
 
-    def _resampled(self, q: Array, width: Array) -> Array:
+    def _resample(self, q: Array, width: Array) -> Array:
         """The best path through samples around `q` (L, n) and the configurations of `q` itself."""
         parameters = self.sampler.solver.parameters_of(q, self.poses)
         if parameters.shape[1] == 0:
@@ -201,7 +201,7 @@ class _Refiner:
         self.history.append(self.least(new))
         return new
 
-    def _raised(self, q: Array, progress: Progress) -> Array:
+    def _raise_minimum(self, q: Array, progress: Progress) -> Array:
         trust = TRUST
         for k in range(SOLVES):
             progress(0.3 + 0.6 * k / SOLVES, f"raising the minimum manipulability, {self.least(q):.6g}")
@@ -223,7 +223,7 @@ class _Refiner:
             trust = min(trust * GROW, TRUST) if moved > 0.9 * trust else trust
         return q
 
-    def _shortened(self, q: Array, resampled: float) -> Array:
+    def _shorten(self, q: Array, resampled: float) -> Array:
         level = max(self.least(q) - GIVEN * abs(self.least(q)), resampled)
         trust = TRUST
         while trust > LEAST_TRUST:

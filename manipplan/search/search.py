@@ -59,12 +59,12 @@ def best_cycle(q: Array, begins: NDArray[np.int64], relax: Relax) -> Any | None:
         _, _, members, first, last, path = heapq.heappop(waiting)
         if first == last:
             return path
-        for part in _cut(q, members, first, last):
+        for part in _split(q, members, first, last):
             enter(part)
     return None
 
 
-def _cut(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _split(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Two parts of the set, as equal in size as possible, with `first` in one and `last` in the other."""
     apart = np.abs(q[last] - q[first])
     j = int(apart.argmax())
@@ -117,14 +117,14 @@ class ThresholdSearch:
         if self.layers.closed:
             return self._cycle(objective, part, grid, text, active)
         stages = [SweepStage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
-        trace = self._sweep(self._sorted(stages, part, grid), grid, objective, text)
+        trace = self._sweep(self._sort(stages, part, grid), grid, objective, text)
         return CandidatePath(indices=trace.indices, value=trace.value) if len(trace.indices) else None
 
     def reached(self, reach: Array) -> int:
         """The first position that no path from position 0 reaches; L when all are reached."""
         stages = [SweepStage(q, np.zeros(len(q))) for q in self.layers.q]
         grid = self._grid(reach, self.layers.count)
-        return self._sweep(self._sorted(stages, Subset(), grid), grid, Widest(), "gaps").depth
+        return self._sweep(self._sort(stages, Subset(), grid), grid, Widest(), "gaps").depth
 
     def first_positions(self, part: Subset, reach: Array, text: str) -> NDArray[np.int64]:
         """For each position (L,), the first one from which a path leads to it; for a cycle (2 L,), twice around it.
@@ -137,7 +137,7 @@ class ThresholdSearch:
         lengths = np.zeros(len(stages), dtype=np.int64)  # number of steps of the longest path to each position
         old: Cells | None = None
         reached = Reached(np.empty(0), np.empty(0))
-        for k, cells in enumerate(self._sorted(stages, part, grid)):
+        for k, cells in enumerate(self._sort(stages, part, grid)):
             reached = Longest().first(cells) if old is None else Longest().step(old, reached, cells, grid, self.pool.share)[0]
             lengths[k] = reached.value.max()
             old = cells
@@ -152,7 +152,7 @@ class ThresholdSearch:
         values, objective = np.full(len(stages[-1].m), -np.inf), Widest()
         old: Cells | None = None
         reached = Reached(np.empty(0), np.empty(0))
-        for cells in self._sorted(stages, part, grid):
+        for cells in self._sort(stages, part, grid):
             reached = objective.first(cells) if old is None else objective.step(old, reached, cells, grid, self.pool.share)[0]
             if not (reached.top > -np.inf).any():
                 return values
@@ -197,7 +197,7 @@ class ThresholdSearch:
         most = int(max(FEWEST_CELLS, CELLS * active / len(self.layers.q)))
         return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, reach, self.layers.continuous, most)
 
-    def _sorted(self, stages: list[SweepStage], part: Subset, grid: Grid) -> Iterator[Cells]:
+    def _sort(self, stages: list[SweepStage], part: Subset, grid: Grid) -> Iterator[Cells]:
         return self.pool.ahead(lambda stage: sort_stage(stage, part, grid), stages)
 
     def _sweep(self, cells: Iterator[Cells], grid: Grid, objective: SweepObjective, text: str) -> Trace:
@@ -222,7 +222,7 @@ class ThresholdSearch:
         begins = np.sort(sort_stage(SweepStage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
         kept: list[Cells] | None = None
         if part.share * sum(active) * 8 * (layers.n + 2) < CACHE_BYTES:
-            kept = list(self._sorted(inner, part, grid))
+            kept = list(self._sort(inner, part, grid))
 
         whole = Subset(threshold=part.threshold, cap=part.cap)
 
@@ -231,7 +231,7 @@ class ThresholdSearch:
             first = sort_stage(SweepStage(q, layers.m[begin][members]), whole, grid)
             # the layer is passed twice and must count once
             last = sort_stage(SweepStage(q, np.full(len(members), np.inf)), Subset(), grid)
-            between = kept if kept is not None else self._sorted(inner, part, grid)
+            between = kept if kept is not None else self._sort(inner, part, grid)
             trace = self._sweep(chain([first], between, [last]), grid, objective, text)
             if len(trace.indices) == 0:
                 return None

@@ -509,7 +509,7 @@ class Widest:
     """The minimum manipulability of a path: W(b) = min(m(b), max over neighbours of W)."""
 
     def first(self, cells: Cells) -> Reached:
-        return _reached(cells, cells.m)
+        return _reach(cells, cells.m)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
 
@@ -523,7 +523,7 @@ class Shortest:
     """The negative length Σ ‖Δq‖ of a path."""
 
     def first(self, cells: Cells) -> Reached:
-        return _reached(cells, np.zeros(len(cells.ids)))
+        return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
 
@@ -543,7 +543,7 @@ class Lexicographic:
     def first(self, cells: Cells) -> Reached:
         codes = _codes(cells.m)[:, np.newaxis]
         value = np.zeros(len(cells.ids))
-        return _reached(cells, value)._replace(rank=_ranks(codes, value), vectors=codes)
+        return _reach(cells, value)._replace(rank=_ranks(codes, value), vectors=codes)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
 
@@ -562,7 +562,7 @@ class Closest:
     epsilon: Array
 
     def first(self, cells: Cells) -> Reached:
-        return _reached(cells, np.zeros(len(cells.ids)))
+        return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
 
@@ -577,17 +577,17 @@ class Longest:
     """The number of steps of the longest path to a candidate, which may begin at any stage."""
 
     def first(self, cells: Cells) -> Reached:
-        return _reached(cells, np.zeros(len(cells.ids)))
+        return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
 
         alike = cells._replace(m=np.full(len(cells.ids), reached.top.max()))  # the manipulability does not limit a length
         made = StepKernel("widest", old, reached.value, reached.top, alike, grid)
         share(made, alike)
-        return _reached(cells, np.maximum(made.value + 1.0, 0.0)), made.source
+        return _reach(cells, np.maximum(made.value + 1.0, 0.0)), made.source
 
 
-def _reached(cells: Cells, value: Array) -> Reached:
+def _reach(cells: Cells, value: Array) -> Reached:
 
     return Reached(value, largest_of_each(cells.start, value))
 

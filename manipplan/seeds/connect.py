@@ -196,14 +196,14 @@ class _Best:
 
     def lowered(self, way: Array) -> Array:
         """The best path (k, n) that the checks and the time allow."""
-        best, cost = self._changed(way)
+        best, cost = self._change(way)
         checks = EXPLORE
         while not self._is_over():
             found = self._cheaper(cost, checks)
             if found is None:
                 checks *= 2
                 continue
-            other, least = self._changed(found)
+            other, least = self._change(found)
             if least < cost:
                 best, cost = other, least
         return best
@@ -212,7 +212,7 @@ class _Best:
         checks = self.task.checks
         return work_time() >= self.task.deadline or (checks is not None and self.run.check.checks >= checks)
 
-    def _changed(self, way: Array) -> tuple[Array, float]:
+    def _change(self, way: Array) -> tuple[Array, float]:
         """A path (k, n) of lower cost by random changes, and its cost."""
         room = max(STAR_ROOM, len(way))
         points, work, count = np.empty((room, self.n)), np.empty((room, self.n)), len(way)

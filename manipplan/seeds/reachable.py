@@ -458,7 +458,7 @@ def _balls(task: SeedTask) -> Iterator[_Centres]:
             least=ball.radius + task.clearance,
             most=MOST_FOR_BALL,
             radius=ball.radius,
-            link=model.robot.link_of(_described(model.robot, objects[body])),
+            link=model.robot.link_of(_find_described(model.robot, objects[body])),
             obstacles=names,
             kernel=kernel,
             base=base,
@@ -470,7 +470,7 @@ def _is_surface(item: pin.GeometryObject) -> bool:
     return isinstance(item.geometry, coal.BVHModelBase)
 
 
-def _described(robot: Robot, body: pin.GeometryObject) -> pin.GeometryObject:
+def _find_described(robot: Robot, body: pin.GeometryObject) -> pin.GeometryObject:
     """The object of the robot's description that a body of the collision model is, or is a piece of."""
     whole = [item for item in robot.geometry.geometryObjects if item.name in (body.name, body.name.rpartition(".")[0])]
     return whole[0] if whole else body

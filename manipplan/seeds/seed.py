@@ -234,10 +234,10 @@ class _Finder:
             waypoints = np.vstack([found[:-1][apart], found[-1:]])
             if not keeps_constraints(task, JointPath.through(waypoints)):
                 continue
-            points = waypoints if self.compiled else _shortened(waypoints, accept_in_time, cost)
+            points = waypoints if self.compiled else _shorten(waypoints, accept_in_time, cost)
             path = self._smooth(points, accept, lambda path: looks_free(task, path))
             if path is None and accept(JointPath.through(points)):
-                path = _rounded(points, accept_in_time, cost)
+                path = _round_corners(points, accept_in_time, cost)
             if path is not None:
                 return line if line_is_free and cost(line) <= cost(path) else path
             sharp = JointPath.through(waypoints)
@@ -311,7 +311,7 @@ def _check_seeding(seeding: Seeding) -> None:
             raise InvalidInputError(name, value, f"{only!r}: seed_path looks for one path; optimize_path takes the others")
 
 
-def _rounded(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> JointPath:
+def _round_corners(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> JointPath:
     """The path through waypoints, with rounded corners where that is accepted and costs no more."""
     sharp, smooth = JointPath.through(waypoints), rounded(waypoints, accept)
     return smooth if accept(smooth) and cost(smooth) <= cost(sharp) else sharp
@@ -328,7 +328,7 @@ def check_apart(start: Array, goal: Array) -> None:
         raise InvalidInputError(f"goal[{joint}]", float(goal[joint]), allowed)
 
 
-def _shortened(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:
+def _shorten(waypoints: Array, accept: Callable[[JointPath], bool], cost: Callable[[JointPath], float]) -> Array:
     """The waypoints without those that an accepted straight motion of no higher cost can skip."""
     points = list(waypoints)
     k = 0

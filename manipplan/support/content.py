@@ -23,7 +23,7 @@ def code_key() -> str:
     for file in sorted(PACKAGE.rglob("*")):
         name = file.relative_to(PACKAGE)
         if file.suffix in (".py", ".c", ".h") and name.parts[0] not in FACES:
-            digest.update(_joined(name.as_posix(), file.read_bytes()))
+            digest.update(_join(name.as_posix(), file.read_bytes()))
     return digest.hexdigest()
 
 
@@ -40,35 +40,35 @@ def _digest(value: Any) -> bytes:
     kind = type(value)
     name = f"{kind.__module__}.{kind.__qualname__}"
     if value is None or kind in (bool, int, float, complex, str, bytes):
-        return _joined(name, repr(value).encode())
+        return _join(name, repr(value).encode())
     if isinstance(value, np.generic):
         return _digest(value.item())
     if isinstance(value, np.ndarray) and value.dtype != object:
-        return _joined(name, f"{value.dtype.str}{value.shape}".encode(), np.ascontiguousarray(value).tobytes())
+        return _join(name, f"{value.dtype.str}{value.shape}".encode(), np.ascontiguousarray(value).tobytes())
     if isinstance(value, Enum):
-        return _joined(name, value.name.encode())
+        return _join(name, value.name.encode())
     if isinstance(value, PurePath):
-        return _joined("path", str(value).encode())
+        return _join("path", str(value).encode())
     if isinstance(value, FunctionType) and "<" in value.__qualname__:  # a lambda or a local function: no name tells which
-        return _joined("function", f"{value.__module__}.{value.__qualname__}".encode(), *map(_digest, _code_of(value)))
+        return _join("function", f"{value.__module__}.{value.__qualname__}".encode(), *map(_digest, _code_of(value)))
     if isinstance(value, type | FunctionType | BuiltinFunctionType):
-        return _joined("name", f"{value.__module__}.{value.__qualname__}".encode())
+        return _join("name", f"{value.__module__}.{value.__qualname__}".encode())
     if isinstance(value, Mapping):
-        return _joined(name, *sorted(_digest(key) + _digest(each) for key, each in value.items()))
+        return _join(name, *sorted(_digest(key) + _digest(each) for key, each in value.items()))
     if isinstance(value, Set):
-        return _joined(name, *sorted(map(_digest, value)))
+        return _join(name, *sorted(map(_digest, value)))
     if isinstance(value, list | tuple):
-        return _joined(name, *map(_digest, value))
+        return _join(name, *map(_digest, value))
     if is_dataclass(value) and not _pickles_itself(kind):
-        return _joined(name, *(each.name.encode() + _digest(getattr(value, each.name)) for each in fields(value)))
+        return _join(name, *(each.name.encode() + _digest(getattr(value, each.name)) for each in fields(value)))
     if callable(getattr(value, "computeLocalAABB", None)):  # a shape of coal, whose state has its box once it was computed
         value.computeLocalAABB()
     reduced = value.__reduce_ex__(4)
     if isinstance(reduced, str):
-        return _joined(name, reduced.encode())
+        return _join(name, reduced.encode())
     make, arguments, *state = reduced
     lists = [list(each) if k > 0 and each is not None else each for k, each in enumerate(state)]
-    return _joined(name, _digest(make), _digest(arguments), _digest(lists))
+    return _join(name, _digest(make), _digest(arguments), _digest(lists))
 
 
 def _code_of(function: FunctionType) -> tuple[object, ...]:
@@ -83,7 +83,7 @@ def _pickles_itself(kind: type) -> bool:
     return any("__reduce__" in vars(each) or "__reduce_ex__" in vars(each) for each in kind.__mro__[:-1])
 
 
-def _joined(name: str, *parts: bytes) -> bytes:
+def _join(name: str, *parts: bytes) -> bytes:
     """The digest of some parts: their lengths count, too, so that no two lists of parts are the same bytes."""
     digest = hashlib.sha256()
     for part in (name.encode(), *parts):

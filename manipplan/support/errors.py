@@ -35,9 +35,9 @@ class InvalidInputError(ManipplanError, ValueError):
         self.argument = argument
         self.value = value
         self.allowed = allowed
-        allowed_text = plain_numbers(_cut(allowed, 2000))
+        allowed_text = plain_numbers(_cut_off(allowed, 2000))
         super(ManipplanError, self).__init__(
-            f"{_cut(argument, 400)}: got {_short(value)}; allowed: {allowed_text}"
+            f"{_cut_off(argument, 400)}: got {_short(value)}; allowed: {allowed_text}"
         )  # a text as it is
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -106,7 +106,7 @@ class RobotNotFetchedError(ManipplanError):
         self.robot = robot
         self.reason = reason
         self.remedy = remedy
-        super().__init__(f"{robot} could not be fetched: {_cut(reason, 400)}; {remedy}")
+        super().__init__(f"{robot} could not be fetched: {_cut_off(reason, 400)}; {remedy}")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.robot, self.reason, self.remedy)
@@ -168,10 +168,10 @@ class PlanningError(ManipplanError):
 
 def _short(value: object) -> str:
     text = " ".join(_SHORT.repr(value).split())
-    return _cut(text if isinstance(value, str) else plain_numbers(text), 160)
+    return _cut_off(text if isinstance(value, str) else plain_numbers(text), 160)
 
 
-def _cut(text: str, longest: int) -> str:
+def _cut_off(text: str, longest: int) -> str:
     """The text, cut off after `longest` characters: it may hold text from a file."""
     return text if len(text) <= longest else text[: longest - 3] + "..."
 

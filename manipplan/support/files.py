@@ -172,7 +172,7 @@ def replacing(folder: str | Path) -> Iterator[tuple[Path, Path]]:
         except BaseException:
             shutil.rmtree(new, ignore_errors=True)
             raise
-        new.rename(_renamed(new, WRITING, WRITTEN))
+        new.rename(_rename(new, WRITING, WRITTEN))
         _finish(to)
 
 
@@ -196,14 +196,14 @@ def _finish(folder: Path) -> None:
         for name in RESULT:
             for old in folder.glob(name):
                 old.unlink()
-        written.rename(_renamed(written, WRITTEN, MOVING))
+        written.rename(_rename(written, WRITTEN, MOVING))
     for moving in folder.glob(f"{MOVING}*"):
         for file in moving.iterdir():
             file.replace(folder / file.name)
         moving.rmdir()
 
 
-def _renamed(folder: Path, old: str, new: str) -> Path:
+def _rename(folder: Path, old: str, new: str) -> Path:
     return folder.with_name(new + folder.name.removeprefix(old))
 
 

@@ -145,7 +145,7 @@ def _converter() -> "Converter":
     converter.register_structure_hook_func(_is_array, lambda data, _: stored_array(data))
     converter.register_structure_hook_func(_is_enum, _member)
     for kind in (str, bool, int):
-        converter.register_structure_hook(kind, _checked)
+        converter.register_structure_hook(kind, _check)
     converter.register_structure_hook(float, _number)
     return converter
 
@@ -165,7 +165,7 @@ def _member(name: Any, kind: type[Enum]) -> Enum:
     return kind[name]
 
 
-def _checked(data: Any, kind: type) -> Any:
+def _check(data: Any, kind: type) -> Any:
     if type(data) is not kind:
         raise TypeError(f"{data!r} is not of type {kind.__name__}")
     return data

@@ -47,7 +47,7 @@ def is_identifier(name: str) -> bool:
 
 def printable(text: str) -> str:
     """`text` with control characters, which a terminal obeys, as escapes; line ends and tabs are kept."""
-    return "".join(_shown(character) for character in text)
+    return "".join(_escape(character) for character in text)
 
 
 def terminal_text(text: str, style: str = "") -> "Text":
@@ -57,6 +57,6 @@ def terminal_text(text: str, style: str = "") -> "Text":
     return Text(printable(text), style=style)
 
 
-def _shown(character: str) -> str:
+def _escape(character: str) -> str:
     hidden = unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp") and character not in "\n\t"
     return character.encode("unicode_escape").decode() if hidden else character

@@ -103,7 +103,7 @@ class FreeMotion:
             return -np.pi + 2 * np.pi * np.arange(count) / count
         away = centre - poses[:, :3, 3]
         if self.in_tool:
-            away = _turned(np.swapaxes(poses[:, :3, :3], 1, 2), away)
+            away = _rotate(np.swapaxes(poses[:, :3, :3], 1, 2), away)
         half = np.sqrt(np.maximum(radius**2 - np.square(away @ self.fixed_directions.T).sum(axis=1), 0.0))
         middle = (away if self.in_tool else centre[None]) @ self.shifts[value]
         lower, upper = float((middle - half).min()), float((middle + half).max())
@@ -116,7 +116,7 @@ class FreeMotion:
         have, want = reached[:, :3, :3], poses[:, :3, :3]
         there = reached[:, :3, 3]
         if self.in_tool:
-            there = _turned(np.swapaxes(want, 1, 2), there - poses[:, :3, 3])
+            there = _rotate(np.swapaxes(want, 1, 2), there - poses[:, :3, 3])
         columns = [there @ self.shifts.T]
         if self.turns is Turns.TOOL_AXIS:
             columns.append((Rotation.from_matrix(np.swapaxes(want, 1, 2) @ have).as_rotvec() @ self.axis)[:, None])
@@ -133,7 +133,7 @@ class FreeMotion:
         moved, count = poses.copy(), len(self.shifts)
         shift, angles = values[:, :count], values[:, count:]
         if self.in_tool:
-            moved[:, :3, 3] += _turned(poses[:, :3, :3], shift @ self.shifts)
+            moved[:, :3, 3] += _rotate(poses[:, :3, :3], shift @ self.shifts)
         else:
             moved[:, :3, 3] += (shift - poses[:, :3, 3] @ self.shifts.T) @ self.shifts
         if self.turns is Turns.TOOL_AXIS:
@@ -164,10 +164,10 @@ class FreeMotion:
         """What counts of displacements (k, 3) [m] from poses with rotations (k, 3, 3)."""
         if not len(self.shifts):
             return displacements
-        own = _turned(np.swapaxes(rotations, 1, 2), displacements) if self.in_tool else displacements
+        own = _rotate(np.swapaxes(rotations, 1, 2), displacements) if self.in_tool else displacements
         fixed = self.fixed_directions
         counts = own @ fixed.T @ fixed
-        return _turned(rotations, counts) if self.in_tool else counts
+        return _rotate(rotations, counts) if self.in_tool else counts
 
     def directions(self, rotations: Array) -> Array:
         """What counts of rotations (..., 3, 3), as vectors (..., d) that are equal where the rotations count as equal."""
@@ -225,7 +225,7 @@ def _free_rotations(task: Task, world: Array, tool: Array) -> tuple[Turns, Array
     return kind, axis if axis @ np.cross(first, second) >= 0 else -axis
 
 
-def _turned(rotations: Array, vectors: Array) -> Array:
+def _rotate(rotations: Array, vectors: Array) -> Array:
     """Rotations (k, 3, 3) applied to vectors (k, 3)."""
     return np.asarray((rotations @ vectors[:, :, None])[:, :, 0])
 

@@ -161,10 +161,10 @@ def _bridge() -> ctypes.CDLL:
         "-lcasadi",
     ]
     subject = "Pinocchio's algorithms for CasADi, once per machine, about two minutes"
-    return load_library(source, _loaded, flags=flags, language="c++", subject=subject, announce=True)
+    return load_library(source, _load, flags=flags, language="c++", subject=subject, announce=True)
 
 
-def _loaded(file: Path) -> ctypes.CDLL:
+def _load(file: Path) -> ctypes.CDLL:
     library = ctypes.CDLL(str(file))
     library.manipplan_functions.argtypes = [ctypes.c_char_p, ctypes.c_ulong, ctypes.POINTER(ctypes.c_void_p)]
     library.manipplan_functions.restype = ctypes.c_int

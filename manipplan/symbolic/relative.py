@@ -31,7 +31,7 @@ class Seen:
         """The tool of a chain; the frame exists."""
         if task.relative_to is None:
             return cls(tool=chain.tool, jacobian=chain.jacobian)
-        frame, carrier = _placed(chain, task.relative_to)
+        frame, carrier = _place_frame(chain, task.relative_to)
         own = jacobian_of(chain.tree, chain.carriers(carrier), chain.tool.origin)  # of the tool's origin, were it fixed there
         turned = frame.rotation.T
         apart = chain.jacobian - own
@@ -49,7 +49,7 @@ def task_rows(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     return jacobian, MatrixMotion(matrix=jacobian, q=chain.q)
 
 
-def _placed(chain: SymbolicChain, name: str) -> tuple[Placement, int]:
+def _place_frame(chain: SymbolicChain, name: str) -> tuple[Placement, int]:
     """A frame in the world, and the index of the joint that carries it."""
     frame: pin.Frame = chain.model.frames[frame_index(chain.model, name)]
     return chain.joints[frame.parentJoint] @ constant(frame.placement), int(frame.parentJoint)

@@ -41,7 +41,7 @@ def default_task(robot: "Robot") -> Task:
     if robot.planar or not is_always_singular(robot, usual) or len(robot.tools) > 1:
         return usual
     for frame in ("world", "tool"):
-        rows = _spanned(_jacobians(robot, Task.custom(np.eye(6)[: usual.rows], frame=frame)))
+        rows = _find_span(_jacobians(robot, Task.custom(np.eye(6)[: usual.rows], frame=frame)))
         if rows is not None:
             name = f"{usual.name} in {len(rows)} direction{'s' * (len(rows) > 1)}"
             padded = np.hstack([rows, np.zeros((len(rows), 6 - usual.rows))])
@@ -67,7 +67,7 @@ def _jacobians(robot: "Robot", task: Task) -> Array:
     return np.array([np.asarray(rows(each)).reshape(task.rows, robot.n) for each in q])
 
 
-def _spanned(samples: Array) -> Array | None:
+def _find_span(samples: Array) -> Array | None:
     """Orthonormal rows (r, m) of the space of all columns of Jacobians (k, m, n) of rank r; None if it is larger, or r is 0."""
     rank = max(map(_rank, samples))
     columns = np.concatenate(list(samples), axis=1)

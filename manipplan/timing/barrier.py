@@ -154,8 +154,8 @@ class Centring:
         rows = {"left": problem.demand_rows[0], "right": problem.demand_rows[1], "constant": problem.constant}
         rows |= {"before": problem.qdd_rows[0], "after": problem.qdd_rows[1], "jerk": problem.jerk}
         lines = {name: getattr(problem, name) for name in ("h", "d", "fastest", "most_c")} | {"w": problem.a_rows[0]}
-        self._arrays = {name: _filled(each.T, stride, 0.0) for name, each in rows.items()}
-        self._arrays |= {name: _filled(each[None], stride, BEYOND[name]) for name, each in lines.items()}
+        self._arrays = {name: _fill(each.T, stride, 0.0) for name, each in rows.items()}
+        self._arrays |= {name: _fill(each[None], stride, BEYOND[name]) for name, each in lines.items()}
         self._motion = _MotionStruct(
             points=len(problem.fastest),
             rows=problem.constant.shape[1],
@@ -188,7 +188,7 @@ class Centring:
         return z
 
 
-def _filled(rows: Array, stride: int, beyond: float) -> Array:
+def _fill(rows: Array, stride: int, beyond: float) -> Array:
     """Rows (r, k) one after the other, each filled up to `stride`, and eight more numbers."""
     out = np.full(rows.shape[0] * stride + 8, beyond)
     out[: rows.shape[0] * stride].reshape(-1, stride)[:, : rows.shape[1]] = rows
@@ -208,14 +208,14 @@ def _by_numpy(problem: JerkProblem, z: Array) -> Array:
     weight = FIRST * problem.count / time
     while True:
         last = problem.count / weight < GAP * time
-        z = _centred(problem, z, weight, CENTRED if last else ROUGH)
+        z = _centre(problem, z, weight, CENTRED if last else ROUGH)
         time = problem.time(_inside(problem, z).pace)
         if last and problem.count / weight < GAP * time:
             return z
         weight *= HEAVIER
 
 
-def _centred(problem: JerkProblem, z: Array, weight: float, enough: float) -> Array:
+def _centre(problem: JerkProblem, z: Array, weight: float, enough: float) -> Array:
     """Minimise the merit function from z inside the limits, until a step gains less than `enough`."""
     value = _merit(problem, z, weight)
     for _ in range(STEPS):

@@ -108,13 +108,13 @@ class ArcLength:
         They include the ends of the polynomial pieces, where the curvature may jump, and `edges` (path parameters), where
         limits change.
         """
-        return self._marked(self._even(count, max(4000, 10 * count)), edges)
+        return self._mark_breaks(self._even(count, max(4000, 10 * count)), edges)
 
     def fine(self, count: int) -> Array:
         """The same without edges, for `count` far above what is needed to tell where the path turns."""
-        return self._marked(self._even(count, self._samples), np.empty(0))
+        return self._mark_breaks(self._even(count, self._samples), np.empty(0))
 
-    def _marked(self, points: Array, edges: Array) -> Array:
+    def _mark_breaks(self, points: Array, edges: Array) -> Array:
         """The points, and breaks and edges instead of those close to them."""
         marks = self.lengths_of(np.union1d(self.breaks, edges))
         if len(marks):  # a motion would pass points very close to a mark in less time than samples resolve
@@ -127,13 +127,13 @@ class ArcLength:
 
     def _even(self, count: int, samples: int) -> Array:
         if samples not in self._shares:
-            self._shares[samples] = self._measured(samples)
+            self._shares[samples] = self._measure(samples)
         share, length = self._shares[samples]
         points = np.asarray(np.interp(np.linspace(share[0], share[-1], count + 1), share, length), dtype=float)
         points[0], points[-1] = 0.0, self.length
         return points
 
-    def _measured(self, samples: int) -> tuple[Array, Array]:
+    def _measure(self, samples: int) -> tuple[Array, Array]:
         """The sum of the shares of length and turn up to each of the samples, in which a grid is even, and lengths there."""
         s = np.linspace(*self._inside, samples)
         tangent = self.path(s, 1)

@@ -170,10 +170,10 @@ class JerkProblem:
         # c is limited between points too: with limits at points only, the spline and with it b oscillates about the limit
         self.most_c = np.concatenate([[np.inf], (self.fastest[:-1] + self.fastest[1:]) / 2, [np.inf]])
         self.constant = demands.constant[self.inner]
-        self.demand_rows = self._combined(demands.u[self.inner], demands.x[self.inner])
+        self.demand_rows = self._combine(demands.u[self.inner], demands.x[self.inner])
         limited = np.isfinite(jerk).any(axis=0)
         t, kappa = demands.tangent[self.inner], demands.curvature[self.inner]
-        left, right = self.qdd_rows = self._combined(t[:, limited], kappa[:, limited])
+        left, right = self.qdd_rows = self._combine(t[:, limited], kappa[:, limited])
         self.change_rows = (-left[:-1], left[1:] - right[:-1], right[1:])
         scaled = np.minimum(jerk * demands.time_unit**3, UNLIMITED)
         self.jerk = scaled[self.inner.start : self.inner.stop - 1, limited]
@@ -183,7 +183,7 @@ class JerkProblem:
             for k, size in self._stops():
                 self.most_b[k] = float((6 * (scaled[k] / np.abs(t[k])).min() ** 2 * size) ** (1 / 3))
 
-    def _combined(self, u: Array, x: Array) -> Rows:
+    def _combine(self, u: Array, x: Array) -> Rows:
         """Rows of u b + x a, for u and x (k, r)."""
         left, right = (u * b[:, None] + x * a[:, None] for a, b in zip(self.a_rows, self.b_rows, strict=True))
         return left, right

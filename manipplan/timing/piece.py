@@ -160,7 +160,7 @@ def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bo
     near = np.cbrt(share) if stops[0] else np.ones_like(share)
     far = np.cbrt(1 - share) if stops[1] else np.ones_like(share)
     ramp = near / (near + far) if all(stops) else (near if stops[0] else 1 - far if stops[1] else share)
-    return _thinned(curve, points, (even + ramp) / 2, count, edges)
+    return _thin(curve, points, (even + ramp) / 2, count, edges)
 
 
 def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, ramps: float = 0.0) -> Array:
@@ -186,10 +186,10 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, r
     if ramps:
         changed = np.append(0.0, np.cumsum(np.abs(np.diff(profile.speed))))
         share = (1 - ramps) * share + ramps * np.interp(dense, lengths, changed / changed[-1])
-    return _thinned(curve, dense, share, count, edges)
+    return _thin(curve, dense, share, count, edges)
 
 
-def _thinned(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
+def _thin(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
     """About `count` + 1 lengths, evenly spaced in `share`, which increases along `points`; they include the marks."""
     rising = np.concatenate([[True], np.diff(share) > 0])
     points, share = points[rising], share[rising]
@@ -290,7 +290,7 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
         )
 
     tightening = LimitTightening(len(points), (start > 0, end > 0))
-    return _verified(problem, solve, tightening, ROUNDS, moving=moving, failure=failure)
+    return _verify(problem, solve, tightening, ROUNDS, moving=moving, failure=failure)
 
 
 def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array, Array]) -> TimedPiece:
@@ -353,10 +353,10 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
         return SmoothProfile.of(asked, found)
 
     tightening = LimitTightening(len(points), (start > 0, end > 0))
-    return _verified(problem, solve, tightening, ROUNDS_SMOOTH, moving=moving, failure=failure)
+    return _verify(problem, solve, tightening, ROUNDS_SMOOTH, moving=moving, failure=failure)
 
 
-def _verified(
+def _verify(
     problem: TimingProblem,
     solve: Callable[[LimitTightening], Profile | None],
     tightening: LimitTightening,
@@ -384,7 +384,7 @@ def _verified(
             if factor <= 1 + DIGITS:
                 return TimedPiece(trajectory=trajectory, ideal=ideal)
         else:
-            slowed = _slowed(problem, profile, factor, trajectory)
+            slowed = _slow_down(problem, profile, factor, trajectory)
             if slowed is not None and (best is None or slowed.duration < best.trajectory.duration):
                 best = TimedPiece(trajectory=slowed, ideal=ideal)
             if best is not None and factor <= CLOSE:
@@ -395,7 +395,7 @@ def _verified(
     return best
 
 
-def _slowed(problem: TimingProblem, profile: Profile, factor: float, trajectory: Trajectory) -> Trajectory | None:
+def _slow_down(problem: TimingProblem, profile: Profile, factor: float, trajectory: Trajectory) -> Trajectory | None:
     """The motion slowed down until every limit holds; None when that fails."""
     total = 1.0
     for _ in range(20):

@@ -157,7 +157,7 @@ class LimitsAlong:
         self.limits = limits
         self.segments = tuple(segments)
         self.places = places
-        self._rows = [self._tightened(limits, segment) for segment in self.segments]
+        self._rows = [self._tighten(limits, segment) for segment in self.segments]
 
     @property
     def edges(self) -> Array:
@@ -189,7 +189,7 @@ class LimitsAlong:
         return Bounds(**values, tool_speed=tool)
 
     @staticmethod
-    def _tightened(limits: JointLimits, segment: Segment) -> dict[str, Array]:
+    def _tighten(limits: JointLimits, segment: Segment) -> dict[str, Array]:
         row = {}
         for kind in ("velocity", "acceleration", "jerk", "effort"):
             value = getattr(limits, kind)

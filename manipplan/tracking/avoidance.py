@@ -96,7 +96,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     """
     check_names(robot, avoidance.scene)
     bodies = CapsuleBodies.of(robot)
-    guarded = _guarded(robot, bodies, avoidance)
+    guarded = _find_guarded(robot, bodies, avoidance)
     symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))
     lines = _lines(chain)
     rows: list[tuple[ca.SX, ca.SX, ca.SX]] = []
@@ -203,7 +203,7 @@ def _velocity_at(motion: tuple[Placement, ca.SX, ca.SX], point: ca.SX) -> ca.SX:
     return linear + ca.cross(angular, point - placement.origin)
 
 
-def _guarded(robot: Robot, bodies: CapsuleBodies, avoidance: Avoidance) -> list[CapsuleBody]:
+def _find_guarded(robot: Robot, bodies: CapsuleBodies, avoidance: Avoidance) -> list[CapsuleBody]:
     moving = [body for body in bodies.items if body.joint > 0]
     if not moving:
         raise InvalidInputError("avoidance", robot.name, "a robot whose description has collision geometry")

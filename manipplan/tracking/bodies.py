@@ -93,7 +93,7 @@ class CapsuleBodies:
         return _bodies(robot)
 
     @classmethod
-    def _fitted(cls, robot: Robot) -> "CapsuleBodies":
+    def _fit(cls, robot: Robot) -> "CapsuleBodies":
         geometry = pin.GeometryModel()
         items: list[CapsuleBody] = []
         origins: list[int] = []
@@ -167,7 +167,7 @@ def _that_can_meet(
 
 @once_per_owner
 def _bodies(robot: Robot) -> CapsuleBodies:
-    return CapsuleBodies._fitted(robot)
+    return CapsuleBodies._fit(robot)
 
 
 #: Lengths below this define no direction, and a coordinate that changes less along an axis counts as constant [m].
@@ -261,14 +261,14 @@ def _from_capsule(first: SymbolicCapsule, second: SymbolicCapsule) -> NearestPoi
     across = ca.if_else(area > _CROSSED * product + _TINY, ca.cross(u, v), _perpendicular(ca.if_else(vv > uu, v, u)))
     direction = ca.if_else(square > _SMALL**2, apart, across)
     normal = direction / ca.norm_2(direction)
-    return _parted(point, normal, ca.sqrt(square), first.radius, second.radius)
+    return _part_points(point, normal, ca.sqrt(square), first.radius, second.radius)
 
 
 def _from_plane(first: SymbolicCapsule, second: SymbolicPlane) -> NearestPoints:
     """The lower end is nearest; the middle if both are equally high."""
     slope = ca.dot(second.normal, first.axis)
     point = first.start + 0.5 * (1 - ca.sign(slope)) * first.axis
-    return _parted(point, second.normal, ca.dot(second.normal, point) - second.offset, first.radius, 0.0)
+    return _part_points(point, second.normal, ca.dot(second.normal, point) - second.offset, first.radius, 0.0)
 
 
 def _from_box(first: SymbolicCapsule, second: SymbolicBox) -> NearestPoints:
@@ -283,7 +283,7 @@ def _from_box(first: SymbolicCapsule, second: SymbolicBox) -> NearestPoints:
     square = ca.sumsqr(apart)
     outside, length = square > _SMALL**2, ca.sqrt(square)
     normal = second.rotation @ ca.if_else(outside, apart / ca.fmax(length, _SMALL), out)
-    return _parted(first.start + s * first.axis, normal, ca.if_else(outside, length, -depth), first.radius, 0.0)
+    return _part_points(first.start + s * first.axis, normal, ca.if_else(outside, length, -depth), first.radius, 0.0)
 
 
 def _way_out(start: ca.SX, u: ca.SX, half: ca.SX) -> tuple[ca.SX, ca.SX]:
@@ -340,7 +340,7 @@ def _nearest_to_box(start: ca.SX, u: ca.SX, half: ca.SX) -> ca.SX:
     return last + share * (first - last)
 
 
-def _parted(point: ca.SX, normal: ca.SX, distance: ca.SX, first: float, second: float) -> NearestPoints:
+def _part_points(point: ca.SX, normal: ca.SX, distance: ca.SX, first: float, second: float) -> NearestPoints:
     """From a point of the axis, its distance from the other body's core, the normal and both radii to the surfaces."""
     return NearestPoints(
         distance=distance - (first + second),

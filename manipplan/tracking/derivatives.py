@@ -65,7 +65,7 @@ class SymbolicMeasure:
             bend = _central_hessian(symbolic.manipulability, q)
         else:
             memory = ca.SX.sym("memory", n * n + 2 * n + 1)
-            bend = _learned(hessian, memory, q, slope)
+            bend = _learn(hessian, memory, q, slope)
             next_memory = ca.vertcat(ca.vec(bend), slope, q, 1)
         return cls(
             q=q, value=value, gradient=slope, hessian=bend, log_gradient=log_slope, memory=memory, next_memory=next_memory
@@ -113,18 +113,18 @@ def _central_hessian(measure: ca.Function, q: ca.SX) -> ca.SX:
     return hessian
 
 
-def _learned(name: str, memory: ca.SX, q: ca.SX, slope: ca.SX) -> ca.SX:
+def _learn(name: str, memory: ca.SX, q: ca.SX, slope: ca.SX) -> ca.SX:
     """H_m from that of the last step and the secant s = q - q₋, y = ∇m - ∇m₋; zero at the first step."""
     n = q.shape[0]
     before = ca.reshape(memory[: n * n], n, n)
     y = slope - memory[n * n : n * n + n]
     s = q - memory[n * n + n : n * n + 2 * n]
-    update = {"bfgs": _damped_bfgs, "sr1": _sr1, "bfgs-literal": _literal}[name](before, s, y)
+    update = {"bfgs": _update_bfgs, "sr1": _sr1, "bfgs-literal": _literal}[name](before, s, y)
     known, moved = memory[-1] > 0, ca.sumsqr(s) > 1e-16
     return ca.if_else(ca.logic_and(known, moved), update, before)
 
 
-def _damped_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
+def _update_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
     """The direct update of B = -H_m, the Hessian of -m, with damping that keeps it positive definite [powell1978].
 
     If B = 0, it starts from ‖y‖/‖s‖ I.

@@ -125,7 +125,7 @@ def export_c(controller: "Controller", folder: str | Path) -> list[Path]:
         "controller.h": sources.header,
         "controller.c": sources.wrapper,
         "step.c": sources.step,
-        "example.c": _filled((here / "example.c.in").read_text(), _example(controller)),
+        "example.c": _fill((here / "example.c.in").read_text(), _example(controller)),
         "CMakeLists.txt": (here / "CMakeLists.txt.in").read_text(),
     }
     for name, text in texts.items():
@@ -155,7 +155,7 @@ def _example(controller: "Controller") -> dict[str, str]:
     }
 
 
-def _filled(text: str, values: dict[str, str]) -> str:
+def _fill(text: str, values: dict[str, str]) -> str:
     for name, value in values.items():
         text = text.replace(f"@{name}@", value)
     return text

@@ -241,7 +241,7 @@ def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> t
     solution = solver(**dict(zip(PROGRAM, inputs, strict=False)))
     parts = [ca.SX.sym(name, problem.sparsity_out(name)) for name in PROGRAM]
     found = [ca.SX.sym(name, solution[name].sparsity()) for name in ("x", "lam_x", "lam_a")]
-    check = ca.Function("check", [*parts, *found], [_solved(parts, *found)])
+    check = ca.Function("check", [*parts, *found], [_is_solved(parts, *found)])
     checked = check(*inputs[:-1], solution["x"], solution["lam_x"], solution["lam_a"])
     search = ca.Function("search", inputs, [solution["x"], checked])
     answer, solved = ca.Function.if_else("answer", keep, search).call([made["kept"], *(made[name] for name in names)])
@@ -439,7 +439,7 @@ def _program(
     return [hessian, gradient, matrix, low, high, below, above]
 
 
-def _solved(parts: list[ca.SX], x: ca.SX, at_bounds: ca.SX, at_rows: ca.SX) -> ca.SX:
+def _is_solved(parts: list[ca.SX], x: ca.SX, at_bounds: ca.SX, at_rows: ca.SX) -> ca.SX:
     """Whether x with its multipliers satisfies the constraints and the first-order conditions; false if a number is NaN."""
     hessian, gradient, matrix, low, high, below, above = parts
     curve, push = hessian @ x, matrix.T @ at_rows

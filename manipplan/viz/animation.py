@@ -63,7 +63,7 @@ class Film:
             return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
         palette = _palette([picture(time) for time in self.times[[0, len(self.times) // 2, -1]]], self.colours)
-        frames = [picture(time).quantize(palette=palette, dither=Image.Dither.NONE) for time in self._timed()]
+        frames = [picture(time).quantize(palette=palette, dither=Image.Dither.NONE) for time in self._time_frames()]
         ends = np.round(100 * np.arange(len(frames)) / self.fps).astype(int)
         shown = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
         frames[0].save(stream, format="GIF", save_all=True, append_images=frames[1:], duration=shown, loop=0)
@@ -78,12 +78,12 @@ class Film:
         with tempfile.TemporaryDirectory() as folder:  # ffmpeg seeks to the start of its file, which a stream may not allow
             file = Path(folder) / "film.mp4"
             with writer.saving(self.figure, str(file), self.figure.dpi):
-                for time in self._timed():
+                for time in self._time_frames():
                     self.show(time)
                     writer.grab_frame()
             stream.write(file.read_bytes())
 
-    def _timed(self) -> Iterator[float]:
+    def _time_frames(self) -> Iterator[float]:
         for k, time in enumerate(self.times.tolist()):
             self.tell(k / len(self.times), f"frame {k + 1} of {len(self.times)}")
             yield time

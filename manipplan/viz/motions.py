@@ -151,7 +151,7 @@ def moved_parts(program: "Program") -> tuple[MovedPart, ...]:
     """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
-    return tuple(_moved(name, states) for name in names)
+    return tuple(_follow_part(name, states) for name in names)
 
 
 def bare(robot: Robot) -> Robot:
@@ -182,7 +182,7 @@ def _states(program: "Program") -> list[tuple[float, Robot, Scene]]:
     return states
 
 
-def _moved(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
+def _follow_part(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
     times, held, solids, frames = [], [], [], []
     for since, robot, scene in states:
         times.append(since)

@@ -63,10 +63,10 @@ def surface_of(shape: coal.CollisionGeometry) -> Surface:
     if isinstance(shape, coal.Capsule):
         up = np.linspace(-np.pi / 2, np.pi / 2, UP + 2 - UP % 2)  # an even number: the equator appears twice, once per end
         ends = np.repeat([-shape.halfLength, shape.halfLength], len(up) // 2)
-        return _revolved(shape.radius * np.cos(up), shape.radius * np.sin(up) + ends, rings=(len(up) // 2 - 1, len(up) // 2))
+        return _revolve(shape.radius * np.cos(up), shape.radius * np.sin(up) + ends, rings=(len(up) // 2 - 1, len(up) // 2))
     if isinstance(shape, coal.Cylinder):
         r, z = shape.radius, shape.halfLength
-        return _revolved(np.array([0.0, r, r, 0.0]), np.array([-z, -z, z, z]), rings=(1, 2))
+        return _revolve(np.array([0.0, r, r, 0.0]), np.array([-z, -z, z, z]), rings=(1, 2))
     points, _ = core_of(shape)
     if isinstance(shape, coal.BVHModelBase):
         if np.linalg.matrix_rank(points - points[0], tol=1e-9) < 3:  # a flat mesh has no hull
@@ -149,11 +149,11 @@ def _drawn_bodies(robot: Robot) -> list[tuple[int, Surface]]:
 
 def _ball(radii: Array) -> Surface:
     up = np.linspace(-np.pi / 2, np.pi / 2, UP + 1)
-    unit = _revolved(np.cos(up), np.sin(up), rings=(UP // 2,))
+    unit = _revolve(np.cos(up), np.sin(up), rings=(UP // 2,))
     return Surface(faces=tuple(face * radii for face in unit.faces), edges=tuple(edge * radii for edge in unit.edges))
 
 
-def _revolved(radius: Array, height: Array, *, rings: tuple[int, ...]) -> Surface:
+def _revolve(radius: Array, height: Array, *, rings: tuple[int, ...]) -> Surface:
     """The surface that points (radius, height) sweep about z, with edges along the circles of the points `rings`."""
     turn = np.linspace(0.0, 2 * np.pi, AROUND + 1)
     x, y = radius[:, None] * np.cos(turn), radius[:, None] * np.sin(turn)

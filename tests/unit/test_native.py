@@ -26,7 +26,7 @@ def slow_builds(monkeypatch):
         return NativeCode(address=lambda name: 0, owner=None)
 
     monkeypatch.setattr(native, "_found", {})
-    monkeypatch.setattr(native, "_compiled", build)
+    monkeypatch.setattr(native, "_compile", build)
     return begun
 
 
@@ -95,13 +95,13 @@ begun = threading.Event()
 def build(source, subject):
     begun.set()
     time.sleep(0.5)
-native._compiled = build
+native._compile = build
 thread = threading.Thread(target=native.native_code, args=(file, "curves"))
 thread.start()
 begun.wait()
 child = os.fork()
 if child == 0:
-    native._compiled = lambda source, subject: None
+    native._compile = lambda source, subject: None
     os._exit(0 if native.native_code(file, "curves") is None else 1)
 began = time.monotonic()
 assert os.waitpid(child, 0)[1] == 0

@@ -133,7 +133,7 @@ def test_gradient_and_hessian(baxter, options):
 
 
 def test_one_singular_arm_makes_the_minimum_zero_and_decides_its_slope():
-    value, first, second = mp.OverTools()._combined(["left", "right"], [ca.SX(0.0), ca.SX(0.5)])
+    value, first, second = mp.OverTools()._combine(["left", "right"], [ca.SX(0.0), ca.SX(0.5)])
     assert float(value) == 0.0
     assert [float(each) for each in first] == pytest.approx([1.0, 0.0])
     assert np.isfinite([[float(each) for each in row] for row in second]).all()

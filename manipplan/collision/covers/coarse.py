@@ -134,12 +134,12 @@ def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
         samples: Array | None
         radius = part.radius
         if isinstance(obstacle, PointCloud):
-            samples = _placed(obstacle.kept, obstacle.pose)
+            samples = _place(obstacle.kept, obstacle.pose)
         elif isinstance(part.shape, coal.BVHModelBase):
-            samples = _spread(_placed(mesh_triangles(part.shape), obstacle.pose), middle, reach)
+            samples = _spread(_place(mesh_triangles(part.shape), obstacle.pose), middle, reach)
         else:
             local, radius = _small(part)
-            samples = None if local is None else _placed(local, obstacle.pose)
+            samples = None if local is None else _place(local, obstacle.pose)
         if samples is None:
             return None
         samples = samples[np.linalg.norm(samples - middle, axis=1) < reach + radius]
@@ -149,7 +149,7 @@ def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
     return _Balls(points=np.concatenate(points), radii=np.concatenate(radii), has_surface=has_surface)
 
 
-def _placed(points: Array, pose: pin.SE3) -> Array:
+def _place(points: Array, pose: pin.SE3) -> Array:
     return np.asarray(points @ pose.rotation.T + pose.translation)
 
 
@@ -213,7 +213,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
             continue
         hull = _Polytope.of(points[inside], radii[inside])
         corners = hull.corners()
-        cut = _cut(grid.solid[part], cell, hull.frames) if grid.has_empty(hull, corners) else None
+        cut = _find_cut(grid.solid[part], cell, hull.frames) if grid.has_empty(hull, corners) else None
         if cut is not None:
             open_parts += [part[cut], part[~cut]]
         elif has_hull(corners):
@@ -344,7 +344,7 @@ def _upright(points: Array) -> Array:
     return np.array([[np.cos(angle), np.sin(angle), 0.0], [-np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]])
 
 
-def _cut(solid: Array, cell: float, frames: Array) -> NDArray[np.bool_] | None:
+def _find_cut(solid: Array, cell: float, frames: Array) -> NDArray[np.bool_] | None:
     """Which cells (k, 3) lie on one side of the best plane normal to an axis of the frames (f, 3, 3); None for a single cell.
 
     The box around a side counts unless the cells fill it. The best plane is that with the smallest volume that counts, and of

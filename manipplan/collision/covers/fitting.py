@@ -55,11 +55,11 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
     axes[2] *= np.linalg.det(axes)
     capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
     if refine:
-        capsule = _turned(_capsule, points, capsule)
+        capsule = _fit_turned(_capsule, points, capsule)
     found = [capsule, _sphere(points)]
     if boxes:
         box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=_volume)
-        found.append(_turned(_box, points, box) if refine else box)
+        found.append(_fit_turned(_box, points, box) if refine else box)
     return min(found, key=_volume)
 
 
@@ -115,7 +115,7 @@ def _volume(primitive: Primitive) -> float:
     return primitive.volume
 
 
-def _turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
+def _fit_turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
     """The fit of smallest volume over all rotations near that of `start`."""
     from scipy.optimize import minimize
 

@@ -174,7 +174,7 @@ class _WholeMesh:
 
         A point of a hull is outside the mesh or on it, except on a cut, where it may be inside.
         """
-        points = _sampled(faces)
+        points = _sample(faces)
         distances = np.array([self._distance(point) for point in points])
         on_cut = np.zeros(len(points), dtype=bool)
         for axis, offset in cuts:
@@ -205,7 +205,7 @@ class _WholeMesh:
         return float(coal.distance(self._point, self._place, self._surface, self._still, self._request, self._result))
 
 
-def _sampled(faces: Array) -> Array:
+def _sample(faces: Array) -> Array:
     """Points (k, 3) spread evenly over triangles (f, 3, 3), the same in every run."""
     area = np.linalg.norm(np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0]), axis=1)
     share = (np.arange(MOST_SAMPLES) + 0.5) / MOST_SAMPLES

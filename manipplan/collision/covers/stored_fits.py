@@ -95,10 +95,10 @@ def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIEC
     def cut() -> bytes:
         with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
             found = pieces.convex_pieces(mesh_triangles(mesh), most)
-        return _packed((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
+        return _pack((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
 
     own = "" if most == pieces.MOST_PIECES else f"_{most}"
-    stored = _unpacked(_find_or_make("pieces", f"{_key(mesh_key(mesh))}{own}", cut))
+    stored = _unpack(_find_or_make("pieces", f"{_key(mesh_key(mesh))}{own}", cut))
     return [pieces.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
 
 
@@ -107,11 +107,11 @@ def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
 
     def split() -> bytes:
         found = meshes.mesh_parts(name, mesh_triangles(mesh))
-        return _packed((part.corners, part.faces, float(part.closed), float(part.convex)) for part in found)
+        return _pack((part.corners, part.faces, float(part.closed), float(part.convex)) for part in found)
 
     return [
         meshes.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
-        for corners, faces, closed, convex in _unpacked(_find_or_make("parts", _key(mesh_key(mesh)), split))
+        for corners, faces, closed, convex in _unpack(_find_or_make("parts", _key(mesh_key(mesh)), split))
     ]
 
 
@@ -164,7 +164,7 @@ def _find_or_make(folder: str, name: str, make: Callable[[], bytes]) -> bytes:
     return plain
 
 
-def _packed(bodies: Iterable[_Stored]) -> bytes:
+def _pack(bodies: Iterable[_Stored]) -> bytes:
     """Bodies as the bytes of a file."""
     return b"".join(
         np.array([len(corners), len(faces), *values]).tobytes() + corners.tobytes() + faces.astype(float).tobytes()
@@ -172,7 +172,7 @@ def _packed(bodies: Iterable[_Stored]) -> bytes:
     )
 
 
-def _unpacked(content: bytes) -> list[_Stored]:
+def _unpack(content: bytes) -> list[_Stored]:
     """The bodies of a file."""
     found, numbers = [], np.frombuffer(content)
     while len(numbers):

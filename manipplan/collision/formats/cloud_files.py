@@ -60,7 +60,7 @@ def _numpy(file: Path) -> Array:
                 raise ValueError(f"it unpacks to more than {MOST_BYTES:,} bytes")
             for each in archive.infolist():
                 with archive.open(each) as stream:
-                    _check_count(_announced(stream))
+                    _check_count(_read_count(stream))
     loaded = np.load(file, mmap_mode="r" if file.suffix.lower() == ".npy" else None, allow_pickle=False)
     if isinstance(loaded, Mapping):
         names = list(loaded)
@@ -73,7 +73,7 @@ def _numpy(file: Path) -> Array:
     return np.array(loaded, dtype=float)
 
 
-def _announced(stream: IO[bytes]) -> int:
+def _read_count(stream: IO[bytes]) -> int:
     """The number of rows that the header of an NPY file states."""
     version = np.lib.format.read_magic(stream)
     read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0

@@ -245,7 +245,7 @@ def _read(file: Path, packages: Packages) -> Contents:
         wanted = "one frame for all objects, or fixed_frame_transforms that connect their frames"
         raise InvalidInputError("frame_id", ", ".join(repr(root) for root in sorted(roots)), wanted)
     matrix = _mapping("allowed_collision_matrix", data.get("allowed_collision_matrix"))
-    return objects, _allowed(matrix, [name for name, _ in objects])
+    return objects, _read_allowed(matrix, [name for name, _ in objects])
 
 
 def _check_left_out(file: Path, data: Mapping[str, Any], world: Mapping[str, Any]) -> None:
@@ -344,7 +344,7 @@ def _in_root(frame: str, frames: Frames) -> tuple[str, pin.SE3]:
     return frame, pose
 
 
-def _allowed(matrix: Mapping[str, Any], objects: list[str]) -> list[list[str]]:
+def _read_allowed(matrix: Mapping[str, Any], objects: list[str]) -> list[list[str]]:
     names, rows = _list("entry_names", matrix), _list("entry_values", matrix)
     if any(_list("default_entry_values", matrix)):
         log.warning("default_entry_values of the allowed collision matrix are not used: only pairs are allowed to touch")

@@ -57,7 +57,7 @@ class _ConnectedPart:
 def connected_parts(triangles: Array) -> list[Array]:
     """Triangles (t, 3, 3) in groups that share corners; those without an area are left out."""
     corners, faces = merged_corners(triangles)
-    parts = [corners[faces[part]] for part in _connected(faces, len(corners))]
+    parts = [corners[faces[part]] for part in _find_components(faces, len(corners))]
     return [part[_has_area(part)] for part in parts if _has_area(part).any()]
 
 
@@ -93,12 +93,12 @@ def merged_corners(triangles: Array) -> tuple[Array, Faces]:
     """Corners (v, 3) without doubles, and the faces (f, 3) that have three different ones."""
     points = triangles.reshape(-1, 3)
     first, index = first_of_rows(points)
-    corners, place = _joined(points[first])
+    corners, place = _merge(points[first])
     faces = place[index].reshape(-1, 3)
     return corners, faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
 
 
-def _joined(points: Array) -> tuple[Array, Faces]:
+def _merge(points: Array) -> tuple[Array, Faces]:
     """Points (k, 3) of which those within `MERGED` of each other are one, and for each of (v, 3) its place among these."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
@@ -127,7 +127,7 @@ def _winding() -> Callable[..., Any]:
     return code.functions("manipplan_", {"winding": (None, _P, _N, _P, _N, _P)})["winding"]
 
 
-def _connected(faces: Faces, corners: int) -> list[Faces]:
+def _find_components(faces: Faces, corners: int) -> list[Faces]:
     """Numbers of the faces of each part that is connected by shared corners."""
     if not len(faces):
         return []
@@ -178,7 +178,7 @@ def _part(corners: Array, faces: Faces) -> _ConnectedPart:
     oriented = found is not None
     if found is None:
         once = [each[first_of_rows(np.sort(each, axis=1))[0]] for each in tries]
-        found = next((turned for turned in map(_turned, once) if turned is not None), None)
+        found = next((turned for turned in map(_orient, once) if turned is not None), None)
     if found is None:
         return _ConnectedPart(triangles=corners[faces[~flat]], volume=0.0, oriented=False)
     triangles = corners[found]
@@ -205,7 +205,7 @@ def _is_cycle(faces: Faces) -> bool:
     return bool((one == other).all())
 
 
-def _turned(faces: Faces) -> Faces | None:
+def _orient(faces: Faces) -> Faces | None:
     """The faces with one orientation, if each edge has exactly two of them and they can be oriented; otherwise None.
 
     Each face stands twice in a graph, as it is and turned; neighbours are linked so that their common edge is passed in both

@@ -303,9 +303,7 @@ def _part(
         if motion.workspace_path is None and motion.step in goals
         for each in legs[motion.step].targets[goals[motion.step]].taken
     )
-    report = replace(
-        report, faults=faults, passed=not faults, status=status, constraints=tuple(kept), taken_to_limits=taken
-    )
+    report = replace(report, faults=faults, passed=not faults, status=status, constraints=tuple(kept), taken_to_limits=taken)
     part = Plan(
         robot=robot,
         scene=state.scene,

@@ -196,8 +196,8 @@ class _PieceSearch:
     def _candidates(self, first: Array) -> Iterator[Array]:
         """Control points of the best motion in narrower and narrower tubes, of the smoothest one, and the first ones."""
         for share in SHARES:
-            yield self._solved(first, BEST, self._least, share)
-        yield self._solved(first, SMOOTHEST, self._least, 1.0)
+            yield self._solve_share(first, BEST, self._least, share)
+        yield self._solve_share(first, SMOOTHEST, self._least, 1.0)
         yield first
 
     @property
@@ -253,7 +253,7 @@ class _PieceSearch:
         control, _ = self.program.solve(first, SHORTEST, poses=self.poses, tube=self.room)
         return control, self.program.used(control) * (1 - ROUNDING)
 
-    def _solved(self, first: Array, weights: Weights, least: float, share: float) -> Array:
+    def _solve_share(self, first: Array, weights: Weights, least: float, share: float) -> Array:
         """The solution in this share of the tube, with more clearance rows and a narrower tube until it is free and inside."""
         model, clearance = self.tube.model, self.tube.clearance
         safe = self._motion(first).path()

@@ -260,9 +260,9 @@ class TubeProgram:
         value = symbolic.manipulability.map(count)(q).T / least
         return _Rows(
             value=value,
-            jacobian=self._chained(symbolic.gradient.map(count)(q) / least, values),
+            jacobian=self._chain(symbolic.gradient.map(count)(q) / least, values),
             lower=np.ones(count),
-            hessian=lambda lam: self._chained_twice(symbolic.hessian.map(count)(q) / least, lam, values),
+            hessian=lambda lam: self._chain_twice(symbolic.hessian.map(count)(q) / least, lam, values),
         )
 
     def _clearance(self, c: ca.MX, rows: Sequence[ClearanceRow]) -> "_Rows":
@@ -273,9 +273,9 @@ class TubeProgram:
         q = c @ ca.DM(values.T)
         return _Rows(
             value=distance.map(len(rows))(q, columns).T,
-            jacobian=self._chained(gradient.map(len(rows))(q, columns), values),
+            jacobian=self._chain(gradient.map(len(rows))(q, columns), values),
             lower=np.zeros(len(rows)),
-            hessian=lambda lam: self._chained_twice(hessian.map(len(rows))(q, columns), lam, values),
+            hessian=lambda lam: self._chain_twice(hessian.map(len(rows))(q, columns), lam, values),
         )
 
     def _at_places(self, value: ca.SX, q: ca.SX, p: ca.SX, c: ca.MX, parameters: ca.DM) -> "_Rows":
@@ -292,21 +292,21 @@ class TubeProgram:
 
         def hessian(multipliers: ca.MX) -> ca.MX:
             each = curved(at, parameters, ca.reshape(multipliers, height, count))
-            return self._chained_twice(each, ca.MX.ones(count), values)
+            return self._chain_twice(each, ca.MX.ones(count), values)
 
         repeated = np.repeat(values, height, axis=0)
         return _Rows(
-            value=ca.vec(found), jacobian=self._chained(slope, repeated), lower=np.full(height * count, SPARE), hessian=hessian
+            value=ca.vec(found), jacobian=self._chain(slope, repeated), lower=np.full(height * count, SPARE), hessian=hessian
         )
 
-    def _chained(self, gradients: ca.MX, values: Array) -> ca.MX:
+    def _chain(self, gradients: ca.MX, values: Array) -> ca.MX:
         """Jacobian of k rows in (c, τ), from their gradients (n, k) in q and the basis (k, size) there."""
         n = self.limits.n
         chain = ca.kron(ca.sparsify(ca.DM(values)), ca.DM.eye(n))  # (k n, size n)
         rows = ca.diagcat(*(column.T for column in ca.horzsplit(gradients)))
         return ca.horzcat(rows @ chain, ca.MX(len(values), self.basis.size))
 
-    def _chained_twice(self, hessians: ca.MX, lam: ca.MX, values: Array) -> ca.MX:
+    def _chain_twice(self, hessians: ca.MX, lam: ca.MX, values: Array) -> ca.MX:
         """The sum over k rows of lam (k,) times their Hessian, in (c, τ), from those in q (n, n k)."""
         n = self.limits.n
         chain = ca.kron(ca.sparsify(ca.DM(values)), ca.DM.eye(n))

@@ -74,7 +74,7 @@ def _value(node: ast.expr, names: Mapping[str, Any]) -> Any:
         case ast.Constant(value=value):
             return value
         case ast.Name(id=name):
-            return _named(name, names)
+            return _look_up(name, names)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
             return OPERATORS[type(op)](_value(left, names), _value(right, names))
         case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
@@ -106,7 +106,7 @@ def _value(node: ast.expr, names: Mapping[str, Any]) -> Any:
         case ast.Call(func=function, args=arguments, keywords=keywords):
             given = {each.arg: _value(each.value, names) for each in keywords if each.arg is not None}
             if len(given) < len(keywords):
-                raise _refused("**")
+                raise _refusal("**")
             return _value(function, names)(*_items(arguments, names), **given)
         case ast.List(elts=items):
             return _items(items, names)
@@ -127,10 +127,10 @@ def _value(node: ast.expr, names: Mapping[str, Any]) -> Any:
             return "".join(str(_value(each, names)) for each in parts)
         case ast.FormattedValue(value=part, conversion=-1, format_spec=form):
             return format(_value(part, names), "" if form is None else _value(form, names))
-    raise _refused("lambda" if isinstance(node, ast.Lambda) else ast.unparse(node))
+    raise _refusal("lambda" if isinstance(node, ast.Lambda) else ast.unparse(node))
 
 
-def _refused(what: str) -> RefusedError:
+def _refusal(what: str) -> RefusedError:
     return RefusedError(f"{what} is evaluated only if trust_file=True, because it could run any code")
 
 
@@ -141,9 +141,9 @@ def _items(items: list[ast.expr], names: Mapping[str, Any]) -> list[Any]:
     return values
 
 
-def _named(name: str, names: Mapping[str, Any]) -> Any:
+def _look_up(name: str, names: Mapping[str, Any]) -> Any:
     if name.startswith("__"):
-        raise _refused(name)
+        raise _refusal(name)
     try:
         return names[name]
     except KeyError:
@@ -159,7 +159,7 @@ def _attribute(whole: Any, name: str) -> Any:
             return whole[name]
         except KeyError:
             raise NameError(f"name {name!r} is not defined") from None
-    raise _refused(f"the attribute {name!r}")
+    raise _refusal(f"the attribute {name!r}")
 
 
 def _loops(loops: list[ast.comprehension], names: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
@@ -169,16 +169,16 @@ def _loops(loops: list[ast.comprehension], names: Mapping[str, Any]) -> Iterator
         return
     first, *others = loops
     for item in _value(first.iter, names):
-        inner = ChainMap(_assigned(first.target, item), names)  # type: ignore[arg-type]  # only the first is written
+        inner = ChainMap(_assign(first.target, item), names)  # type: ignore[arg-type]  # only the first is written
         if all(_value(test, inner) for test in first.ifs):
             yield from _loops(others, inner)
 
 
-def _assigned(target: ast.expr, item: Any) -> dict[str, Any]:
+def _assign(target: ast.expr, item: Any) -> dict[str, Any]:
     match target:
         case ast.Name(id=name):
             return {name: item}
         case ast.Tuple(elts=parts) | ast.List(elts=parts) if not any(isinstance(each, ast.Starred) for each in parts):
             pairs = zip(parts, item, strict=True)
-            return {name: value for part, each in pairs for name, value in _assigned(part, each).items()}
-    raise _refused(ast.unparse(target))
+            return {name: value for part, each in pairs for name, value in _assign(part, each).items()}
+    raise _refusal(ast.unparse(target))

@@ -79,10 +79,10 @@ def main(folder: str) -> None:
     request = commands.request_in(folder)
     commands.set_limits(memory=MEMORY, written=WRITTEN, processor=request["processor"])
     os.chdir(folder)  # for MuJoCo's log
-    commands.write_answer(folder, _compiled(request["file"]))
+    commands.write_answer(folder, _compile(request["file"]))
 
 
-def _compiled(file: str) -> dict[str, str]:
+def _compile(file: str) -> dict[str, str]:
     os.environ["MUJOCO_GL"] = "disable"
     import mujoco
 

@@ -43,7 +43,7 @@ class PackageFolders:
         candidates = [folder / name for folder in self.package_dirs]
         for folder in self.file.parents:
             candidates += [each for each in (folder, folder / name) if _name_in_manifest(each) == name]
-        candidates += [folder / name for folder in _installed()]
+        candidates += [folder / name for folder in _find_installed()]
         return next((each for each in candidates if each.is_dir()), None)
 
     def may_read(self, path: Path) -> bool:
@@ -57,7 +57,7 @@ class PackageFolders:
             if (folder / MANIFEST).is_file() and folder.parent in self.file.parents:
                 roots.append(folder)
         plain = Path(os.path.normpath(path.absolute()))
-        return any(real.is_relative_to(each.resolve()) for each in roots) or any(map(plain.is_relative_to, _installed()))
+        return any(real.is_relative_to(each.resolve()) for each in roots) or any(map(plain.is_relative_to, _find_installed()))
 
 
 def _package_of(file: Path) -> Path:
@@ -75,7 +75,7 @@ def _name_in_manifest(folder: Path) -> str | None:
     return found[1] if found else folder.name
 
 
-def _installed() -> Iterator[Path]:
+def _find_installed() -> Iterator[Path]:
     """The folders that contain the packages of ROS, from its environment variables."""
     for variable, below in (("AMENT_PREFIX_PATH", "share"), ("ROS_PACKAGE_PATH", "")):
         for folder in os.environ.get(variable, "").split(os.pathsep):

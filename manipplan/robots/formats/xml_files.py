@@ -58,15 +58,15 @@ class _TreeBuilder:
     def read(self, text: str) -> ET.Element:
         parser = expat.ParserCreate("utf-8")  # whatever the file declares
         parser.buffer_text = True
-        parser.XmlDeclHandler = self._declared
+        parser.XmlDeclHandler = self._on_declaration
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
         parser.CharacterDataHandler = self.builder.data
-        parser.SkippedEntityHandler = self._skipped
+        parser.SkippedEntityHandler = self._on_skipped_entity
         parser.Parse(text.encode(), True)
         return self.builder.close()
 
-    def _declared(self, _: str, encoding: str | None, __: int) -> None:
+    def _on_declaration(self, _: str, encoding: str | None, __: int) -> None:
         codecs.lookup(encoding or "utf-8")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
@@ -82,7 +82,7 @@ class _TreeBuilder:
         self.depth -= 1
         self.builder.end(tag)
 
-    def _skipped(self, name: str, _: bool) -> None:
+    def _on_skipped_entity(self, name: str, _: bool) -> None:
         raise FileFormatError(*self.wanted, f"well-formed XML (there is no entity {name!r})")
 
 

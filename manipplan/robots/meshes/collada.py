@@ -61,11 +61,11 @@ class _Document:
         if instance is None:
             self.found = [self._mesh(each) for each in self.root.findall("library_geometries/geometry")]
         else:
-            for node in self._named(instance.get("url"), "visual_scene").findall("node"):
+            for node in self._find_named(instance.get("url"), "visual_scene").findall("node"):
                 self._add(node, np.eye(4), 0)
         return np.concatenate([np.empty((0, 3, 3)), *self.found])
 
-    def _named(self, url: str | None, tag: str) -> ET.Element:
+    def _find_named(self, url: str | None, tag: str) -> ET.Element:
         element = self.by_id.get(str(url).removeprefix("#"))
         if element is None or element.tag != tag:
             raise ValueError(f"it refers to a {tag} {url}, which is not there")
@@ -78,10 +78,10 @@ class _Document:
         place = parent @ _transform(node)
         for child in node:
             if child.tag == "instance_geometry":
-                mesh = self._mesh(self._named(child.get("url"), "geometry"))
+                mesh = self._mesh(self._find_named(child.get("url"), "geometry"))
                 self.found.append(moved_triangles(mesh, place))
             elif child.tag == "instance_node":
-                self._add(self._named(child.get("url"), "node"), place, depth + 1)
+                self._add(self._find_named(child.get("url"), "node"), place, depth + 1)
             elif child.tag == "node":
                 self._add(child, place, depth + 1)
             elif child.tag == "instance_controller":
@@ -103,7 +103,7 @@ class _Document:
         vertex = next((each for each in inputs if each.get("semantic") == "VERTEX"), None)
         if [each.get("semantic") for each in inputs].count("VERTEX") != 1 or vertex is None or min(offsets) < 0:
             raise ValueError(f"<{primitive.tag}> without one input of VERTEX")
-        vertices = self._positions(self._named(vertex.get("source"), "vertices"))
+        vertices = self._positions(self._find_named(vertex.get("source"), "vertices"))
         if primitive.find("ph") is not None:
             raise ValueError("it has polygons with holes (<ph>), which are not read")
         lists = []
@@ -121,7 +121,7 @@ class _Document:
         """Positions (v, 3) of <vertices>."""
         for each in vertices.findall("input"):
             if each.get("semantic") == "POSITION":
-                source = self._named(each.get("source"), "source")
+                source = self._find_named(each.get("source"), "source")
                 values = numbers(source.findtext("float_array") or "")
                 accessor = source.find("technique_common/accessor")
                 given = accessor.attrib if accessor is not None else {}

@@ -27,7 +27,7 @@ def read_gltf(file: Path) -> Array:
         ValueError: the file is not valid, or needs an extension or a kind of primitive that is not read.
         MissingExtraError: trimesh is not installed.
     """
-    count = _announced(_document(file.read_bytes()))
+    count = _count_primitives(_document(file.read_bytes()))
     try:
         import trimesh
     except ImportError as error:
@@ -36,7 +36,7 @@ def read_gltf(file: Path) -> Array:
         scene = trimesh.load_scene(file, process=False)
         found = [
             moved_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
-            for transform, mesh in _placed(scene)
+            for transform, mesh in _place_meshes(scene)
         ]
     except Exception as error:  # trimesh raises whatever happens to it on a broken file
         raise ValueError(f"trimesh says: {type(error).__name__}: {error}") from error
@@ -46,7 +46,7 @@ def read_gltf(file: Path) -> Array:
     return triangles
 
 
-def _placed(scene: Any) -> list[tuple[Array, Any]]:
+def _place_meshes(scene: Any) -> list[tuple[Array, Any]]:
     """Transform (4, 4) and mesh of each node that has triangles."""
     placed = []
     for node in scene.graph.nodes_geometry:
@@ -73,24 +73,24 @@ def _document(data: bytes) -> Any:
         raise ValueError(f"its JSON cannot be read ({error})") from error
 
 
-def _announced(document: Any) -> int:
+def _count_primitives(document: Any) -> int:
     """The number of primitives with triangles."""
     if not isinstance(document, dict):
         raise ValueError("its JSON is not an object")
-    for name in _listed(document, "extensionsRequired"):
+    for name in _list_of(document, "extensionsRequired"):
         if not str(name).startswith(HARMLESS):
             raise ValueError(f"it needs the extension {name}, which is not read")
-    if "EXT_mesh_gpu_instancing" in _listed(document, "extensionsUsed"):
+    if "EXT_mesh_gpu_instancing" in _list_of(document, "extensionsUsed"):
         raise ValueError("it uses the extension EXT_mesh_gpu_instancing, which is not read")
-    if any(isinstance(each, dict) and "sparse" in each for each in _listed(document, "accessors")):
+    if any(isinstance(each, dict) and "sparse" in each for each in _list_of(document, "accessors")):
         raise ValueError("it has sparse accessors, which are not read")
     if document.get("skins"):
         raise ValueError("it has skins, which are not read")
     count, corners = 0, 0
-    for mesh in _listed(document, "meshes"):
+    for mesh in _list_of(document, "meshes"):
         if not isinstance(mesh, dict):
             raise ValueError("one of its meshes is not an object")
-        for primitive in _listed(mesh, "primitives"):
+        for primitive in _list_of(mesh, "primitives"):
             mode = primitive.get("mode", TRIANGLES[0]) if isinstance(primitive, dict) else None
             if isinstance(primitive, dict) and primitive.get("targets"):
                 raise ValueError("it has morph targets, which are not read")
@@ -117,7 +117,7 @@ def _corners(document: dict[str, Any], primitive: Any) -> int:
 
 def _accessor(document: dict[str, Any], index: Any) -> dict[str, Any]:
     """An accessor by its number; raises ValueError for one without numbers in the file."""
-    accessors, views = _listed(document, "accessors"), _listed(document, "bufferViews")
+    accessors, views = _list_of(document, "accessors"), _list_of(document, "bufferViews")
     if type(index) is not int or not 0 <= index < len(accessors) or not isinstance(accessors[index], dict):
         raise ValueError(f"it has no accessor {index!r}")
     accessor: dict[str, Any] = accessors[index]
@@ -130,7 +130,7 @@ def _accessor(document: dict[str, Any], index: Any) -> dict[str, Any]:
     return accessor
 
 
-def _listed(holder: dict[str, Any], name: str) -> list[Any]:
+def _list_of(holder: dict[str, Any], name: str) -> list[Any]:
     found = holder.get(name, [])
     if not isinstance(found, list):
         raise ValueError(f"its {name} is not a list")

@@ -194,7 +194,7 @@ def load_library(
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
     file = folder / f"{_key(source, compiler.command, flags)}.so"
-    with _announced(subject) if announce else logged_when_slow(f"compiling {subject}"):
+    with _announce(subject) if announce else logged_when_slow(f"compiling {subject}"):
         _build(file, source, compiler, flags, language, subject)
     try:
         return load(file)
@@ -286,7 +286,7 @@ def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
 
 
 @contextmanager
-def _announced(subject: str) -> Iterator[None]:
+def _announce(subject: str) -> Iterator[None]:
     from rich.console import Console
 
     console, text = Console(stderr=True), terminal_text(f"compiling {subject} ...")

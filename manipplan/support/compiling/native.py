@@ -60,14 +60,14 @@ def native_code(source: Path, subject: str) -> NativeCode | None:
     if source not in _found:
         with building(), _locks[source]:  # a second thread waits for the first one's build
             if source not in _found:
-                _found[source] = _compiled(source, subject)
+                _found[source] = _compile(source, subject)
     return _found[source]
 
 
-def _compiled(source: Path, subject: str) -> NativeCode | None:
+def _compile(source: Path, subject: str) -> NativeCode | None:
     flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
     try:
-        return load_library(source_text(source), _loaded, flags=flags, subject=f"{subject}, once per machine")
+        return load_library(source_text(source), _load, flags=flags, subject=f"{subject}, once per machine")
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
@@ -136,6 +136,6 @@ def source_text(source: Path) -> str:
     return expanded(source)
 
 
-def _loaded(file: Path) -> NativeCode:
+def _load(file: Path) -> NativeCode:
     library = ctypes.CDLL(str(file))
     return NativeCode(address=lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0, owner=library)

@@ -72,7 +72,7 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
     from trimesh import creation
 
     if isinstance(shape, coal.BVHModelBase):
-        return _reduced(*_mesh(shape), most)
+        return _reduce(*_mesh(shape), most)
     if isinstance(shape, coal.ConvexBase):
         return _hull(core_of(shape)[0])
     if isinstance(shape, coal.Halfspace | coal.Plane):
@@ -95,7 +95,7 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
         mesh.apply_translation((0.0, 0.0, -shape.halfLength))
     else:
         return _hull(core_of(shape)[0])
-    return _creased(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    return _crease(np.asarray(mesh.vertices), np.asarray(mesh.faces))
 
 
 def _mesh(shape: coal.BVHModelBase) -> tuple[Array, Faces]:
@@ -106,7 +106,7 @@ def _mesh(shape: coal.BVHModelBase) -> tuple[Array, Faces]:
     return vertices, faces[~flat]
 
 
-def _reduced(vertices: Array, faces: Faces, most: int) -> tuple[Array, Faces] | None:
+def _reduce(vertices: Array, faces: Faces, most: int) -> tuple[Array, Faces] | None:
     import fast_simplification
 
     if not len(faces):
@@ -114,14 +114,14 @@ def _reduced(vertices: Array, faces: Faces, most: int) -> tuple[Array, Faces] | 
     if len(faces) > most:
         fewer = fast_simplification.simplify(vertices.astype(np.float32), faces.astype(np.int32), target_count=most)
         vertices, faces = np.asarray(fewer[0], dtype=float), np.asarray(fewer[1], dtype=int)
-    return _creased(vertices, faces)
+    return _crease(vertices, faces)
 
 
 def _hull(points: Array) -> tuple[Array, Faces] | None:
     import trimesh
 
     mesh = trimesh.convex.convex_hull(points)
-    return _creased(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    return _crease(np.asarray(mesh.vertices), np.asarray(mesh.faces))
 
 
 def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
@@ -134,7 +134,7 @@ def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
     return np.array(corners), np.array([[0, 1, 2], [0, 2, 3]])
 
 
-def _creased(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
+def _crease(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
     """The same triangles, with separate vertices on the two sides of a sharp edge."""
     import trimesh
     from scipy.sparse import coo_array

@@ -83,16 +83,16 @@ class ShownMotion:
         """The motion of a plan or program; raises PlanningError when it has none."""
         if isinstance(shown, Program):
             robot, moved = bare(shown.robot), moved_parts(shown)
-            made = cls._made(robot, fixed(shown.scene, moved), shown.trajectory, shown.parts[0].result, {"motion": None}, "")
+            made = cls._make(robot, fixed(shown.scene, moved), shown.trajectory, shown.parts[0].result, {"motion": None}, "")
             return replace(made, status="A program of moves", marks=shown.marks, moved=moved)
         instance("plan", shown, PartialPlan)
         if not isinstance(shown, Plan):
             raise PlanningError(f"there is no motion to show: {shown.message or shown.status.value}", shown)
         status = shown.status.value[0].upper() + shown.status.value[1:]
-        return cls._made(shown.robot, shown.scene, shown.trajectory, shown.result, named_paths(shown), status)
+        return cls._make(shown.robot, shown.scene, shown.trajectory, shown.result, named_paths(shown), status)
 
     @classmethod
-    def _made(
+    def _make(
         cls,
         robot: Robot,
         scene: Scene,
