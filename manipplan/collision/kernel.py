@@ -3,7 +3,6 @@
 import ctypes
 import threading
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from manipplan.collision.world import Numbers, world_arrays
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import PREFIX, struct
 from manipplan.support.compiling.native import NativeCode, native_code
 
 #: As in distances.c.
@@ -25,86 +25,13 @@ GUESS = 22
 ROOM = 64
 
 
-class _World(ctypes.Structure):
-    """`World` of distances.c."""
-
-    _fields_ = [
-        (
-            name,
-            ctypes.c_long
-            if name in ("n", "entries", "bodies", "selves", "movers", "groups", "pairs", "top")
-            else ctypes.c_void_p,
-        )
-        for name in (
-            *(
-                "n",
-                "entries",
-                "leader",
-                "ratio",
-                "offset",
-                "before",
-                "carries",
-                "fixed",
-                "axes",
-                "slides",
-                "bodies",
-                "joint",
-                "kind",
-                "first",
-                "count",
-                "radius",
-                "pose",
-                "size",
-                "ball",
-            ),
-            "local",
-            *("x", "y", "z", "selves", "self", "movers", "mover", "pair_of", "groups", "group", "group_ball", "pairs", "top"),
-            *("node_box", "node", "root", "corners", "leaf_x", "leaf_y", "leaf_z", "probes", "probe"),
-            *("frames", "centres", "least", "found", "guess"),
-        )
-    ]
-
-
-_P, _N = ctypes.c_void_p, ctypes.c_long
-#: Result and arguments of the functions of distances.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "check": (None, _P, _P, _N, ctypes.c_double, _P),
-    "distances": (None, _P, _P, _N, _P, _P),
-    "least": (ctypes.c_int, _P, _P, _N, ctypes.c_double, _N, _P, _P, _P),
-    "pairs": (None, _P, _P, _N, _P, _P, _P, _P),
-    "intervals": (None, _P, _P, _P, _N, *[_P] * 5),
-    "witnesses": (None, _P, _P, _N, _P, _P),
-    "near": (_N, _P, _P, _N, _P, _N, _P, _P),
-    "tree": (_N, _P, _P, _N, _P, _N, _P, _P),
-}
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Calls:
-    """The functions of distances.c, by their names without prefix.
-
-    Attributes:
-        functions: they release the GIL.
-        check_one: the check of one configuration, which holds the GIL: to release it would take longer than the check.
-        code: where they come from.
-    """
-
-    functions: Mapping[str, Callable[..., Any]]
-    check_one: Callable[[int, int, float], int]
-    code: NativeCode
-
-    @classmethod
-    def of(cls, code: NativeCode) -> "Calls":
-        """Those of the compiled source."""
-        one = ctypes.PYFUNCTYPE(ctypes.c_int, _P, _P, ctypes.c_double)(code.address("manipplan_check_one"))
-        return cls(functions=code.functions("manipplan_", SIGNATURES), check_one=one, code=code)
+#: The compiled kernel.
+SOURCE = Path(__file__).with_name("distances.c")
 
 
 @cache
-def _calls() -> Calls | None:
-    """The compiled kernel; None where it cannot be compiled."""
-    code = native_code(Path(__file__).with_name("distances.c"), "collision checks")
-    return None if code is None else Calls.of(code)
+def _functions(code: NativeCode) -> Mapping[str, Callable[..., Any]]:
+    return code.functions(quick=("check_one",))
 
 
 def find_kernel(
@@ -119,17 +46,17 @@ def find_kernel(
         radii: (g,) added all around each object [m].
         closed: the objects that are surfaces and solid inside.
     """
-    calls = _calls()
-    if calls is None:
+    code = native_code(SOURCE, "collision checks")
+    if code is None:
         return None
-    return DistanceKernel(calls, world_arrays(calls.functions["tree"], robot, objects, pairs, radii, closed))
+    return DistanceKernel(code, world_arrays(_functions(code)["tree"], robot, objects, pairs, radii, closed))
 
 
 class DistanceKernel:
     """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own."""
 
-    def __init__(self, calls: Calls, arrays: Mapping[str, NDArray[Any]]) -> None:
-        self._calls, self._call = calls, calls.functions
+    def __init__(self, code: NativeCode, arrays: Mapping[str, NDArray[Any]]) -> None:
+        self._code, self._call = code, _functions(code)
         joints, self._n, self._bodies = len(arrays["axes"]), int(arrays["leader"].max(initial=-1)) + 1, arrays["pair_bodies"]
         self._arrays = dict(arrays) | {
             "frames": np.empty((joints + 1, 12)),
@@ -149,11 +76,11 @@ class DistanceKernel:
             "top": int(arrays["top"][0]),
         }
         places = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
-        self._world = _World(**numbers, **places)
+        self._world = struct(SOURCE, "World")(**numbers, **places)
         self._at = ctypes.addressof(self._world)
         self._lock = threading.Lock()
         self._q = np.zeros(self._n)
-        self._q_at, self._check_one = self._q.ctypes.data, calls.check_one
+        self._q_at, self._check_one = self._q.ctypes.data, self._call["check_one"]
 
     @property
     def world(self) -> int:
@@ -172,7 +99,7 @@ class DistanceKernel:
 
     def address(self, name: str) -> int:
         """The address of the function `manipplan_` and a name."""
-        return self._calls.code.address(f"manipplan_{name}")
+        return self._code.address(PREFIX + name)
 
     def bodies(self, pairs: Numbers) -> Numbers:
         """The two bodies (m, 2) of pairs (m,), as `manipplan_pairs` takes them."""
@@ -180,7 +107,7 @@ class DistanceKernel:
 
     def copy(self) -> "DistanceKernel":
         """The same with its own working memory, for another thread."""
-        return DistanceKernel(self._calls, self._arrays)
+        return DistanceKernel(self._code, self._arrays)
 
     def check(self, q: Array, clearance: float) -> int:
         """FREE, TOUCHING or UNDECIDED at q (n,): whether any pair is as near as `clearance` [m]."""
@@ -225,7 +152,7 @@ class DistanceKernel:
 
         The pair is -1 where all distances are above `reach` [m]. Every `coarse`-th row is measured first.
         """
-        q, least, row, pair = np.ascontiguousarray(q, dtype=float), ctypes.c_double(), _N(), _N()
+        q, least, row, pair = np.ascontiguousarray(q, dtype=float), ctypes.c_double(), ctypes.c_long(), ctypes.c_long()
         places = [ctypes.addressof(each) for each in (least, row, pair)]
         with self._lock:
             known = self._call["least"](self._at, q.ctypes.data, len(q), reach, coarse, *places)

@@ -45,6 +45,7 @@ from manipplan.collision.world import core_of
 from manipplan.paths.joint import JointPath, split
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import native_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -56,30 +57,15 @@ MOST_POINTS = 8
 MOST_JOINTS = 64
 
 BodyIndices = NDArray[np.intp]
-_P, _N = ctypes.c_void_p, ctypes.c_long
-
-
-class _ArmStruct(ctypes.Structure):
-    """`Arm` of body_motion.c."""
-
-    _fields_ = [
-        (name, _N if name in ("n", "bodies") else _P)
-        for name in (
-            *("n", "before", "carries", "fixed", "axes", "slides", "bodies", "joint", "points", "radii", "body", "below"),
-            *("moved", "lever", "row"),
-        )
-    ]
-
-
-#: Result and arguments of `manipplan_motion`.
-SIGNATURE = (None, *[_P] * 7, _N, _P, _P)
+#: The compiled bounds.
+SOURCE = Path(__file__).with_name("body_motion.c")
 
 
 @cache
 def _compiled() -> Callable[..., None] | None:
     """The compiled bounds; None where they cannot be compiled."""
-    code = native_code(Path(__file__).with_name("body_motion.c"), "proofs of clearance")
-    return None if code is None else code.functions("manipplan_", {"motion": SIGNATURE})["motion"]
+    code = native_code(SOURCE, "proofs of clearance")
+    return None if code is None else code.functions()["motion"]
 
 
 @once_per_owner
@@ -152,7 +138,9 @@ class BodyMotion:
         ]
         rows, pairs = np.ascontiguousarray(rows, dtype=np.int64), np.ascontiguousarray(pairs, dtype=np.int64)
         work = {"moved": np.empty((count, n + 1)), "lever": np.empty((count, n + 1)), "row": np.empty(count, dtype=np.int64)}
-        arm = _ArmStruct(n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()})
+        arm = struct(SOURCE, "Arm")(
+            n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()}
+        )
         motion, bend = np.empty(len(rows)), np.empty(0 if rates is None else len(rows))
         at = [each.ctypes.data for each in numbers] + [None] * (4 - len(numbers))
         ends = motion.ctypes.data, None if rates is None else bend.ctypes.data

@@ -14,6 +14,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.paths.joint import Curve, curve_code
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import needed_code
 from manipplan.support.errors import CompilerError
 
@@ -36,9 +37,8 @@ ASKING, MORE_ROOM = -1, -2
 #: Initial room for near pairs per place of the grid.
 ROOM = 16
 
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of look.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {"look": (_N, _P, _P, _D, _P)}
+#: The compiled search.
+SOURCE = Path(__file__).with_name("look.c")
 _BRACKET = np.dtype(
     [
         *((name, float) for name in ("low", "middle", "high", "left", "least", "right", "next", "found")),
@@ -50,41 +50,10 @@ _FOUND = np.dtype([("distance", float), ("s", float), ("pair", int), ("is_bottom
 Place = tuple[float, int]
 
 
-class _Dips(ctypes.Structure):
-    """`Dips` of look.c."""
-
-    _fields_ = [
-        ("n", _N),
-        *((name, _P) for name in ("curve", "curve_at")),
-        ("spacing", _D),
-        *((name, _P) for name in ("world", "distance")),
-        *((name, _D) for name in ("grid", "enough")),
-        ("most_steps", _N),
-    ]
-
-
-class _Look(ctypes.Structure):
-    """`Look` of look.c."""
-
-    _fields_ = [
-        *((name, _N) for name in ("stage", "entries", "pairs")),
-        *((name, _P) for name in ("bodies", "near")),
-        *((name, _N) for name in ("places", "spacing")),
-        ("s", _P),
-        *((name, _D) for name in ("target", "close", "deep", "farthest")),
-        ("known", _N),
-        *((name, _P) for name in ("known_s", "known_pair", "q", "reach")),
-        ("room", _N),
-        *((name, _P) for name in ("where", "distance", "bracket")),
-        *((name, _N) for name in ("most_dips", "dips")),
-        ("bracket_bodies", _P),
-    ]
-
-
 @cache
 def _call() -> Callable[..., int]:
-    code = needed_code(Path(__file__).with_name("look.c"), "distances along paths")
-    return code.functions("manipplan_", SIGNATURES)["look"]
+    code = needed_code(SOURCE, "distances along paths")
+    return code.functions()["look"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +101,7 @@ class DistanceSearch:
         if kernel is None or curves is None:
             raise CompilerError("distances along paths", "neither a C compiler nor LLVM can compile them")
         self.model, self._kernel = model, kernel
-        self._dips = _Dips(
+        self._dips = struct(SOURCE, "Dips")(
             n=kernel.n,
             curve_at=curves.address("manipplan_curve"),
             spacing=FINE,
@@ -204,7 +173,7 @@ class DistanceSearch:
         q = curve(brackets[at][asked], FINE)
         brackets[name][asked] = on_grid(self.model.pair_distances(q, pairs[asked]), FINE_DISTANCE)
 
-    def _with_room(self, room: int, known: int) -> _Look:
+    def _with_room(self, room: int, known: int) -> ctypes.Structure:
         """Working memory for a number of near pairs, `room`, and of `known` places."""
         places, pairs = INTERVALS + 1, self._kernel.pairs
         self._found = np.empty(2 * room + known, dtype=_FOUND)
@@ -218,7 +187,7 @@ class DistanceSearch:
             "bracket": np.empty(room + known, dtype=_BRACKET),
             "bracket_bodies": np.empty((room + known, 2), dtype=np.int64),
         }
-        return _Look(
+        return struct(SOURCE, "Look")(
             pairs=pairs,
             near=self._kernel.address("near"),
             places=places,

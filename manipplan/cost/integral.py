@@ -23,6 +23,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import MOST_PANELS, JointPath, curve_code
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array, instance, number, number_array, whole_number
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import native_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -63,30 +64,15 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
 #: Initial room for edges.
 ROOM = 4096
 
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of panels.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "panels": (ctypes.c_int, _P, _P, _P, _N, _P),
-    "fine_panels": (_N, _P, _P, _N, _N, _N, _D),
-    "integral": (ctypes.c_int, _P, _P, _N, _N, _N, _D, _P),
-    "minimum": (ctypes.c_int, _P, *[_N] * 4, _P),
-}
-
-
-class _IntegralStruct(ctypes.Structure):
-    """`Integral` of panels.c."""
-
-    _fields_ = [
-        *((name, _P) for name in ("path", "slope", "evaluate", "measure")),
-        *(("n", _N), ("points", _N), ("nodes", _P), ("weights", _P), ("floor", _D), ("power", _D)),
-    ]
+#: The compiled integrals.
+SOURCE = Path(__file__).with_name("panels.c")
 
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]] | None:
     """The compiled functions; None where they cannot be compiled."""
-    code = native_code(Path(__file__).with_name("panels.c"), "integrals along paths")
-    return None if code is None else code.functions("manipplan_", SIGNATURES)
+    code = native_code(SOURCE, "integrals along paths")
+    return None if code is None else code.functions()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -99,7 +85,7 @@ class Panels:
         owners: what has to live as long as this object.
     """
 
-    integral: _IntegralStruct
+    integral: ctypes.Structure
     functions: dict[str, Callable[..., Any]]
     owners: tuple[object, ...]
 
@@ -112,7 +98,7 @@ class Panels:
         if functions is None or curves is None or measure is None or not compiled:
             return None
         nodes, weights = gauss_rule(points)
-        integral = _IntegralStruct(
+        integral = struct(SOURCE, "Integral")(
             path=curve.address,
             slope=slope.address,
             evaluate=curves.address("manipplan_curve"),

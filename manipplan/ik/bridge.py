@@ -13,7 +13,6 @@ The compiled code of inverse kinematics: `inverse.c`, with its headers.
 The values in which an arm's joints are enumerated, one turn of a joint that goes around, and how far the tool is in them.
 """
 
-import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -328,25 +327,14 @@ def _points_on_axes(robot: Robot, screws: Screws, joints: list[int]) -> Array:
 #: As in spherical.h: arrangement of the axes of the three joints a, b, c that place the point where the others meet.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
 
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of inverse.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "solutions": (_N, _P, _P, _N, _N, _P, _P),
-    "arrangement": (_N, _P, _P, _P),
-    "quartic": (_N, _P, _P),
-    "swivels": (None, _P, _P, _P, _P, _P, _N, _P),
-    "refine": (None, _P, _P, _P, _P, _N, _N, _D, _P, _P),
-    "search": (None, _P, _P, _P, _P, _P, _N, _N, _D, _P, _P, _P),
-    "are_poses": (_N, _P, _N, _D),
-    "residuals": (None, _P, _P, _P, _N, _P),
-    "first_ones": (None, _P, _P, _N, _N, _D, _P),
-}
+#: The compiled closed forms and Newton steps.
+SOURCE = Path(__file__).with_name("inverse.c")
 
 
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
     """The functions of inverse.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return needed_code(Path(__file__).with_name("inverse.c"), "inverse kinematics").functions("manipplan_", SIGNATURES)
+    return needed_code(SOURCE, "inverse kinematics").functions()
 
 
 def real(values: Any) -> Array:

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import SKEW, arrangement, calls, real, truth, whole
+from manipplan.ik.bridge import SKEW, SOURCE, arrangement, calls, real, truth, whole
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, one_of, texts
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.task import Task
@@ -194,30 +195,6 @@ CHUNK = 8192
 #: As in spherical.h: amount by which a solution may exceed a limit [rad], and maximum number of solutions.
 AT_LIMIT, MOST = 1e-5, 8
 
-_N, _P = ctypes.c_long, ctypes.c_void_p
-
-
-class _Form(ctypes.Structure):
-    """`Form` of inverse.c."""
-
-    _fields_ = [
-        *((name, _N) for name in ("n", "helds", "frees", "solver", "backward", "moves_axes", "triple")),
-        *((name, _P) for name in ("axes", "points", "slides", "held", "free", "meeting", "home", "lower", "upper", "endless")),
-        ("turning", _P),
-    ]
-
-
-class _Samples(ctypes.Structure):
-    """`Samples` of inverse.c."""
-
-    _fields_ = [("poses", _P), ("owners", _P), ("values", _P), ("count", _N), ("width", _N)]
-
-
-class _Solutions(ctypes.Structure):
-    """`Solutions` of inverse.c."""
-
-    _fields_ = [("out", _P), ("source", _P), ("rows", _N), ("filled", _N)]
-
 
 class Enumeration:
     """Enumerates the solutions of one closed form inside limits; threads may share it.
@@ -238,21 +215,29 @@ class Enumeration:
         low, high = np.where(endless, -np.pi, lower), np.where(endless, np.pi, upper)
         turns = np.where(endless, 0, (high - low + 2 * AT_LIMIT) // (2 * np.pi))[list(form.free)]
         self._n, self._most = screws.n, MOST * int(np.prod(np.maximum(turns + 1, 1)))
-        self._arrays: tuple[NDArray[Any], ...] = (
-            real(screws.axes),
-            real(screws.points),
-            truth(screws.slides),
-            whole([form.held[k] for k in self._order]),
-            whole(form.free),
-            real(form.meeting),
-            real(np.linalg.inv(screws.home)),
-            real(low),
-            real(high),
-            truth(endless),
-            real(axis if axis is not None else np.zeros(3)),
+        self._arrays: dict[str, NDArray[Any]] = {
+            "axes": real(screws.axes),
+            "points": real(screws.points),
+            "slides": truth(screws.slides),
+            "held": whole([form.held[k] for k in self._order]),
+            "free": whole(form.free),
+            "meeting": real(form.meeting),
+            "home": real(np.linalg.inv(screws.home)),
+            "lower": real(low),
+            "upper": real(high),
+            "endless": truth(endless),
+            "turning": real(axis if axis is not None else np.zeros(3)),
+        }
+        self._form = struct(SOURCE, "Form")(
+            n=screws.n,
+            helds=len(form.held),
+            frees=len(form.free),
+            solver=form.solver,
+            backward=form.backward,
+            moves_axes=form.moves_axes,
+            triple=form.triple,
+            **{name: array.ctypes.data for name, array in self._arrays.items()},
         )
-        numbers = (screws.n, len(form.held), len(form.free), form.solver, form.backward, form.moves_axes, form.triple)
-        self._form = _Form(*numbers, *(each.ctypes.data for each in self._arrays))
 
     def __call__(
         self, poses: Array, owners: NDArray[np.int64], samples: Array
@@ -266,12 +251,18 @@ class Enumeration:
         """
         columns = [*self._order, *range(len(self._order), samples.shape[1])]
         poses, owners, samples = real(poses), whole(owners), real(samples[:, columns])
-        asked = _Samples(poses.ctypes.data, owners.ctypes.data, samples.ctypes.data, *samples.shape)
+        asked = struct(SOURCE, "Samples")(
+            poses=poses.ctypes.data,
+            owners=owners.ctypes.data,
+            values=samples.ctypes.data,
+            count=len(samples),
+            width=samples.shape[1],
+        )
         rows = max(4 * self._most, min(len(samples) * MOST, CHUNK * MOST))
         work, begin, call = np.empty(6 * self._n), 0, calls()["solutions"]
         while begin < len(samples):
             out, source = np.empty((rows, self._n)), np.empty(rows, dtype=np.int64)
-            found = _Solutions(out.ctypes.data, source.ctypes.data, rows, 0)
+            found = struct(SOURCE, "Solutions")(out=out.ctypes.data, source=source.ctypes.data, rows=rows)
             begin = call(
                 ctypes.addressof(self._form),
                 ctypes.addressof(asked),

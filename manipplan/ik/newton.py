@@ -15,26 +15,14 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
+from manipplan.ik.bridge import SOURCE, bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
 from manipplan.ik.geometry import Screws
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import struct
 from manipplan.symbolic.free_motion import FreeMotion
-
-_N, _P = ctypes.c_long, ctypes.c_void_p
-
-
-class _ScrewsStruct(ctypes.Structure):
-    """`Screws` of newton.h."""
-
-    _fields_ = [
-        ("n", _N),
-        *((name, _P) for name in ("axes", "points", "slides", "home", "moves")),
-        ("links", _N),
-        *((name, _P) for name in ("leader", "ratio", "offset")),
-    ]
 
 
 class MovingArm:
@@ -42,8 +30,10 @@ class MovingArm:
 
     def __init__(self, screws: Screws, moves: NDArray[np.bool_]) -> None:
         self._n, self._links = screws.n, 0 if screws.follow is None else len(screws.axes)
-        self._arrays = (real(screws.axes), real(screws.points), truth(screws.slides), real(screws.home), truth(moves))
-        self._screws = _ScrewsStruct(screws.n, *(each.ctypes.data for each in self._arrays), len(screws.axes))
+        self._arrays = {name: real(getattr(screws, name)) for name in ("axes", "points", "home")}
+        self._truths = {"slides": truth(screws.slides), "moves": truth(moves)}
+        places = {name: array.ctypes.data for name, array in (self._arrays | self._truths).items()}
+        self._screws = struct(SOURCE, "Screws")(n=screws.n, links=len(screws.axes), **places)
         if screws.follow is not None:
             leader, ratio, offset = screws.follow
             self._led = whole(leader), real(ratio), real(offset)

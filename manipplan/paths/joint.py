@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import NativeCode, native_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -27,27 +28,20 @@ from manipplan.support.tolerances import COINCIDENT
 #: Curves of a higher degree are evaluated by NumPy; as in curves.c.
 MOST_DEGREE = 30
 
-_P, _N = ctypes.c_void_p, ctypes.c_long
-#: Result and arguments of `manipplan_curve`. It keeps the GIL: to release it would take longer than most calls.
-_CALL = ctypes.PYFUNCTYPE(_N, _P, _P, _N, ctypes.c_double, _P)
-
-
-class _CurveStruct(ctypes.Structure):
-    """`Curve` of curves.c."""
-
-    _fields_ = [("pieces", _N), ("degree", _N), ("n", _N), ("breaks", _P), ("control", _P)]
+#: The compiled evaluation.
+SOURCE = Path(__file__).with_name("curves.c")
 
 
 @cache
 def curve_code() -> NativeCode | None:
     """The compiled code, for calls from other compiled code by the address of `manipplan_curve`; None without it."""
-    return native_code(Path(__file__).with_name("curves.c"), "evaluation of paths")
+    return native_code(SOURCE, "evaluation of paths")
 
 
 @cache
 def _call() -> Callable[..., int] | None:
     code = curve_code()
-    return None if code is None else _CALL(code.address("manipplan_curve"))
+    return None if code is None else code.functions(quick=("curve",))["curve"]
 
 
 class Curve:
@@ -64,7 +58,9 @@ class Curve:
         pieces, points, n = control.shape
         self._curve, self.address = None, 0
         if points - 1 <= MOST_DEGREE and _call() is not None:
-            self._curve = _CurveStruct(pieces, points - 1, n, self._breaks.ctypes.data, self._control.ctypes.data)
+            self._curve = struct(SOURCE, "Curve")(
+                pieces=pieces, degree=points - 1, n=n, breaks=self._breaks.ctypes.data, control=self._control.ctypes.data
+            )
             self.address = ctypes.addressof(self._curve)
 
     def __reduce__(self) -> tuple[object, ...]:

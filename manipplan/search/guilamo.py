@@ -15,7 +15,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from manipplan.search.layers import Layers
 from manipplan.search.sweep import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import needed_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -137,32 +137,14 @@ def guilamo_search(
 #: Return status of a call of `Restarts`; as in restarts.c.
 UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
 
-_P, _N = ctypes.c_void_p, ctypes.c_long
-
-
-class _ProblemStruct(ctypes.Structure):
-    """`Problem` of restarts.c."""
-
-    _fields_ = [
-        *((name, _N) for name in ("n", "layers", "count")),
-        *((name, _P) for name in ("q", "m", "offset", "starts", "layer_of", "reach", "turns")),
-        *((name, _N) for name in ("starting", "memoised", "most_branches")),
-    ]
-
-
-class _StateStruct(ctypes.Structure):
-    """`State` of restarts.c."""
-
-    _fields_ = [
-        *((name, _N) for name in ("phase", "level", "starts", "branches", "comparisons")),
-        *((name, _P) for name in ("path", "pointer", "seen")),
-    ]
+#: The compiled search.
+SOURCE = Path(__file__).with_name("restarts.c")
 
 
 @cache
 def _call() -> Callable[..., int]:
-    code = needed_code(Path(__file__).with_name("restarts.c"), "searches by restarts")
-    return code.functions("manipplan_", {"restarts": (_N, _P, _N, _P)})["restarts"]
+    code = needed_code(SOURCE, "searches by restarts")
+    return code.functions()["restarts"]
 
 
 class Restarts:
@@ -196,13 +178,21 @@ class Restarts:
         most_branches: int,
     ) -> None:
         layers = len(offset) - 1
-        arrays: tuple[NDArray[Any], ...] = tuple(np.ascontiguousarray(each) for each in (q, m, offset, starts, layer_of, reach))
-        self._arrays = (*arrays, np.ascontiguousarray(turns))
-        addresses = (each.ctypes.data for each in self._arrays)
-        self._problem = _ProblemStruct(q.shape[1], layers, len(m), *addresses, len(starts), memoised, most_branches)
+        arrays = {"q": q, "m": m, "offset": offset, "starts": starts, "layer_of": layer_of, "reach": reach, "turns": turns}
+        self._arrays = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+        self._problem = struct(SOURCE, "Problem")(
+            n=q.shape[1],
+            layers=layers,
+            count=len(m),
+            starting=len(starts),
+            memoised=memoised,
+            most_branches=most_branches,
+            **{name: array.ctypes.data for name, array in self._arrays.items()},
+        )
         self.path, self._pointer = np.zeros(layers, dtype=np.int64), np.zeros(layers, dtype=np.int64)
         self._seen = np.zeros(len(m), dtype=np.int64)
-        self._state = _StateStruct(0, 0, 0, 0, 0, *(each.ctypes.data for each in (self.path, self._pointer, self._seen)))
+        places = {"path": self.path.ctypes.data, "pointer": self._pointer.ctypes.data, "seen": self._seen.ctypes.data}
+        self._state = struct(SOURCE, "State")(**places)
 
     def __call__(self, budget: int) -> int:
         """Continue for about `budget` comparisons of configurations; returns UNFINISHED, FOUND, EXHAUSTED or TOO_MANY."""

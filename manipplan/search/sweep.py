@@ -21,60 +21,32 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.support.checks import LARGEST, Array, number_array
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import needed_code
 from manipplan.support.errors import InvalidInputError
 
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of sweep.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "taking_part": (_N, _P, _N, _D, _D, _P),
-    "sort_into_cells": (None, _P, _P, _P, _P, _N, _D, _P, _P),
-    "largest_of_each": (None, _P, _N, _P, _P),
-    "widest": (None, _P, _N, _N),
-    "shortest": (None, _P, _N, _N),
-    "closest": (None, _P, _N, _N),
-}
+#: The compiled steps.
+SOURCE = Path(__file__).with_name("sweep.c")
 
 
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
     """The functions of sweep.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return needed_code(Path(__file__).with_name("sweep.c"), "searches through layers").functions("manipplan_", SIGNATURES)
+    return needed_code(SOURCE, "searches through layers").functions()
 
 
-class _GridStruct(ctypes.Structure):
-    """`Grid` of sweep.c."""
-
-    _fields_ = [("n", _N), *((name, _P) for name in ("joints", "low", "per", "count", "wraps", "order", "reach", "turns"))]
-
-
-class _CellsStruct(ctypes.Structure):
-    """`Cells` of sweep.c."""
-
-    _fields_ = [(name, _P) for name in ("ids", "rows", "m", "start")]
-
-
-class _StepStruct(ctypes.Structure):
-    """`Step` of sweep.c."""
-
-    _fields_ = [
-        ("grid", _P),
-        ("from", _CellsStruct),
-        ("known", 2 * _P),
-        ("to", _CellsStruct),
-        ("made", 2 * _P),
-        *((name, _P) for name in ("source", "rank", "epsilon")),
-    ]
-
-
-def _grid(grid: "Grid") -> _GridStruct:
+def _grid(grid: "Grid") -> ctypes.Structure:
     """It points to the arrays of the grid, which has to outlive it."""
-    arrays = (grid.joints, grid.low, grid.per, grid.count, grid.wraps, grid.order, grid.reach, grid.turns)
-    return _GridStruct(len(grid.order), *(each.ctypes.data for each in arrays))
+    names = ("joints", "low", "per", "count", "wraps", "order", "reach", "turns")
+    return struct(SOURCE, "Grid")(n=len(grid.order), **{name: getattr(grid, name).ctypes.data for name in names})
 
 
-def _cells(cells: "Cells") -> _CellsStruct:
-    return _CellsStruct(*(each.ctypes.data for each in cells))
+def _cells(cells: "Cells") -> ctypes.Structure:
+    return struct(SOURCE, "Cells")(**{name: array.ctypes.data for name, array in cells._asdict().items()})
+
+
+def _values(value: Array, top: Array) -> ctypes.Structure:
+    return struct(SOURCE, "Values")(value=value.ctypes.data, top=top.ctypes.data)
 
 
 def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
@@ -142,15 +114,15 @@ class StepKernel:
         self.source = np.empty(count, dtype=np.int32)
         self._call, self._grid = calls()[name], _grid(grid)
         self._kept = (old, value, top, cells, grid, rank, epsilon)
-        self._step = _StepStruct(
-            ctypes.addressof(self._grid),
-            _cells(old),
-            (2 * _P)(value.ctypes.data, top.ctypes.data),
-            _cells(cells),
-            (2 * _P)(self.value.ctypes.data, self.top.ctypes.data),
-            self.source.ctypes.data,
-            None if rank is None else rank.ctypes.data,
-            None if epsilon is None else epsilon.ctypes.data,
+        self._step = struct(SOURCE, "Step")(
+            **{"from": _cells(old)},
+            grid=ctypes.addressof(self._grid),
+            known=_values(value, top),
+            to=_cells(cells),
+            made=_values(self.value, self.top),
+            source=self.source.ctypes.data,
+            rank=None if rank is None else rank.ctypes.data,
+            epsilon=None if epsilon is None else epsilon.ctypes.data,
         )
 
     def __call__(self, first: int, last: int) -> None:

@@ -19,10 +19,11 @@ import numpy as np
 
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.paths.rounding import gauss_rule
-from manipplan.seeds.motions import SIDE, D, Level, MotionCheck, N, P, search_code
+from manipplan.seeds.motions import SIDE, Level, MotionCheck, search_code
 from manipplan.seeds.ompl import LEAST, PANEL, POINTS
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import NativeCode, native_code
 from manipplan.support.deadline import work_time
 
@@ -99,7 +100,7 @@ class Run:
         self.search.room = self.nodes.shape[1]
         named = {"node": self.nodes, "parent": self.parents, "side": self.sides, "cost": self.costs}
         for name, arrays in named.items():
-            setattr(self.search, name, (P * 2)(*(each.ctypes.data for each in arrays)))
+            setattr(self.search, name, (ctypes.c_void_p * 2)(*(each.ctypes.data for each in arrays)))
 
 
 #: Number of random changes between two looks at the clock, and their gain below which new trees are grown.
@@ -112,31 +113,21 @@ EXPLORE = 2000
 REACH = 0.5
 
 
-class _Star(ctypes.Structure):
-    """`Star` of star.c."""
-
-    _fields_ = [
-        ("n", N),
-        *((name, P) for name in ("low", "high", "metric", "measure")),
-        *((name, D) for name in ("floor", "power", "least", "panel")),
-        ("points", N),
-        *((name, P) for name in ("nodes", "weights", "search", "clear", "allowed")),
-        ("reach", D),
-        ("random", ctypes.c_uint64),
-    ]
+#: The compiled improvement of a path.
+SOURCE = Path(__file__).with_name("star.c")
 
 
 @cache
 def star_code() -> NativeCode | None:
     """The machine code of star.c; None where it cannot be compiled."""
-    return native_code(Path(__file__).with_name("star.c"), "costs of paths")
+    return native_code(SOURCE, "costs of paths")
 
 
 @cache
 def _functions() -> dict[str, Callable[..., Any]]:
     code = star_code()
     assert code is not None
-    return code.functions("manipplan_", {"improve": (N, P, P, P, N, N, N), "way_cost": (D, P, P, N)})
+    return code.functions()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -171,12 +162,12 @@ class _Best:
         metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, run.n)
         measure = None if integral is None else _measure(integral, run.check)
         self._kept = nodes, weights, metric, measure
-        self.star = _Star(
+        self.star = struct(SOURCE, "Star")(
             n=run.n,
             low=self.search.low,
             high=self.search.high,
             metric=None if metric is None else metric.ctypes.data,
-            measure=measure if measure is None or isinstance(measure, int) else ctypes.cast(measure, P).value,
+            measure=measure if measure is None or isinstance(measure, int) else ctypes.cast(measure, ctypes.c_void_p).value,
             floor=0.0 if integral is None else integral.floor,
             power=1.0 if integral is None else integral.power,
             least=LEAST,
@@ -236,7 +227,7 @@ class _Best:
         """A path (k, n) that costs less, found by new trees; None when none was found."""
         search, call, end = self.search, self.run.call, self.search.checks + checks
         assert call is not None
-        search.size, search.bound, search.turn = (N * 2)(1, 1), cost, 0
+        search.size, search.bound, search.turn = (ctypes.c_long * 2)(1, 1), cost, 0
         while not self._is_over() and search.checks < end:
             left = min(SLICE, end - search.checks)
             if self.task.checks is not None:

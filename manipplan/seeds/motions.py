@@ -21,10 +21,12 @@ from manipplan.kinematics.batch import BATCH
 from manipplan.kinematics.factors import SingularitySigns
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import NativeCode, native_code
 from manipplan.support.deadline import work_time
 
-P, N, D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
+#: The compiled search.
+SOURCE = Path(__file__).with_name("connect.c")
 #: Value to which a projection leads a row that is broken [rad or m], since edges between such configurations cut corners; at
 #: most this share of the largest value that the row has at random configurations.
 AIM, SHARE = 0.02, 0.2
@@ -34,20 +36,11 @@ LEAST = 0.1
 SAMPLES = 200
 
 
-class _Constraints(ctypes.Structure):
-    """`Constraints` of constraints.h."""
-
-    _fields_ = [
-        *((name, N) for name in ("n", "rows", "of_tool")),
-        *((name, P) for name in ("weights", "tool", "own", "least", "aim", "work")),
-    ]
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SearchConstraints:
     """Constraints for compiled code, with everything that it points to."""
 
-    data: _Constraints
+    data: ctypes.Structure
     kept: tuple[Any, ...]
 
     @classmethod
@@ -70,13 +63,13 @@ class SearchConstraints:
             tool = kernel.run if kernel is not None else guarded(_tool(constraints))
         if constraints.own is not None:
             others = guarded(_own(n, constraints.own))
-        data = _Constraints(
+        data = struct(SOURCE, "Constraints")(
             n=n,
             rows=constraints.count,
             of_tool=len(weights),
             weights=weights.ctypes.data,
-            tool=None if tool is None else ctypes.cast(tool, P),
-            own=None if others is None else ctypes.cast(others, P),
+            tool=None if tool is None else ctypes.cast(tool, ctypes.c_void_p),
+            own=None if others is None else ctypes.cast(others, ctypes.c_void_p),
             least=least.ctypes.data,
             aim=aim.ctypes.data,
             work=work.ctypes.data,
@@ -137,15 +130,8 @@ ANY = 1 << 40
 
 SIDE = np.dtype([("positive", np.uint8), ("known", np.uint8), ("changes", np.int64)], align=True)
 _DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.c_double)
-#: Result and arguments of the functions of connect.c that release the GIL.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "connect": (ctypes.c_int, P, N),
-    "way": (N, P, P),
-    "skip": (N, P, P, P, N),
-    "shorten": (N, P, P, P, N, N),
-}
-#: Those that hold it: to release it would take longer than what they do.
-SHORT: dict[str, tuple[Any, ...]] = {"state": (ctypes.c_int, P, P), "motion": (ctypes.c_int, P, P, P)}
+#: Functions that hold the GIL: to release it would take longer than what they do.
+QUICK = ("state", "motion")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,56 +149,17 @@ class Level:
     checks: int = 0
 
 
-class MotionSearch(ctypes.Structure):
-    """`MotionSearch` of connect.c."""
-
-    _fields_ = [
-        ("n", N),
-        *((name, P) for name in ("low", "high")),
-        ("near", D),
-        ("around", D),
-        *((name, P) for name in ("world", "check", "decide")),
-        ("clearance", D),
-        ("levels", N),
-        ("step", P),
-        ("margin", P),
-        ("spare", D * 2),
-        ("growth", D),
-        ("until", P),
-        ("level", N),
-        ("range", D),
-        ("sides", N),
-        *((name, P) for name in ("values", "zero")),
-        ("most_changes", N),
-        ("bound", D),
-        ("rate", D),
-        ("cost_of", P),
-        ("star", P),
-        ("random", ctypes.c_uint64),
-        ("room", N),
-        *((name, P * 2) for name in ("node", "parent", "side", "cost")),
-        ("size", N * 2),
-        ("met", N * 2),
-        ("turn", N),
-        ("checks", N),
-        ("constraints", P),
-    ]
-
-
 @cache
 def search_code() -> NativeCode | None:
     """The machine code of connect.c; None where it cannot be compiled."""
-    return native_code(Path(__file__).with_name("connect.c"), "searches for paths")
+    return native_code(SOURCE, "searches for paths")
 
 
 @cache
 def functions() -> dict[str, Callable[..., Any]] | None:
     """The functions of connect.c by their names without prefix; None where it cannot be compiled."""
     code = search_code()
-    if code is None:
-        return None
-    short = {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SHORT.items()}
-    return code.functions("manipplan_", SIGNATURES) | short
+    return None if code is None else code.functions(quick=QUICK)
 
 
 def can_check(model: CollisionModel) -> bool:
@@ -224,7 +171,7 @@ class MotionCheck:
     """Checks configurations and straight motions of a search; only where `can_check`. Not safe to share between threads.
 
     Attributes:
-        data: `MotionSearch` of connect.c, with room for nothing but the roots of both trees.
+        data: `Search` of connect.c, with room for nothing but the roots of both trees.
         deadline: in `work_time` [s]; past it, what only coal can decide counts as touching.
     """
 
@@ -250,33 +197,33 @@ class MotionCheck:
         self._constraints = None
         if task.constraints is not None:
             self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
-        self._q: Any = (D * (2 * self.n))()
+        self._q: Any = (ctypes.c_double * (2 * self.n))()
         self._kept = vectors, kernel
-        self.data = MotionSearch(
+        self.data = struct(SOURCE, "Search")(
             n=self.n,
             near=NEAR,
             around=AROUND,
             world=kernel.world,
             check=kernel.address("check_one"),
-            decide=ctypes.cast(self._decide, P),
+            decide=ctypes.cast(self._decide, ctypes.c_void_p),
             clearance=task.clearance,
             levels=len(levels),
-            spare=(D * 2)(*(SPARE * (distance - task.clearance) for distance in task.distances)),
+            spare=(ctypes.c_double * 2)(*(SPARE * (distance - task.clearance) for distance in task.distances)),
             growth=GROWTH,
             range=RANGE if self._constraints is None else CONSTRAINED_RANGE,
             constraints=None if self._constraints is None else self._constraints.address,
             sides=0 if sides is None else len(sides.names),
-            values=None if self._values is None else ctypes.cast(self._values, P),
+            values=None if self._values is None else ctypes.cast(self._values, ctypes.c_void_p),
             most_changes=ANY if task.most_crossings is None else task.most_crossings,
             bound=np.inf,
             random=task.seed,
-            size=(N * 2)(1, 1),
-            node=(P * 2)(*(each.ctypes.data for each in self.roots)),
-            side=(P * 2)(*(self.root_sides[k : k + 1].ctypes.data for k in range(2))),
+            size=(ctypes.c_long * 2)(1, 1),
+            node=(ctypes.c_void_p * 2)(*(each.ctypes.data for each in self.roots)),
+            side=(ctypes.c_void_p * 2)(*(self.root_sides[k : k + 1].ctypes.data for k in range(2))),
             **{name: vector.ctypes.data for name, vector in vectors.items()},
         )
         self.at = ctypes.addressof(self.data)
-        self._places = ctypes.addressof(self._q), ctypes.addressof(self._q) + self.n * ctypes.sizeof(D)
+        self._places = ctypes.addressof(self._q), ctypes.addressof(self._q) + self.n * ctypes.sizeof(ctypes.c_double)
 
     @property
     def checks(self) -> int:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.native import native_code
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredSpeed
 
@@ -33,9 +34,8 @@ SUFFICIENT = 1e-2
 #: What stands beyond the last grid point.
 BEYOND = {"h": 1.0, "d": 0.0, "w": 0.5, "fastest": np.inf, "most_c": np.inf}
 
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of barrier.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {"descend": (_N, _P, _P, _P), "enter": (_N, _P, _P, _D, _N)}
+#: The compiled steps.
+SOURCE = Path(__file__).with_name("barrier.c")
 
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
@@ -119,27 +119,11 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
     return np.asarray(np.maximum(answer.x[1:-2], 1e-12 * c.max()), dtype=float)
 
 
-class _MotionStruct(ctypes.Structure):
-    """`Motion` of barrier.c."""
-
-    _fields_ = [
-        *((name, _N) for name in ("points", "rows", "limited", "stride")),
-        *((name, _P) for name in ("h", "w", "d", "fastest", "most_c", "left", "right", "constant", "before", "after", "jerk")),
-        *((name, _D * 2) for name in ("fixed", "tied", "outer", "most_b")),
-    ]
-
-
-class _DescentStruct(ctypes.Structure):
-    """`Descent` of barrier.c."""
-
-    _fields_ = [*((name, _D) for name in ("count", "begin", "heavier", "gap", "rough", "centred", "sufficient")), ("steps", _N)]
-
-
 @cache
 def _calls() -> dict[str, Callable[..., Any]] | None:
     """The compiled functions; None where they cannot be compiled."""
-    code = native_code(Path(__file__).with_name("barrier.c"), "timing with jerk limits")
-    return None if code is None else code.functions("manipplan_", SIGNATURES)
+    code = native_code(SOURCE, "timing with jerk limits")
+    return None if code is None else code.functions()
 
 
 class Centring:
@@ -156,13 +140,13 @@ class Centring:
         lines = {name: getattr(problem, name) for name in ("h", "d", "fastest", "most_c")} | {"w": problem.a_rows[0]}
         self._arrays = {name: _fill(each.T, stride, 0.0) for name, each in rows.items()}
         self._arrays |= {name: _fill(each[None], stride, BEYOND[name]) for name, each in lines.items()}
-        self._motion = _MotionStruct(
+        self._motion = struct(SOURCE, "Motion")(
             points=len(problem.fastest),
             rows=problem.constant.shape[1],
             limited=problem.jerk.shape[1],
             stride=stride,
             **{name: each.ctypes.data for name, each in self._arrays.items()},
-            **{name: (_D * 2)(*getattr(problem, name)) for name in ("fixed", "tied", "outer", "most_b")},
+            **{name: (ctypes.c_double * 2)(*getattr(problem, name)) for name in ("fixed", "tied", "outer", "most_b")},
         )
 
     def entered(self, z: Array, factor: float, most: int) -> Array | None:
@@ -182,7 +166,8 @@ class Centring:
         z, count = z.copy(), self._problem.count
         if self._functions is None:
             return _by_numpy(self._problem, z)
-        how = _DescentStruct(count, FIRST, HEAVIER, GAP, ROUGH, CENTRED, SUFFICIENT, STEPS)
+        rounds = {"begin": FIRST, "heavier": HEAVIER, "gap": GAP, "rough": ROUGH, "centred": CENTRED, "sufficient": SUFFICIENT}
+        how = struct(SOURCE, "Descent")(count=count, steps=STEPS, **rounds)
         if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
             raise ValueError("z is not inside the limits")
         return z

@@ -89,7 +89,7 @@ def test_motion_is_the_same_by_numpy(arm, rng, monkeypatch, by):
         return
     if by == "llvm":
         code = llvm_code(Path(path_clearance.__file__).with_name("body_motion.c"))
-        call = code.functions("manipplan_", {"motion": path_clearance.SIGNATURE})["motion"]
+        call = code.functions()["motion"]
         monkeypatch.setattr(path_clearance, "_compiled", lambda: call)
     q, change = arm.random_configuration(rng, size=20), rng.uniform(0.0, 0.3, (20, arm.n))
     rows, pairs = np.sort(rng.integers(0, 20, 300)), rng.integers(0, len(model.pair_names), 300)

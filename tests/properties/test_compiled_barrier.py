@@ -17,7 +17,7 @@ from manipplan.timing.stops import LimitsAlong, Segment
 
 ARM, HEAVY = mp.planar_arm([1.0, 1.0, 1.0]), mp.load_robot("ur5")
 LLVM = by_llvm(barrier, "barrier.c")
-FUNCTIONS = {"compiler": barrier._calls(), "llvm": LLVM.functions("manipplan_", barrier.SIGNATURES)}
+FUNCTIONS = {"compiler": barrier._calls(), "llvm": LLVM.functions()}
 
 
 def random_problem(seed, ends=(0.0, 0.0), *, unlimited=0, torque=False, effort=400.0, points=60):

@@ -36,8 +36,8 @@ def some_path(rng, pieces, degree, n):
 def compiled(request, monkeypatch):
     if request.param == "llvm":
         found = {curves: by_llvm(curves, "curves.c"), panels: by_llvm(panels, "panels.c")}
-        calls = found[panels].functions("manipplan_", panels.SIGNATURES)
-        monkeypatch.setattr(curves, "_call", lambda: curves._CALL(found[curves].address("manipplan_curve")))
+        calls = found[panels].functions()
+        monkeypatch.setattr(curves, "_call", lambda: found[curves].functions(quick=("curve",))["curve"])
         monkeypatch.setattr(panels, "_calls", lambda: calls)
         monkeypatch.setattr(panels, "curve_code", lambda: found[curves])
     return request.param

@@ -6,7 +6,6 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 
 import coal
 import numpy as np
@@ -18,7 +17,7 @@ from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.collision import kernel
-from manipplan.collision.kernel import UNDECIDED, Calls, DistanceKernel
+from manipplan.collision.kernel import UNDECIDED, DistanceKernel
 from manipplan.collision.shapes import Part
 from manipplan.support.compiling.native import PACKAGE, llvm_code, llvm_texts
 
@@ -437,7 +436,7 @@ def by_llvm(model, calls):
 
 @pytest.fixture(scope="session")
 def llvm_calls():
-    return Calls.of(llvm_code(Path(kernel.__file__).with_name("distances.c")))
+    return llvm_code(kernel.SOURCE)
 
 
 @pytest.mark.slow

@@ -19,7 +19,7 @@ from manipplan.support.tolerances import COINCIDENT
 @pytest.fixture(scope="module")
 def by_llvm():
     code = llvm_code(Path(bridge.__file__).with_name("inverse.c"))
-    yield code.functions("manipplan_", bridge.SIGNATURES)
+    yield code.functions()
 
 
 def exact_roots(a):

@@ -23,7 +23,7 @@ def slow_builds(monkeypatch):
     def build(source, subject):
         begun.append((source.name, subject))
         time.sleep(0.05)
-        return NativeCode(address=lambda name: 0, owner=None)
+        return NativeCode(address=lambda name: 0, owner=None, source=source)
 
     monkeypatch.setattr(native, "_found", {})
     monkeypatch.setattr(native, "_compile", build)

@@ -45,13 +45,7 @@ def test_candidates_sorted_by_cell(share, rng):
 @pytest.fixture
 def by_llvm(monkeypatch):
     engines = {name: llvm_code(Path(sweep.__file__).with_name(f"{name}.c")) for name in ("sweep", "restarts")}
-    calls = {
-        name: sweep.ctypes.CFUNCTYPE(*types)(engines["sweep"].address(f"manipplan_{name}"))
-        for name, types in sweep.SIGNATURES.items()
-    }
-    restarts = sweep.ctypes.CFUNCTYPE(guilamo._N, guilamo._P, guilamo._N, guilamo._P)(
-        engines["restarts"].address("manipplan_restarts")
-    )
+    calls, restarts = engines["sweep"].functions(), engines["restarts"].functions()["restarts"]
 
     def use():
         monkeypatch.setattr(sweep, "calls", lambda: calls)

@@ -1,7 +1,5 @@
 """connect-star: our own search, which goes on to lower the cost of its path."""
 
-import ctypes
-
 import numpy as np
 import pytest
 
@@ -69,9 +67,7 @@ def test_an_aspect_is_kept(ur5):
 
 def test_a_cost_is_that_of_the_planners_of_ompl(planar, ur5, rng):
     """The same integral of a motion, by NumPy."""
-    cost = connect.star_code().functions(
-        "manipplan_", {"edge_cost": (ctypes.c_double, ctypes.c_void_p) + (ctypes.c_void_p,) * 2}
-    )["edge_cost"]
+    cost = connect.star_code().functions()["edge_cost"]
     for robot, objective in ((planar, OBJECTIVES["weighted"]), (planar, OBJECTIVES["g"]), (ur5, mp.PathObjective())):
         start, goal = robot.neutral, robot.neutral + 0.5
         task = motions_task(robot, start, goal)

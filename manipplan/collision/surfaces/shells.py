@@ -1,6 +1,5 @@
 """The connected parts of a mesh: which of them enclose a solid, which are cavities in another, which are open."""
 
-import ctypes
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -22,8 +21,6 @@ HOLLOW = 1e-9
 LEAST = 4
 
 Faces = NDArray[np.int64]
-
-_P, _N = ctypes.c_void_p, ctypes.c_long
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,7 +121,7 @@ def winding_number(triangles: Array, points: Array) -> Array:
 @cache
 def _winding() -> Callable[..., Any]:
     code = needed_code(Path(__file__).with_name("winding.c"), "insides of meshes")
-    return code.functions("manipplan_", {"winding": (None, _P, _N, _P, _N, _P)})["winding"]
+    return code.functions()["winding"]
 
 
 def _find_components(faces: Faces, corners: int) -> list[Faces]:

@@ -19,28 +19,16 @@ from manipplan.paths.basis import Basis
 from manipplan.paths.joint import Curve, JointPath
 from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
+from manipplan.support.compiling.declarations import signatures
 from manipplan.support.compiling.native import needed_code
 from manipplan.symbolic.machine_code import BatchFunction
-
-_P, _N, _D = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
-#: Result and arguments of the functions of steps.c.
-SIGNATURES: dict[str, tuple[Any, ...]] = {
-    "points": (None, *[_N] * 3, *[_P] * 4),
-    "gradient": (None, *[_N] * 3, *[_P] * 5),
-    "derivatives": (None, *[_N] * 3, *[_P] * 7),
-    "violation": (_D, *[_N] * 2, *[_P] * 3),
-    "limits": (_N, *[_N] * 3, *[_P] * 7),
-    "curvature": (None, *[_N] * 3, *[_P] * 8, _D, *[_P] * 2),
-    "within": (_N, *[_N] * 2, *[_P] * 2, *[_D] * 2, _N, *[_P] * 3),
-    "is_convex": (ctypes.c_int, _N, _P, _D, *[_P] * 2),
-}
 
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]]:
     """They keep the GIL: to release it would take longer than most calls."""
     code = needed_code(Path(__file__).with_name("steps.c"), "steps of descents")
-    return {name: ctypes.PYFUNCTYPE(*types)(code.address(f"manipplan_{name}")) for name, types in SIGNATURES.items()}
+    return code.functions(quick=signatures(code.source))
 
 
 #: What a compiled function takes for an array, which has to be contiguous and writable; `array.ctypes` takes much longer.

@@ -7,13 +7,14 @@ import os
 import re
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from manipplan.support.compiling.compiler import NATIVE, compiled_by_llvm, find_compiler, load_library, logged_when_slow
+from manipplan.support.compiling.declarations import PREFIX, signatures, source_text
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
 
@@ -27,14 +28,22 @@ class NativeCode:
     Attributes:
         address: the address of a function by its name.
         owner: what keeps their code alive.
+        source: the C file.
     """
 
     address: Callable[[str], int]
     owner: object
+    source: Path
 
-    def functions(self, prefix: str, signatures: Mapping[str, tuple[Any, ...]]) -> dict[str, Callable[..., Any]]:
-        """Functions that release the GIL, by their names without prefix, with the types of their result and arguments."""
-        return {name: ctypes.CFUNCTYPE(*types)(self.address(prefix + name)) for name, types in signatures.items()}
+    def functions(self, *, quick: Collection[str] = ()) -> dict[str, Callable[..., Any]]:
+        """The functions of the source, by their names without prefix.
+
+        They release the GIL, but for the `quick` ones: to release it would take longer than what these do.
+        """
+        return {
+            name: (ctypes.PYFUNCTYPE if name in quick else ctypes.CFUNCTYPE)(*types)(self.address(PREFIX + name))
+            for name, types in signatures(self.source).items()
+        }
 
 
 PACKAGE = Path(__file__).parents[2]
@@ -67,7 +76,9 @@ def native_code(source: Path, subject: str) -> NativeCode | None:
 def _compile(source: Path, subject: str) -> NativeCode | None:
     flags = [flag for flag in NATIVE if flag != "-O2"] + ["-O3", "-lm"]
     try:
-        return load_library(source_text(source), _load, flags=flags, subject=f"{subject}, once per machine")
+        return load_library(
+            source_text(source), lambda file: _load(file, source), flags=flags, subject=f"{subject}, once per machine"
+        )
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
@@ -81,7 +92,7 @@ def _compile(source: Path, subject: str) -> NativeCode | None:
 def llvm_code(source: Path) -> NativeCode:
     """The functions of a C source of this package as LLVM compiles them; raises RuntimeError where it cannot."""
     engine = compiled_by_llvm(llvm_texts()[source.relative_to(PACKAGE).as_posix()][1])
-    return NativeCode(address=engine.get_function_address, owner=engine)
+    return NativeCode(address=engine.get_function_address, owner=engine, source=source)
 
 
 @cache
@@ -115,27 +126,7 @@ def needed_code(source: Path, subject: str) -> NativeCode:
     return code
 
 
-#: A line that includes a header of ours.
-_INCLUDE = re.compile(r'^#include "(\w+\.h)"\n', re.MULTILINE)
-
-
-def source_text(source: Path) -> str:
-    """The C source with the headers of its own folder in place of the lines that include them, each once."""
-    seen: set[str] = set()
-
-    def expanded(file: Path) -> str:
-        text = file.read_text(encoding="utf-8").replace("#pragma once\n", "")
-        return _INCLUDE.sub(lambda line: included(line[1]), text)
-
-    def included(name: str) -> str:
-        if name in seen:
-            return ""
-        seen.add(name)
-        return expanded(source.with_name(name))
-
-    return expanded(source)
-
-
-def _load(file: Path) -> NativeCode:
+def _load(file: Path, source: Path) -> NativeCode:
     library = ctypes.CDLL(str(file))
-    return NativeCode(address=lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0, owner=library)
+    address = lambda name: ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0  # noqa: E731
+    return NativeCode(address=address, owner=library, source=source)
