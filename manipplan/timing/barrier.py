@@ -1,8 +1,8 @@
 """Barrier method for limited jerk: it descends from a motion within all limits to a locally fastest one.
 
 Newton steps minimise weight · time - Σ log of the slacks. Each step linearises the jerk limits again (the successive
-linearisation of Verscheure and of TOPP3, within one interior-point method). This is repeated with larger weights. The steps
-are those of the compiled `barrier.c`, otherwise NumPy's.
+linearisation of Verscheure and of TOPP3, within one interior-point method). This is repeated with larger weights. The compiled
+`barrier.c` does these steps.
 """
 
 import ctypes
@@ -15,8 +15,8 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import native_code
-from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, Slacks, SquaredSpeed
+from manipplan.support.compiling.native import needed_code
+from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, SquaredSpeed
 
 #: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.
 SEARCHES = 12
@@ -120,10 +120,8 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
 
 
 @cache
-def _calls() -> dict[str, Callable[..., Any]] | None:
-    """The compiled functions; None where they cannot be compiled."""
-    code = native_code(SOURCE, "timing with jerk limits")
-    return None if code is None else code.functions()
+def _calls() -> dict[str, Callable[..., Any]]:
+    return needed_code(SOURCE, "timing with jerk limits").functions()
 
 
 class Centring:
@@ -132,8 +130,6 @@ class Centring:
     def __init__(self, problem: JerkProblem) -> None:
         self._problem = problem
         self._functions = _calls()
-        if self._functions is None:
-            return
         stride = 8 * (len(problem.fastest) // 8 + 1)
         rows = {"left": problem.demand_rows[0], "right": problem.demand_rows[1], "constant": problem.constant}
         rows |= {"before": problem.qdd_rows[0], "after": problem.qdd_rows[1], "jerk": problem.jerk}
@@ -152,20 +148,12 @@ class Centring:
     def entered(self, z: Array, factor: float, most: int) -> Array | None:
         """Free coefficients z multiplied by `factor` until they are inside the limits; None when `most` times are too few."""
         z = z.copy()
-        if self._functions is None:
-            for _ in range(most):
-                if self._problem.slacks(self._problem.coefficients(z)) is not None:
-                    return z
-                z *= factor
-            return None
         times = self._functions["enter"](ctypes.addressof(self._motion), z.ctypes.data, factor, most)
         return z if _done(times) else None
 
     def descended(self, z: Array) -> Array:
         """The fastest motion near z, which is inside the limits; both are free coefficients."""
         z, count = z.copy(), self._problem.count
-        if self._functions is None:
-            return _by_numpy(self._problem, z)
         rounds = {"begin": FIRST, "heavier": HEAVIER, "gap": GAP, "rough": ROUGH, "centred": CENTRED, "sufficient": SUFFICIENT}
         how = struct(SOURCE, "Descent")(count=count, steps=STEPS, **rounds)
         if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
@@ -185,50 +173,3 @@ def _done(answer: int) -> bool:
     if answer < -1:
         raise MemoryError("timing with jerk limits")
     return answer >= 0
-
-
-def _by_numpy(problem: JerkProblem, z: Array) -> Array:
-    """The same without compiled code."""
-    time = problem.time(_inside(problem, z).pace)
-    weight = FIRST * problem.count / time
-    while True:
-        last = problem.count / weight < GAP * time
-        z = _centre(problem, z, weight, CENTRED if last else ROUGH)
-        time = problem.time(_inside(problem, z).pace)
-        if last and problem.count / weight < GAP * time:
-            return z
-        weight *= HEAVIER
-
-
-def _centre(problem: JerkProblem, z: Array, weight: float, enough: float) -> Array:
-    """Minimise the merit function from z inside the limits, until a step gains less than `enough`."""
-    value = _merit(problem, z, weight)
-    for _ in range(STEPS):
-        step, decrement = problem.model(_inside(problem, z), weight).newton_step()
-        if not np.isfinite(decrement) or decrement < enough:
-            break
-        size = 1.0
-        while (after := _merit(problem, z + size * step, weight)) > value - SUFFICIENT * size * decrement:
-            size /= 2
-            if size <= 1e-9:
-                return z
-        z, gained, value = z + size * step, value - after, after
-        if gained < enough:
-            break
-    return z
-
-
-def _merit(problem: JerkProblem, z: Array, weight: float) -> float:
-    """weight · time - Σ log of the slacks; inf outside the limits."""
-    found = problem.slacks(problem.coefficients(z))
-    if found is None:
-        return np.inf
-    logs = sum(float(np.log(part[np.isfinite(part)]).sum()) for part in found.every)
-    return weight * problem.time(found.pace) - logs
-
-
-def _inside(problem: JerkProblem, z: Array) -> Slacks:
-    found = problem.slacks(problem.coefficients(z))
-    if found is None:
-        raise ValueError("z is not inside the limits")
-    return found

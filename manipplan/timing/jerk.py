@@ -1,4 +1,4 @@
-"""The fastest speed along a piece of path when jerk is limited too: unknowns, limits, and a model for Newton's method.
+"""The fastest speed along a piece of path when jerk is limited too: unknowns and limits.
 
 The unknown is a(l) = (dl/dt)², a quadratic spline with coefficients c; b = d²l/dt² = a'/2 is then continuous and piecewise
 linear. With unit tangent t and curvature κ, acceleration t b + κ a at grid points is linear in c, and the jerk limit on
@@ -10,8 +10,8 @@ has a right side that is convex in a. Its linearisation is conservative, so a Ne
 leads from one motion within all limits to a faster one. At a stop a piece begins with constant jerk j, l = j t³/6, so
 a = 1.5 l b at the first grid point.
 
-A sum of functions of neighbouring unknowns has a Hessian of five diagonals. Rows are linear functions of up to three
-neighbours, y_i = Σ_m rows[m][i] c_i+m: a tuple of their coefficients, (k,) each, or (k, r) for r rows per place.
+Rows are linear functions of up to three neighbouring unknowns, y_i = Σ_m rows[m][i] c_i+m: a tuple of their coefficients, (k,)
+each, or (k, r) for r rows per place.
 
 Speed along a piece of path as a function of time, in steps or as a cubic spline, and the resulting trajectory.
 
@@ -33,61 +33,11 @@ from manipplan.timing.dynamics import ArcLength, PathDynamics
 Rows = tuple[Array, ...]
 
 
-class BandedModel:
-    """Gradient and banded Hessian in the unknowns c (count,), summed term by term."""
-
-    def __init__(self, count: int) -> None:
-        self.gradient = np.zeros(count)
-        #: diagonals of the symmetric matrix, the main one first: [d, i] is entry (i, i + d)
-        self.hessian = np.zeros((3, count))
-
-    def add(self, rows: Rows, slope: Array, bend: Array, *, at: int = 0) -> None:
-        """Add a function of each row, given its first and second derivatives; the first row begins at c[at]."""
-        count = len(rows[0])
-        for m, row in enumerate(rows):
-            self.gradient[at + m : at + m + count] += _product(slope, row)
-            for j in range(m + 1):
-                self.hessian[m - j, at + j : at + j + count] += _product(bend * row, rows[j])
-
-    def barrier(self, slope: Rows, slack: Array, *, at: int = 0) -> None:
-        """Add -log of linearised slacks, whose derivatives are the rows `slope`. An infinite slack adds nothing."""
-        self.add(slope, -1 / slack, 1 / slack**2, at=at)
-
-    def tie_ends(self, first: float, last: float) -> None:
-        """Eliminate the outermost unknowns, which change `first` and `last` times as much as their neighbours."""
-        g, H = self.gradient, self.hessian
-        g[1] += first * g[0]
-        H[0, 1] += 2 * first * H[1, 0] + first**2 * H[0, 0]
-        H[1, 1] += first * H[2, 0]
-        g[-2] += last * g[-1]
-        H[0, -2] += 2 * last * H[1, -2] + last**2 * H[0, -1]
-        H[1, -3] += last * H[2, -3]
-        self.gradient, self.hessian = g[1:-1], H[:, 1:-1]
-
-    def newton_step(self) -> tuple[Array, float]:
-        """The step to the minimum of the model, and the Newton decrement: twice the predicted decrease."""
-        from scipy.linalg import solveh_banded
-
-        size = len(self.gradient)
-        scale = 1 / np.sqrt(self.hessian[0])
-        banded = np.zeros((min(3, size), size))
-        banded[0] = 1.0 + 1e-14  # scaled to a unit diagonal, and kept positive definite
-        for d in range(1, len(banded)):
-            banded[d, :-d] = self.hessian[d, :-d] * (scale[:-d] * scale[d:])
-        step = -scale * solveh_banded(banded, scale * self.gradient, lower=True, check_finite=False)
-        return step, float(-self.gradient @ step)
-
-
 def applied(rows: Rows, c: Array) -> Array:
     """The values of rows at c."""
     count = len(rows[0])
     parts = [row * (c[m : m + count] if row.ndim == 1 else c[m : m + count, None]) for m, row in enumerate(rows)]
     return np.asarray(sum(parts[1:], parts[0]))
-
-
-def _product(left: Array, right: Array) -> Array:
-    """left · right, summed over the rows per place."""
-    return left * right if left.ndim == 1 else np.asarray(np.einsum("kr,kr->k", left, right))
 
 
 #: Jerk limit used where it is infinite on a part of the path, in units in which accelerations are one.
@@ -105,15 +55,14 @@ class SquaredSpeed:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SpeedTerms:
-    """√a at the inner grid points (k,), the time h of each interval (k - 1,), and its derivatives with respect to either √a.
+    """√a at the inner grid points (k,), the time h of each interval (k - 1,), and its derivative with respect to either √a.
 
-    h = 2 Δl / u with u = √a_k + √a_k+1: h' = -h / u and h'' = 2 h / u². ∂u/∂c are rows of three coefficients.
+    h = 2 Δl / u with u = √a_k + √a_k+1: h' = -h / u. ∂u/∂c are rows of three coefficients.
     """
 
     root: Array
     step: Array
     first: Array
-    second: Array
     sum_rows: Rows
 
 
@@ -203,9 +152,7 @@ class JerkProblem:
         u = root[:-1] + root[1:]
         step = 2 * self.h / u
         w, v = (row / (2 * root) for row in self.a_rows)
-        return SpeedTerms(
-            root=root, step=step, first=-step / u, second=2 * step / u**2, sum_rows=(w[:-1], v[:-1] + w[1:], v[1:])
-        )
+        return SpeedTerms(root=root, step=step, first=-step / u, sum_rows=(w[:-1], v[:-1] + w[1:], v[1:]))
 
     def time(self, pace: SpeedTerms) -> float:
         """Duration in the units of the demands."""
@@ -238,31 +185,6 @@ class JerkProblem:
             pace=pace,
         )
         return found if all((part > 0).all() for part in found.every) else None
-
-    def model(self, slacks: Slacks, weight: float) -> BandedModel:
-        """Quadratic model of weight · time - Σ log of the slacks in the free coefficients, with linearised jerk limits."""
-        c, pace = slacks.c, slacks.pace
-        model = BandedModel(len(c))
-        # time: steps as functions of u, ∂²√a/∂a² = -1 / 4 a^(3/2) at both points, and 3 l / √a at stops; then the slacks
-        model.add(pace.sum_rows, weight * pace.first, weight * pace.second)
-        slope, bend = 1 / slacks.fastest, 1 / slacks.fastest**2
-        bend[:-1] -= weight * pace.first / (4 * pace.root[:-1] ** 3)
-        bend[1:] -= weight * pace.first / (4 * pace.root[1:] ** 3)
-        for k, size in self._stops():
-            slope[k] -= weight * 1.5 * size / pace.root[k] ** 3
-            bend[k] += weight * 2.25 * size / pace.root[k] ** 5
-        model.add(self.a_rows, slope, bend)
-        model.barrier((np.ones(len(c)),), c)
-        model.barrier((-np.ones(len(c)),), slacks.between)
-        above, below = 1 / slacks.above, 1 / slacks.below
-        model.add(self.demand_rows, above - below, above**2 + below**2)
-        gains = [self.jerk * (pace.first * row)[:, None] for row in pace.sum_rows]
-        both = tuple(np.hstack([gain - row, gain + row]) for gain, row in zip(gains, self.change_rows, strict=True))
-        model.barrier(both, np.hstack([slacks.rise, slacks.fall]))
-        model.barrier(tuple(-row[:1] for row in self.b_rows), slacks.ends[:1])
-        model.barrier(tuple(row[-1:] for row in self.b_rows), slacks.ends[1:], at=len(c) - 2)
-        model.tie_ends(*self.tied)
-        return model
 
     def motion(self, z: Array) -> SquaredSpeed:
         """The motion of free coefficients at all grid points, including stops."""

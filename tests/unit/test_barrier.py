@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from barrier_oracle import BandedModel, model_of
 
 import manipplan as mp
 from manipplan.timing.barrier import motion_inside
 from manipplan.timing.dynamics import ArcLength, path_dynamics
-from manipplan.timing.jerk import BandedModel, JerkProblem, applied
+from manipplan.timing.jerk import JerkProblem, applied
 from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong
 
@@ -57,7 +58,7 @@ def test_the_gradient_of_the_merit_is_that_of_differences(planar, rng, start, en
         slacks = problem.slacks(problem.coefficients(z))
         return weight * problem.time(slacks.pace) - sum(np.log(each[np.isfinite(each)]).sum() for each in slacks.every)
 
-    gradient = problem.model(problem.slacks(problem.coefficients(z)), weight).gradient
+    gradient = model_of(problem, problem.slacks(problem.coefficients(z)), weight).gradient
     eps = 1e-5 * z
     differences = [(merit(z + e) - merit(z - e)) / (2 * e.max()) for e in np.diag(eps)]
     np.testing.assert_allclose(gradient * z, differences * z, rtol=1e-4, atol=1e-5 * np.abs(gradient * z).max())
