@@ -4,13 +4,17 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test test-all test-long browser ffmpeg lint types docs links pictures kernel fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg lint types docs links pictures kernel fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
 
 test: $(READY) ffmpeg
 	$(BIN)/python -m pytest
+
+# For work on the code: one case of each quick test of one module after the other, in less than a minute.
+quick: $(READY)
+	$(BIN)/python -m pytest --each-once tests/unit
 
 # Adds the slow tests, all examples of the laws, the pages, the studies, the benchmarks and what needs a browser.
 test-all: $(READY) browser ffmpeg

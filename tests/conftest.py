@@ -41,10 +41,19 @@ def pytest_ignore_collect(collection_path, config):
     return True if is_slow and "not slow" in config.option.markexpr else None
 
 
+def pytest_addoption(parser):
+    parser.addoption("--each-once", action="store_true", help="run a test with several cases for the first of them only")
+
+
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     """Mark as slow what `make test` leaves to `make test-all`."""
     here = Path(__file__).parent
+    if config.option.each_once:
+        first = {}
+        for item in items:
+            first.setdefault(item.nodeid.partition("[")[0], item)
+        items[:] = first.values()
     for item in items:
         folder = item.path.relative_to(here).parts[0]
         if folder in SLOW_FOLDERS or set(SLOW_FIXTURES) & set(item.fixturenames):

@@ -118,7 +118,7 @@ def _array(address: int, rows: int, columns: int) -> Array:
 
 
 #: As in connect.c.
-MOST_SIDES, MOST_JOINTS = 8, 64
+MOST_JOINTS = 64
 #: Maximum length of an edge, and with constraints, whose edges are nearly tangential to what they allow [rad or m].
 RANGE, CONSTRAINED_RANGE = 1.0, 0.3
 #: Share of the random configurations that come from a box around start and goal, and its maximum distance from them [rad or m].
