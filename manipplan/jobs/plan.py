@@ -53,7 +53,7 @@ SOURCES = (
         "seeds/connect.c",
         "cost/panels.c",
         "collision/look.c",
-        "optimize/descents/steps.c",
+        "optimize/steps.c",
     ),
     *("collision/body_motion.c", "timing/barrier.c"),
 )

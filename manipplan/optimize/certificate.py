@@ -15,8 +15,8 @@ from manipplan.constraints.constraint_set import ConstraintFigure, ConstraintSet
 from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Constant
-from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import ConstraintRows, LinearRows
+from manipplan.optimize.descent import DescentProgram
+from manipplan.optimize.rows import ConstraintRows, LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

@@ -11,11 +11,9 @@ import numpy as np
 from manipplan.cost.density import Density, energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
-from manipplan.optimize.descents.arithmetic import BatchDensity, Curves, LengthModel, MovingLengthModel
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.descent import descend
-from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import ConstraintSearch, FixedRows, LimitRows, RowFunctions
+from manipplan.optimize.descent import DescentProgram, descend
+from manipplan.optimize.rows import ClearanceSearch, ConstraintSearch, FixedRows, LimitRows, RowFunctions
+from manipplan.optimize.steps import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array

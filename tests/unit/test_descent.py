@@ -13,13 +13,13 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.optimize import descent
 from manipplan.optimize.certificate import SINGLE, measure_optimality
-from manipplan.optimize.descents import descent
-from manipplan.optimize.descents.arithmetic import BatchDensity
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.rows import ClearanceSearch
+from manipplan.optimize.steps import BatchDensity
 from manipplan.paths.basis import named_basis
 from manipplan.paths.rounding import with_bits
 

@@ -10,8 +10,8 @@ import manipplan as mp
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import clearance as near
 from manipplan.optimize import program as programs
-from manipplan.optimize.descents.rows import FixedRows
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.rows import FixedRows
 from manipplan.paths.basis import named_basis
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))

@@ -1,13 +1,9 @@
-"""Joint limits and clearances of a path as functions of its unknowns z: values, Jacobian, and sums of Hessians.
+"""The rows of a descent: limits, clearances and constraints of a path as functions of its unknowns z.
 
-Every row is value(z) >= 0 [rad or m]. The limits are linear: control points of the curve stay inside. A clearance row holds the
-distance of two bodies at a place of the path, or keeps a point of one body beyond a plane that the other carries.
-
-Clearance rows whose places and planes stay where they are, for descents on the energy of a path.
-
-They come from a free path, so that paths of low energy pass each body on the same side. Such a descent measures no distance.
-
-Rows of constraints in a descent: where they are smallest along a path, with derivatives by the unknowns z.
+Every row is value(z) >= 0 [rad or m], with its Jacobian and sums of Hessians. The limits are linear: control points of the
+curve stay inside. A clearance row holds the distance of two bodies at a point of the path, or keeps a point of one body
+beyond a plane that the other carries. `FixedRows` come from a free path, so that paths of low energy pass each body on
+the same side; a descent on the energy computes no distance. Rows of constraints stand where these are smallest.
 """
 
 from collections.abc import Sequence
@@ -17,16 +13,87 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.proximity import ProximitySamples
+from manipplan.collision.model import CollisionModel, Witnesses
+from manipplan.collision.proximity import DistanceSearch, Place, ProximitySamples
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents import arithmetic
-from manipplan.optimize.descents.arithmetic import Curves
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
+from manipplan.optimize import steps
+from manipplan.optimize.clearance import ClearanceRow, columns
+from manipplan.optimize.steps import Curves
 from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import BatchFunction
+
+#: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
+MARGIN = 5e-5
+#: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
+PAIR_APART = 1e-2
+#: Maximum number of places with rows: bottoms of dips first, then the nearest.
+MOST_PLACES = 80
+#: Joint step of the finite differences for second derivatives of a distance [rad or m].
+JOINT_STEP = 1e-4
+
+
+@dataclass(kw_only=True, eq=False)
+class ClearanceSearch:
+    """Distances on paths that differ little from each other.
+
+    Attributes:
+        model: the arm among its obstacles.
+        clearance: required distance [m].
+        margin: margin kept beyond the required distance [m]; larger at first, as corners are rounder at a distance.
+        always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
+    """
+
+    model: CollisionModel
+    clearance: float
+    margin: float = MARGIN
+    always: list[Place] = field(default_factory=list)
+
+    @cached_property
+    def _search(self) -> DistanceSearch:
+        return DistanceSearch(self.model)
+
+    @property
+    def target(self) -> float:
+        """The distance to keep [m]: the required one plus the margin."""
+        return self.clearance + self.margin
+
+    def find_near(self, curve: Curve, band: float) -> ProximitySamples:
+        """Places on a curve where a pair is near, as `DistanceSearch.find_near` says."""
+        return self._search.find_near(curve, self.target, band, self.always)
+
+    def places(self, samples: ProximitySamples) -> NDArray[np.intp]:
+        """The samples (r,) that get rows, bottoms of dips first."""
+        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
+        if len(bottoms) and len(bottoms) < MOST_PLACES:
+            along = 2 * samples.pairs + samples.s  # by pair, then place
+            ordered = np.sort(along[bottoms])
+            after = np.searchsorted(ordered, along[others])
+            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
+            others = others[np.minimum(*gaps) >= PAIR_APART]
+        return np.concatenate([bottoms, others])[:MOST_PLACES]
+
+    def planes(self, found: Witnesses) -> Array:
+        """Clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""
+        first, second = found.joints.T
+        distances = found.radii[:, 0] + self.target
+        return columns(self.model.robot.model.njoints - 1, first, found.points, second, found.normals, found.offsets, distances)
+
+    def reversed_planes(self, found: Witnesses) -> Array:
+        """As `planes`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
+        first, second = found.joints.T
+        offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
+        return columns(self.model.robot.model.njoints - 1, second, found.others, first, found.opposites, offsets, distances)
+
+    def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
+        """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""
+        m, n = q.shape
+        moved = q[:, None] + JOINT_STEP * np.eye(n)
+        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n))
+        hessians = (found.gradients.reshape(m, n, n) - gradients[:, None]) / JOINT_STEP
+        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
+
 
 #: The bottom of a dip moves with the path only where the second derivative of the distance by s is above this [m].
 LEAST_BEND = 1e-3
@@ -94,15 +161,15 @@ class LimitRows:
 
     def points(self, z: Array) -> Array:
         """The control points (r, n) at z."""
-        return arithmetic.points(self.line, self.directions, z)
+        return steps.points(self.line, self.directions, z)
 
     def violation(self, points: Array) -> float:
         """Largest violation of a limit by control points (r, n) [rad or m]; 0 when there is none."""
-        return arithmetic.violation(points, self.lower, self.upper)
+        return steps.violation(points, self.lower, self.upper)
 
     def near(self, points: Array, radius: float) -> LinearRows:
         """The rows at control points (r, n) that a step whose entries are at most `radius` can make negative."""
-        value, jacobian = arithmetic.limit_rows(points, self.directions, self.lower, self.upper, radius * self._most_changes)
+        value, jacobian = steps.limit_rows(points, self.directions, self.lower, self.upper, radius * self._most_changes)
         return LinearRows(value=value, jacobian=jacobian)
 
     @cached_property
@@ -172,12 +239,12 @@ class MeasuredRows:
             return np.zeros((self.z.size, self.z.size))
         (speed, slopes), (bend, bends) = (self.curves.at(self.s[used], order) for order in (1, 2))
         gradients = self.gradients[used]
-        return arithmetic.curvature(
+        return steps.curvature(
             multipliers[used],
             self._changes[used],
             slopes,
-            arithmetic.points(speed, slopes, self.z),
-            arithmetic.points(bend, bends, self.z),
+            steps.points(speed, slopes, self.z),
+            steps.points(bend, bends, self.z),
             gradients,
             self.clearance_search.hessians(self.q[used], self.pairs[used], gradients),
             self.moves[used],
@@ -227,7 +294,7 @@ def rejected_rows(
     both = np.stack([clearance_search.planes(found), clearance_search.reversed_planes(found)], axis=1)
     planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
     line, changes = curves.at(s)
-    q = arithmetic.points(line, changes, z)
+    q = steps.points(line, changes, z)
     values = functions.value.by_columns(q, planes)[:, 0]
     true = clearance_search.model.pair_distances(q, pairs) - clearance_search.target
     kept = np.flatnonzero(values >= true - STRICT)
@@ -278,7 +345,7 @@ class FixedRowsAt:
     @cached_property
     def _q(self) -> Array:
         line, changes = self.rows.changes
-        return arithmetic.points(line, changes, self.z)
+        return steps.points(line, changes, self.z)
 
     @cached_property
     def values(self) -> Array:
@@ -304,13 +371,13 @@ class FixedRowsAt:
         changes, q = self.rows.changes[1][used], self._q[used]
         hessians = self.rows.functions.hessian(q, self.rows.columns[used])
         still = np.zeros_like(q)
-        return arithmetic.curvature(
+        return steps.curvature(
             multipliers[used], changes, changes, still, still, still, hessians, np.zeros(len(used), dtype=bool), LEAST_BEND
         )
 
 
 #: Rows keep this much more than is required, or what start and goal have: a timed motion leaves its path by some 1e-6 rad.
-MARGIN = 5e-5
+CONSTRAINT_MARGIN = 5e-5
 #: Number of intervals of a path at whose ends all rows are evaluated; every STRIDE-th of these places may get a row.
 PLACES, STRIDE = 128, 2
 #: Rows are made within this value of the target: per radian of the radius of the trust region, at least and at most.
@@ -356,7 +423,7 @@ class ConstraintSearch:
     def of(cls, constraints: ConstraintSet, start: Array, goal: Array) -> "ConstraintSearch":
         """The search between start and goal (n,): no row keeps more than both have."""
         room = constraints.values(np.array([start, goal])).min(axis=0)
-        return cls(constraints=constraints, target=np.minimum(room, MARGIN))
+        return cls(constraints=constraints, target=np.minimum(room, CONSTRAINT_MARGIN))
 
     def find_near(self, curve: Curve, radius: float) -> ConstraintSamples:
         """The places that a step of a radius [rad or m] can use up."""
@@ -440,12 +507,12 @@ class ConstraintRows:
         if not len(used):
             return np.zeros((self.z.size, self.z.size))
         (speed, slopes), (bend, bends) = (self.curves.at(self.samples.s[used], order) for order in (1, 2))
-        return arithmetic.curvature(
+        return steps.curvature(
             multipliers[used],
             self._changes[used],
             slopes,
-            arithmetic.points(speed, slopes, self.z),
-            arithmetic.points(bend, bends, self.z),
+            steps.points(speed, slopes, self.z),
+            steps.points(bend, bends, self.z),
             self._gradients[used],
             self.search.constraints.hessians(self._q[used], self.samples.rows[used]),
             self.samples.is_bottom[used],
