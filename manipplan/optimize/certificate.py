@@ -101,7 +101,7 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         near, further = program.clearance_search, reach - ACTIVE
         margin = near.margin
         looking = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
-        rows = looking.measured(z)
+        rows = looking.distance_rows(z)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
     constraints = _active_constraints(program, z)
@@ -132,7 +132,7 @@ def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
     if search is None:
         return LinearRows.none(z.size)
     curves = program.length.curves
-    found = ConstraintRows(curves=curves, search=search, z=z, samples=search.find_near(curves.curve(z), 0.0)).linear
+    found = ConstraintRows.of(curves, search, z, search.find_near(curves.curve(z), 0.0)).linear
     active = found.value < ACTIVE
     return LinearRows(value=found.value[active], jacobian=found.jacobian[active])
 

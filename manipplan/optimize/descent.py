@@ -28,12 +28,13 @@ from manipplan.optimize.rows import (
     ConstraintRows,
     ConstraintSamples,
     ConstraintSearch,
+    DistanceRows,
     FixedRows,
     FixedRowsAt,
     LimitRows,
     LinearRows,
-    MeasuredRows,
     RowFunctions,
+    Rows,
     rejected_rows,
 )
 from manipplan.optimize.steps import LengthModel
@@ -82,11 +83,11 @@ class DescentProgram:
             return NOTHING
         return self.clearance_search.find_near(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
 
-    def measured(self, z: Array) -> MeasuredRows:
+    def distance_rows(self, z: Array) -> DistanceRows:
         """The rows at z (f, n) of the bodies near there."""
         assert self.clearance_search is not None
         curve = self.length.curves.curve(z)
-        return MeasuredRows.of(self.length.curves, self.clearance_search, z, curve, self.find_near(curve, 0.0))
+        return DistanceRows.of(self.length.curves, self.clearance_search, z, curve, self.find_near(curve, 0.0))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -135,16 +136,16 @@ class Point:
         return max(short, program.limits.violation(self._control))
 
     @cached_property
-    def rows(self) -> tuple[MeasuredRows | FixedRowsAt | ConstraintRows, ...]:
+    def rows(self) -> tuple[Rows, ...]:
         """The rows of clearance and of constraints here, none where nothing is checked."""
         program, curves = self.program, self.program.length.curves
-        found: list[MeasuredRows | FixedRowsAt | ConstraintRows] = []
+        found: list[Rows] = []
         if program.rows is not None:
             found.append(self._fixed)
         elif program.clearance_search is not None:
-            found.append(MeasuredRows.of(curves, program.clearance_search, self.z, self.curve, self.samples))
+            found.append(DistanceRows.of(curves, program.clearance_search, self.z, self.curve, self.samples))
         if program.constraints is not None and self.constraint_samples is not None:
-            found.append(ConstraintRows(curves=curves, search=program.constraints, z=self.z, samples=self.constraint_samples))
+            found.append(ConstraintRows.of(curves, program.constraints, self.z, self.constraint_samples))
         return tuple(found)
 
     @cached_property

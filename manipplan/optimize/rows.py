@@ -6,6 +6,7 @@ beyond a plane that the other carries. `FixedRows` come from a free path, so tha
 the same side; a descent on the energy computes no distance. Rows of constraints stand where these are smallest.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -179,77 +180,106 @@ class LimitRows:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class MeasuredRows:
-    """The distances at the nearest places of the curve at z (f, n).
+class Rows(ABC):
+    """Rows that are not linear, at the curve of z.
 
     Attributes:
         curves: the curves.
-        clearance_search: source of the distances.
-        z: the unknowns.
-        s, pairs, moves: (r,) place and pair of each row, and whether the distance has a minimum along the curve there.
+        z: (f, n) the unknowns.
+        s, is_bottom: (r,) the parameter of each row, and whether its value has a minimum along the curve there.
         q: (r, n) configurations.
-        value: (r,) distances beyond the target [m].
-        gradients: (r, n) their gradients by q.
+        value: (r,) the rows.
     """
 
     curves: Curves
-    clearance_search: ClearanceSearch
     z: Array
     s: Array
-    pairs: NDArray[np.intp]
-    moves: NDArray[np.bool_]
+    is_bottom: NDArray[np.bool_]
     q: Array
     value: Array
-    gradients: Array
 
-    @classmethod
-    def of(
-        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
-    ) -> "MeasuredRows":
-        """The rows where bodies are near along `curve`, which is that of z."""
-        chosen = clearance_search.places(samples)
-        s, pairs, moves = samples.s[chosen], samples.pairs[chosen], samples.is_bottom[chosen]
-        q = curve(s, FINE)
-        found = clearance_search.model.witnesses(q, pairs)
-        value = found.distances - clearance_search.target
-        return cls(
-            curves=curves,
-            clearance_search=clearance_search,
-            z=z,
-            s=s,
-            pairs=pairs,
-            moves=moves,
-            q=q,
-            value=value,
-            gradients=found.gradients,
-        )
+    @property
+    @abstractmethod
+    def gradients(self) -> Array:
+        """Gradients (r, n) of the rows by q."""
+
+    @abstractmethod
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        """Hessians (k, n, n) of some rows (k,) by q."""
+
+    @cached_property
+    def changes(self) -> Array:
+        """Change (r, f) of the curve with z at the rows."""
+        return self.curves.at(self.s)[1]
+
+    @property
+    def violation(self) -> float:
+        """The largest violation of a row; 0 when there is none."""
+        return max(-float(self.value.min()), 0.0)
 
     @cached_property
     def linear(self) -> LinearRows:
         """The rows for steps from z."""
-        return LinearRows.of(self.value, self._changes, self.gradients)
+        return LinearRows.of(self.value, self.changes, self.gradients)
 
     def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n) of the true distances d_i with multipliers λ (r,).
+        """Σ_i λ_i ∇²d_i (f n, f n) of the rows d_i with multipliers λ (r,).
 
-        At a minimum along the path, d_i is the minimum over s, at s* [m]: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
+        At a minimum along the path, d_i is the minimum over s, at s*: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
         """
         used = np.flatnonzero(multipliers > 0)
         if not len(used):
             return np.zeros((self.z.size, self.z.size))
-        (speed, slopes), (bend, bends) = (self.curves.at(self.s[used], order) for order in (1, 2))
-        gradients = self.gradients[used]
-        return steps.curvature(
-            multipliers[used],
-            self._changes[used],
-            slopes,
-            steps.points(speed, slopes, self.z),
-            steps.points(bend, bends, self.z),
-            gradients,
-            self.clearance_search.hessians(self.q[used], self.pairs[used], gradients),
-            self.moves[used],
-            LEAST_BEND,
+        changes, is_bottom, gradients = self.changes[used], self.is_bottom[used], self.gradients[used]
+        slopes, speeds, bends = changes, np.zeros_like(gradients), np.zeros_like(gradients)  # used at bottoms only
+        if is_bottom.any():
+            (speed, slopes), (bend, second_slopes) = (self.curves.at(self.s[used], order) for order in (1, 2))
+            speeds, bends = steps.points(speed, slopes, self.z), steps.points(bend, second_slopes, self.z)
+        hessians = self.hessians(used)
+        return steps.curvature(multipliers[used], changes, slopes, speeds, bends, gradients, hessians, is_bottom, LEAST_BEND)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DistanceRows(Rows):
+    """The distances beyond the target [m] at the nearest configurations of the curve.
+
+    Attributes:
+        clearance_search: source of the distances.
+        pairs: (r,) the pair of bodies of each row.
+        witnesses: their nearest points.
+    """
+
+    clearance_search: ClearanceSearch
+    pairs: NDArray[np.intp]
+    witnesses: Witnesses
+
+    @classmethod
+    def of(
+        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
+    ) -> "DistanceRows":
+        """The rows where bodies are near along `curve`, which is that of z."""
+        chosen = clearance_search.places(samples)
+        s, pairs = samples.s[chosen], samples.pairs[chosen]
+        q = curve(s, FINE)
+        witnesses = clearance_search.model.witnesses(q, pairs)
+        return cls(
+            curves=curves,
+            z=z,
+            s=s,
+            is_bottom=samples.is_bottom[chosen],
+            q=q,
+            value=witnesses.distances - clearance_search.target,
+            clearance_search=clearance_search,
+            pairs=pairs,
+            witnesses=witnesses,
         )
+
+    @property
+    def gradients(self) -> Array:
+        return self.witnesses.gradients
+
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.clearance_search.hessians(self.q[rows], self.pairs[rows], self.gradients[rows])
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
         """Gradients of the distances of some rows, on the path and with each joint moved by a step.
@@ -266,12 +296,7 @@ class MeasuredRows:
         owner = np.repeat(rows, len(moves))
         moved = (self.q[rows, None] + moves).reshape(-1, n)
         found = self.clearance_search.model.witnesses(moved, self.pairs[owner])
-        return LinearRows.of(found.distances, self._changes[owner], found.gradients).jacobian, owner
-
-    @cached_property
-    def _changes(self) -> Array:
-        """Change (r, f) of the curve with z at the places."""
-        return self.curves.at(self.s)[1]
+        return LinearRows.of(found.distances, self.changes[owner], found.gradients).jacobian, owner
 
 
 def rejected_rows(
@@ -332,48 +357,35 @@ class FixedRows:
 
     def at(self, z: Array) -> "FixedRowsAt":
         """The rows at z (f, n)."""
-        return FixedRowsAt(rows=self, z=z)
+        line, changes = self.changes
+        q = steps.points(line, changes, z)
+        return FixedRowsAt(
+            curves=self.curves,
+            z=z,
+            s=self.s,
+            is_bottom=np.zeros(len(self.s), dtype=bool),
+            q=q,
+            value=self.functions.value.by_columns(q, self.columns)[:, 0],
+            rows=self,
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FixedRowsAt:
+class FixedRowsAt(Rows):
     """Fixed rows at unknowns z (f, n)."""
 
     rows: FixedRows
-    z: Array
 
     @cached_property
-    def _q(self) -> Array:
-        line, changes = self.rows.changes
-        return steps.points(line, changes, self.z)
+    def gradients(self) -> Array:
+        return self.rows.functions.gradient.by_columns(self.q, self.rows.columns)
 
     @cached_property
-    def values(self) -> Array:
-        """The rows (r,) [m]."""
-        return self.rows.functions.value.by_columns(self._q, self.rows.columns)[:, 0]
+    def changes(self) -> Array:
+        return self.rows.changes[1]
 
-    @property
-    def violation(self) -> float:
-        """The largest violation of a row [m]; 0 when there is none."""
-        return max(-float(self.values.min()), 0.0)
-
-    @cached_property
-    def linear(self) -> LinearRows:
-        """The rows for steps from z."""
-        gradients = self.rows.functions.gradient.by_columns(self._q, self.rows.columns)
-        return LinearRows.of(self.values, self.rows.changes[1], gradients)
-
-    def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n), with multipliers λ (r,)."""
-        used = np.flatnonzero(multipliers > 0)
-        if not len(used):
-            return np.zeros((self.z.size, self.z.size))
-        changes, q = self.rows.changes[1][used], self._q[used]
-        hessians = self.rows.functions.hessian(q, self.rows.columns[used])
-        still = np.zeros_like(q)
-        return steps.curvature(
-            multipliers[used], changes, changes, still, still, still, hessians, np.zeros(len(used), dtype=bool), LEAST_BEND
-        )
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.rows.functions.hessian(self.q[rows], self.rows.columns[rows])
 
 
 #: Rows keep this much more than is required, or what start and goal have: a timed motion leaves its path by some 1e-6 rad.
@@ -475,59 +487,30 @@ class ConstraintSearch:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ConstraintRows:
-    """The rows at samples of the curve of z (f, n).
+class ConstraintRows(Rows):
+    """The rows of constraints beyond their targets at samples of the curve.
 
     Attributes:
-        curves: the curves.
         search: source of the rows.
-        z: the unknowns.
-        samples: the places.
+        indices: (r,) the row of the constraints that each of these is.
     """
 
-    curves: Curves
     search: ConstraintSearch
-    z: Array
-    samples: ConstraintSamples
+    indices: NDArray[np.intp]
 
-    @cached_property
-    def value(self) -> Array:
-        """The rows (k,) beyond their targets."""
-        values = on_grid(self.search.constraints.values(self._q), FINE_DISTANCE)
-        return np.asarray(values[np.arange(len(self._q)), self.samples.rows] - self.search.target[self.samples.rows])
-
-    @cached_property
-    def linear(self) -> LinearRows:
-        """The rows for steps from z."""
-        return LinearRows.of(self.value, self._changes, self._gradients)
-
-    def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²c_i (f n, f n), with multipliers λ (k,): at a minimum along the path, of the minimum over s."""
-        used = np.flatnonzero(multipliers > 0)
-        if not len(used):
-            return np.zeros((self.z.size, self.z.size))
-        (speed, slopes), (bend, bends) = (self.curves.at(self.samples.s[used], order) for order in (1, 2))
-        return steps.curvature(
-            multipliers[used],
-            self._changes[used],
-            slopes,
-            steps.points(speed, slopes, self.z),
-            steps.points(bend, bends, self.z),
-            self._gradients[used],
-            self.search.constraints.hessians(self._q[used], self.samples.rows[used]),
-            self.samples.is_bottom[used],
-            LEAST_BEND,
+    @classmethod
+    def of(cls, curves: Curves, search: ConstraintSearch, z: Array, samples: ConstraintSamples) -> "ConstraintRows":
+        """The rows at samples of the curve of z (f, n)."""
+        q = curves.curve(z)(samples.s, FINE)
+        values = on_grid(search.constraints.values(q), FINE_DISTANCE)[np.arange(len(q)), samples.rows]
+        value = np.asarray(values - search.target[samples.rows])
+        return cls(
+            curves=curves, z=z, s=samples.s, is_bottom=samples.is_bottom, q=q, value=value, search=search, indices=samples.rows
         )
 
     @cached_property
-    def _q(self) -> Array:
-        return self.curves.curve(self.z)(self.samples.s, FINE)
+    def gradients(self) -> Array:
+        return np.ascontiguousarray(self.search.constraints.gradients(self.q)[np.arange(len(self.q)), self.indices])
 
-    @cached_property
-    def _gradients(self) -> Array:
-        return np.ascontiguousarray(self.search.constraints.gradients(self._q)[np.arange(len(self._q)), self.samples.rows])
-
-    @cached_property
-    def _changes(self) -> Array:
-        """Change (k, f) of the curve with z at the places."""
-        return self.curves.at(self.samples.s)[1]
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.search.constraints.hessians(self.q[rows], self.indices[rows])

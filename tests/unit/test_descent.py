@@ -61,8 +61,8 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    rows = true.measured(z)
-    k = int(np.flatnonzero(rows.moves)[0])
+    rows = true.distance_rows(z)
+    k = int(np.flatnonzero(rows.is_bottom)[0])
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
