@@ -100,8 +100,8 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     if program.clearance_search is not None:
         near, further = program.clearance_search, reach - ACTIVE
         margin = near.margin
-        looking = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
-        rows = looking.distance_rows(z)
+        wider = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
+        rows = wider.distance_rows(z)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
     constraints = _active_constraints(program, z)

@@ -33,8 +33,8 @@ from manipplan.optimize.rows import (
     FixedRowsAt,
     LimitRows,
     LinearRows,
+    NonlinearRows,
     RowFunctions,
-    Rows,
     rejected_rows,
 )
 from manipplan.optimize.steps import LengthModel
@@ -136,10 +136,10 @@ class Point:
         return max(short, program.limits.violation(self._control))
 
     @cached_property
-    def rows(self) -> tuple[Rows, ...]:
+    def rows(self) -> tuple[NonlinearRows, ...]:
         """The rows of clearance and of constraints here, none where nothing is checked."""
         program, curves = self.program, self.program.length.curves
-        found: list[Rows] = []
+        found: list[NonlinearRows] = []
         if program.rows is not None:
             found.append(self._fixed)
         elif program.clearance_search is not None:

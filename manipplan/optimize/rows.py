@@ -25,7 +25,7 @@ from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import BatchFunction
 
-#: Margin kept beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
+#: Margin beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
 MARGIN = 5e-5
 #: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
 PAIR_APART = 1e-2
@@ -42,7 +42,7 @@ class ClearanceSearch:
     Attributes:
         model: the arm among its obstacles.
         clearance: required distance [m].
-        margin: margin kept beyond the required distance [m]; larger at first, as corners are rounder at a distance.
+        margin: margin beyond the required distance [m]; larger at first, as corners are rounder at a distance.
         always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
     """
 
@@ -180,7 +180,7 @@ class LimitRows:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rows(ABC):
+class NonlinearRows(ABC):
     """Rows that are not linear, at the curve of z.
 
     Attributes:
@@ -240,7 +240,7 @@ class Rows(ABC):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class DistanceRows(Rows):
+class DistanceRows(NonlinearRows):
     """The distances beyond the target [m] at the nearest configurations of the curve.
 
     Attributes:
@@ -322,10 +322,10 @@ def rejected_rows(
     q = steps.points(line, changes, z)
     values = functions.value.by_columns(q, planes)[:, 0]
     true = clearance_search.model.pair_distances(q, pairs) - clearance_search.target
-    kept = np.flatnonzero(values >= true - STRICT)
-    if not len(kept):
+    allowed = np.flatnonzero(values >= true - STRICT)
+    if not len(allowed):
         return None
-    return LinearRows.of(values[kept], changes[kept], functions.gradient.by_columns(q[kept], planes[kept]))
+    return LinearRows.of(values[allowed], changes[allowed], functions.gradient.by_columns(q[allowed], planes[allowed]))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -371,7 +371,7 @@ class FixedRows:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FixedRowsAt(Rows):
+class FixedRowsAt(NonlinearRows):
     """Fixed rows at unknowns z (f, n)."""
 
     rows: FixedRows
@@ -487,7 +487,7 @@ class ConstraintSearch:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ConstraintRows(Rows):
+class ConstraintRows(NonlinearRows):
     """The rows of constraints beyond their targets at samples of the curve.
 
     Attributes:
