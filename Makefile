@@ -62,7 +62,7 @@ pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
 # The kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := collision/distances collision/surfaces/winding collision/look collision/body_motion paths/curves optimize/descents/steps \
+KERNELS := collision/distances collision/surfaces/winding collision/look collision/body_motion paths/curves optimize/steps \
     cost/panels seeds/connect seeds/star timing/barrier ik/inverse search/sweep search/restarts
 SOURCES := $(KERNELS:%=manipplan/%.c)
 kernel: manipplan/kernels.ll.xz

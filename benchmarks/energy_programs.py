@@ -24,8 +24,8 @@ from path_suite import load
 
 import manipplan as mp
 from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents.rows import ConstraintSearch
 from manipplan.optimize.program import PathProgram, Solution
+from manipplan.optimize.rows import ConstraintSearch
 from manipplan.support.deadline import NEVER, Deadline
 
 PAIRS = Path(__file__).parent / "pairs"

@@ -21,7 +21,7 @@ from manipplan.jobs.report import with_goals
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.homotopy import shifted_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
@@ -53,7 +53,7 @@ SOURCES = (
         "seeds/connect.c",
         "cost/panels.c",
         "collision/look.c",
-        "optimize/descents/steps.c",
+        "optimize/steps.c",
     ),
     *("collision/body_motion.c", "timing/barrier.c"),
 )
@@ -186,28 +186,24 @@ def plan(
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
     compile_ahead(*SOURCES)
 
-    def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | str:
-        """The path to a configuration, or why there is none."""
+    def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | NoPath:
+        """The path to a configuration, which may be singular."""
         shifts = seeding.shifts if all(each.q is not None for each in targets) else AS_GIVEN
         goals = len(shifted_goals(robot, q_start, q, shifts))
-        try:
-            found = optimize_path(
-                robot,
-                q_start,
-                q,
-                scene,
-                constraints=kept.constraints,
-                objective=objective,
-                shape=shape,
-                seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(goals, 1), SHORTEST_TIME)),
-                clearance=clearance,
-                executor=executor,
-                progress=tell,
-            )
-        except PlanningError as error:
-            if not isinstance(error.result, PathResult):
-                return str(error)
-            found = error.result  # a singular one
+        found = optimize_path(
+            robot,
+            q_start,
+            q,
+            scene,
+            constraints=kept.constraints,
+            objective=objective,
+            shape=shape,
+            seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(goals, 1), SHORTEST_TIME)),
+            clearance=clearance,
+            executor=executor,
+            throw=False,
+            progress=tell,
+        )
         if found.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         return found

@@ -15,8 +15,8 @@ from manipplan.constraints.constraint_set import ConstraintFigure, ConstraintSet
 from manipplan.cost.crossings import Crossing, describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Constant
-from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import ConstraintRows, LinearRows
+from manipplan.optimize.descent import DescentProgram
+from manipplan.optimize.rows import ConstraintRows, LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -100,8 +100,8 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     if program.clearance_search is not None:
         near, further = program.clearance_search, reach - ACTIVE
         margin = near.margin
-        looking = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
-        rows = looking.measured(z)
+        wider = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
+        rows = wider.distance_rows(z)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
     constraints = _active_constraints(program, z)
@@ -132,7 +132,7 @@ def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
     if search is None:
         return LinearRows.none(z.size)
     curves = program.length.curves
-    found = ConstraintRows(curves=curves, search=search, z=z, samples=search.find_near(curves.curve(z), 0.0)).linear
+    found = ConstraintRows.of(curves, search, z, search.find_near(curves.curve(z), 0.0)).linear
     active = found.value < ACTIVE
     return LinearRows(value=found.value[active], jacobian=found.jacobian[active])
 

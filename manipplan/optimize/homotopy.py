@@ -18,7 +18,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import TIE, PathProblem, planned_path, solve_local
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
@@ -59,8 +59,8 @@ class SolvePool:
     tell: Progress = silent
     deadline: Deadline = NEVER
 
-    def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | str]:
-        """A free first path per goal (n,) and seed, or the reason why there is none."""
+    def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | NoPath]:
+        """A free first path per goal (n,) and seed."""
         tell = part(self.tell, 0.0, 0.33)
         return self._each(_seed, [(start, goal, seed, self.deadline) for goal, seed in tasks], tell, "looking for a first path")
 
@@ -103,7 +103,8 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     of_goal = [goal for (goal, _), path in zip(tasks, found, strict=True) if isinstance(path, JointPath)]
     paths = [path for path in found if isinstance(path, JointPath)]
     if not paths:
-        raise PlanningError(str(found[0]))
+        failure = next(each for each in found if isinstance(each, NoPath))
+        raise PlanningError(failure.message, failure)
     model = pool.problem.model()
     if model is None or len(paths) == 1:
         return [FirstPath(path=path, count=1) for path in paths]
@@ -207,13 +208,13 @@ def _even(path: JointPath) -> Array:
     return path(np.interp(np.linspace(0.0, gained[-1], PATH_SAMPLES), gained, s))
 
 
-def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline) -> JointPath | str:
+def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline) -> JointPath | NoPath:
     if problem.scene is None:
         return random_path(problem.robot, start, goal, seed)
     try:
         return planned_path(problem, start, goal, seed, deadline)
     except PlanningError as error:
-        return str(error)
+        return NoPath(message=str(error))
 
 
 def _solve(problem: PathProblem, first: JointPath, straight: bool, deadline: Deadline) -> PathResult:

@@ -10,7 +10,7 @@ from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN
 from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents.descent import descend
+from manipplan.optimize.descent import descend
 from manipplan.optimize.program import Solution
 from manipplan.optimize.proven import SOFTER, Candidate, ProvenDescents
 from manipplan.optimize.result import Step

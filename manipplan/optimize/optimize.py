@@ -191,10 +191,9 @@ def optimize_path(
             with interruptible():
                 firsts = seed_classes(pool, q_start, goals, numbers)
         except PlanningError as error:
-            failed = NoPath(message=str(error))
-            if throw:
-                raise PlanningError(str(error), failed) from error
-            return failed
+            if throw or not isinstance(error.result, NoPath):
+                raise
+            return error.result
     best = best_and_rivals(pool.solve_local(firsts))
     tell(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:

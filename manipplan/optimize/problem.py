@@ -17,7 +17,7 @@ from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.descents.descent import LATE
+from manipplan.optimize.descent import LATE
 from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.proven import INSIDE, Candidate, Until

@@ -11,11 +11,9 @@ import numpy as np
 from manipplan.cost.density import Density, energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
-from manipplan.optimize.descents.arithmetic import BatchDensity, Curves, LengthModel, MovingLengthModel
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
-from manipplan.optimize.descents.descent import descend
-from manipplan.optimize.descents.point import DescentProgram
-from manipplan.optimize.descents.rows import ConstraintSearch, FixedRows, LimitRows, RowFunctions
+from manipplan.optimize.descent import DescentProgram, descend
+from manipplan.optimize.rows import ClearanceSearch, ConstraintSearch, FixedRows, LimitRows, RowFunctions
+from manipplan.optimize.steps import BatchDensity, Curves, LengthModel, MovingLengthModel
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
@@ -117,9 +115,9 @@ class PathProgram:
         """Whether end derivatives are fixed: they would not survive rounding."""
         return len(self.free.T) < self.basis.size
 
-    def _rounded(self, kept: Array) -> Array:
+    def _rounded(self, coefficients: Array) -> Array:
         """Coefficients (n, size) that no unknown changes, rounded to the fine grid unless they fix derivatives."""
-        return kept if self._fixes_derivatives else on_grid(kept, FINE)
+        return coefficients if self._fixes_derivatives else on_grid(coefficients, FINE)
 
     @cached_property
     def _directions(self) -> Array:
@@ -150,7 +148,7 @@ class PathProgram:
                 where this path needs it.
             clearance_search: distances of the true bodies; None: nothing is checked for collision.
             limited: False: without joint limits.
-            edges: panel edges (k + 1,) that earlier paths needed; they are kept and refined.
+            edges: panel edges (k + 1,) that earlier paths needed; they are refined.
             floor: floor of g; None: that of the objective.
             moving: the panels follow each path; `edges` are ignored.
             constraints: what is kept beside limits and clearance; None: nothing.
@@ -184,14 +182,14 @@ class PathProgram:
         """The curves with the free directions, and the unknowns z (f, n) of coefficients (n, size)."""
         directions = self._directions
         z: Array = np.asarray(np.linalg.lstsq(directions, coefficients.T, rcond=None)[0], dtype=float)
-        kept = self._rounded(coefficients - (directions @ z).T)
-        return Curves(basis=self.basis, directions=directions, kept=kept, start=start, goal=goal), on_grid(z, SPACING)
+        base = self._rounded(coefficients - (directions @ z).T)
+        return Curves(basis=self.basis, directions=directions, base=base, start=start, goal=goal), on_grid(z, SPACING)
 
     def _limit_rows(self, hull: LimitHull, curves: Curves, *, limited: bool = True) -> LimitRows:
         """The joint limits of the points of a hull; without any, they are infinite."""
         limits, unlimited = self.kinematics.robot.limits, np.full(self.n, np.inf)
         return LimitRows(
-            line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.kept.T,
+            line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.base.T,
             directions=hull.rows @ curves.directions,
             lower=limits.lower.copy() if limited else -unlimited,
             upper=limits.upper.copy() if limited else unlimited,

@@ -13,11 +13,10 @@ from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.constraints.constraint_set import ConstraintProof, ConstraintSet, prove
 from manipplan.cost.integral import PathCost
 from manipplan.optimize.certificate import UNKNOWN, Optimality, measure_optimality
-from manipplan.optimize.descents.clearance_search import MARGIN, ClearanceSearch
-from manipplan.optimize.descents.descent import LATE, descend
-from manipplan.optimize.descents.rows import ConstraintSearch
+from manipplan.optimize.descent import LATE, descend
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import Step
+from manipplan.optimize.rows import MARGIN, ClearanceSearch, ConstraintSearch
 from manipplan.paths.basis import EndConditions
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array

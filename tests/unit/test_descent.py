@@ -13,13 +13,13 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.optimize import descent
 from manipplan.optimize.certificate import SINGLE, measure_optimality
-from manipplan.optimize.descents import descent
-from manipplan.optimize.descents.arithmetic import BatchDensity
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.rows import ClearanceSearch
+from manipplan.optimize.steps import BatchDensity
 from manipplan.paths.basis import named_basis
 from manipplan.paths.rounding import with_bits
 
@@ -61,8 +61,8 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    rows = true.measured(z)
-    k = int(np.flatnonzero(rows.moves)[0])
+    rows = true.distance_rows(z)
+    k = int(np.flatnonzero(rows.is_bottom)[0])
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):

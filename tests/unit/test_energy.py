@@ -10,8 +10,8 @@ import manipplan as mp
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import clearance as near
 from manipplan.optimize import program as programs
-from manipplan.optimize.descents.rows import FixedRows
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.rows import FixedRows
 from manipplan.paths.basis import named_basis
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
@@ -46,16 +46,16 @@ def test_fixed_rows_have_exact_derivatives(program, rows, rng):
     z = rng.uniform(-0.3, 0.3, (5, 7))
     multipliers = rng.uniform(0.0, 1.0, len(rows)) * (rng.random(len(rows)) < 0.7)
     linear, steps = fixed.at(z).linear, 1e-6 * np.eye(35)
-    np.testing.assert_allclose(linear.value, fixed.at(z).values, atol=1e-15)
+    np.testing.assert_allclose(linear.value, fixed.at(z).value, atol=1e-15)
 
     def moved(f, k):
         return (f(z + steps[k].reshape(z.shape)) - f(z - steps[k].reshape(z.shape))) / 2e-6
 
-    slopes = np.array([moved(lambda at: fixed.at(at).values, k) for k in range(35)]).T
+    slopes = np.array([moved(lambda at: fixed.at(at).value, k) for k in range(35)]).T
     np.testing.assert_allclose(linear.jacobian, slopes, atol=1e-8)
     bends = np.array([moved(lambda at: multipliers @ fixed.at(at).linear.jacobian, k) for k in range(35)])
     np.testing.assert_allclose(fixed.at(z).curvature(multipliers), bends, atol=1e-7)
-    assert fixed.at(z).violation == max(-fixed.at(z).values.min(), 0.0)
+    assert fixed.at(z).violation == max(-fixed.at(z).value.min(), 0.0)
 
 
 @pytest.mark.parametrize("with_rows", [False, True])
@@ -70,5 +70,5 @@ def test_the_descent_finds_the_minimum_of_ipopt(program, rows, monkeypatch, with
     assert energies[0] == pytest.approx(energies[1], rel=1e-5)
     if with_rows:
         curves, z = program._curves(START, GOAL, ours.coefficients)
-        values = FixedRows.of(program._batch_rows, curves, rows).at(z).values
+        values = FixedRows.of(program._batch_rows, curves, rows).at(z).value
         assert abs(values.min()) < 1e-6, "a row is active, and none is violated"

@@ -254,10 +254,10 @@ def test_others_are_planned_where_they_can_be_better(planar):
 
 
 def test_a_candidate_without_a_path_is_left_out(planar):
-    choice, tried = chosen(rows(0.1, 0.3), {1: "no path was found", 0: made(planar, 0.1)})
+    choice, tried = chosen(rows(0.1, 0.3), {1: mp.NoPath(message="no path was found"), 0: made(planar, 0.1)})
     assert tried == [1, 0] and choice.goal_index == 0
     assert [each.status for each in choice.candidates if each.goal_index == 1] == ["left out: no path: no path was found"]
-    nothing, _ = chosen(rows(0.1, 0.3), {0: "walls", 1: "more walls"})
+    nothing, _ = chosen(rows(0.1, 0.3), {0: mp.NoPath(message="walls"), 1: mp.NoPath(message="more walls")})
     assert nothing.result is None and "2 candidates tried; the first: more walls" in nothing.failure
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from manipplan.optimize.descents import arithmetic
-from manipplan.optimize.descents.descent import LEAST_CURVATURE, ROW_SPACING, convex
+from manipplan.optimize import steps
+from manipplan.optimize.descent import LEAST_CURVATURE, ROW_SPACING, convex
 from manipplan.paths.rounding import with_bits
 
 M, N, F = 23, 7, 5
@@ -20,8 +20,8 @@ def sums(rng):
 
 def test_points(rng):
     line, values, z = rng.normal(size=(M, N)), rng.normal(size=(M, F)), rng.normal(size=(F, N))
-    np.testing.assert_allclose(arithmetic.points(line, values, z), line + values @ z, atol=1e-13)
-    np.testing.assert_allclose(arithmetic.points(line, values, np.asfortranarray(z)), line + values @ z, atol=1e-13)
+    np.testing.assert_allclose(steps.points(line, values, z), line + values @ z, atol=1e-13)
+    np.testing.assert_allclose(steps.points(line, values, np.asfortranarray(z)), line + values @ z, atol=1e-13)
 
 
 def test_derivatives_of_a_sum(sums):
@@ -29,9 +29,9 @@ def test_derivatives_of_a_sum(sums):
     both = np.stack([values, slopes], axis=1)  # (M, 2, F)
     gradient = np.einsum("i,ipa,ipj->aj", weights, both, gradients.reshape(M, 2, N))
     hessian = np.einsum("i,ipa,iqb,ipjqk->ajbk", weights, both, both, hessians.reshape(M, 2, N, 2, N)).reshape(F * N, F * N)
-    np.testing.assert_allclose(arithmetic.gradient(weights, values, slopes, gradients), gradient, atol=1e-12)
+    np.testing.assert_allclose(steps.gradient(weights, values, slopes, gradients), gradient, atol=1e-12)
     each = np.concatenate([gradients, hessians.reshape(M, -1)], axis=1)
-    first, second = arithmetic.derivatives(N, weights, values, slopes, each)
+    first, second = steps.derivatives(N, weights, values, slopes, each)
     np.testing.assert_allclose(first, gradient, atol=1e-12)
     np.testing.assert_allclose(second, hessian, atol=1e-11)
     np.testing.assert_array_equal(second, second.T)
@@ -42,9 +42,9 @@ def test_limit_rows(rng):
     lower, upper, change = np.full(N, -1.0), np.full(N, 1.0), rng.random(M)
     upper[2] = np.inf
     expected = max((lower - points).max(), (points - upper).max(), 0.0)
-    assert arithmetic.violation(points, lower, upper) == pytest.approx(expected)
-    assert arithmetic.violation(0.5 * points, lower, upper) == 0.0
-    value, jacobian = arithmetic.limit_rows(points, directions, lower, upper, change)
+    assert steps.violation(points, lower, upper) == pytest.approx(expected)
+    assert steps.violation(0.5 * points, lower, upper) == 0.0
+    value, jacobian = steps.limit_rows(points, directions, lower, upper, change)
     rows = []
     for distance, sign in ((points - lower, 1.0), (upper - points, -1.0)):
         for k, j in zip(*np.nonzero(distance < change[:, None]), strict=True):
@@ -69,21 +69,21 @@ def test_curvature_of_a_least_distance(rng):
         if moves[i] and second > 1e-3:
             change = (np.outer(slopes[i], gradients[i]) + np.outer(values[i], hessians[i] @ speeds[i])).ravel()
             expected -= multipliers[i] / second * np.outer(change, change)
-    found = arithmetic.curvature(multipliers, values, slopes, speeds, bends, gradients, hessians, moves, 1e-3)
+    found = steps.curvature(multipliers, values, slopes, speeds, bends, gradients, hessians, moves, 1e-3)
     np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10 * np.abs(expected).max())
 
 
 def test_rows_that_a_step_can_reach(rng):
     value, jacobian = rng.uniform(-0.5, 3.0, 40), rng.normal(size=(40, F * N))
-    chosen, least, rows = arithmetic.rows_within(value, jacobian, 0.05, ROW_SPACING, 24)
+    chosen, least, rows = steps.rows_within(value, jacobian, 0.05, ROW_SPACING, 24)
     wanted = np.flatnonzero(value < 0.05 * np.abs(jacobian).sum(axis=1) + ROW_SPACING)
     np.testing.assert_array_equal(chosen, wanted)
     assert 0 < len(wanted) < 40
     np.testing.assert_array_equal(least, -np.rint(value[wanted] / ROW_SPACING) * ROW_SPACING)
     np.testing.assert_array_equal(rows, with_bits(jacobian[wanted], 24))
     for empty in (
-        arithmetic.rows_within(value + 100, jacobian, 0.05, ROW_SPACING, 24),
-        arithmetic.rows_within(value[:0], jacobian[:0], 1.0, 1e-9, 24),
+        steps.rows_within(value + 100, jacobian, 0.05, ROW_SPACING, 24),
+        steps.rows_within(value[:0], jacobian[:0], 1.0, 1e-9, 24),
     ):
         assert [len(each) for each in empty] == [0, 0, 0]
 
@@ -94,7 +94,7 @@ def test_a_matrix_is_changed_only_where_it_is_not_convex(rng, least):
     values = np.append(rng.uniform(1.0, 2.0, 11), least)
     matrix = (vectors * values) @ vectors.T + np.triu(1e-3 * np.ones((12, 12)), 1) - np.tril(1e-3 * np.ones((12, 12)), -1)
     symmetric = (matrix + matrix.T) / 2
-    unchanged = arithmetic.convex_part(matrix, LEAST_CURVATURE)
+    unchanged = steps.convex_part(matrix, LEAST_CURVATURE)
     assert (unchanged is not None) == (least >= 1e-5)
     found = np.linalg.eigvalsh(convex(matrix))
     assert found.min() == pytest.approx(max(least, LEAST_CURVATURE * values.max()), rel=1e-6)
@@ -105,4 +105,4 @@ def test_a_matrix_is_changed_only_where_it_is_not_convex(rng, least):
 def test_arrays_that_are_not_contiguous_are_refused(rng):
     """A wrong memory layout would give wrong numbers."""
     with pytest.raises(TypeError, match="contiguous"):
-        arithmetic.points(np.asfortranarray(rng.normal(size=(M, N))), rng.normal(size=(M, F)), rng.normal(size=(F, N)))
+        steps.points(np.asfortranarray(rng.normal(size=(M, N))), rng.normal(size=(M, F)), rng.normal(size=(F, N)))

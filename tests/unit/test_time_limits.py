@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.optimize.descents.descent import LATE
+from manipplan.optimize.descent import LATE
 from manipplan.optimize.problem import PathProblem, solve_local
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, building, work_time
 from manipplan.support.memo import once_per_owner

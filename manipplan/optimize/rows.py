@@ -1,15 +1,12 @@
-"""Joint limits and clearances of a path as functions of its unknowns z: values, Jacobian, and sums of Hessians.
+"""The rows of a descent: limits, clearances and constraints of a path as functions of its unknowns z.
 
-Every row is value(z) >= 0 [rad or m]. The limits are linear: control points of the curve stay inside. A clearance row holds the
-distance of two bodies at a place of the path, or keeps a point of one body beyond a plane that the other carries.
-
-Clearance rows whose places and planes stay where they are, for descents on the energy of a path.
-
-They come from a free path, so that paths of low energy pass each body on the same side. Such a descent measures no distance.
-
-Rows of constraints in a descent: where they are smallest along a path, with derivatives by the unknowns z.
+Every row is value(z) >= 0 [rad or m], with its Jacobian and sums of Hessians. The limits are linear: control points of the
+curve stay inside. A clearance row holds the distance of two bodies at a point of the path, or keeps a point of one body
+beyond a plane that the other carries. `FixedRows` come from a free path, so that paths of low energy pass each body on
+the same side; a descent on the energy computes no distance. Rows of constraints stand where these are smallest.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,16 +14,87 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.proximity import ProximitySamples
+from manipplan.collision.model import CollisionModel, Witnesses
+from manipplan.collision.proximity import DistanceSearch, Place, ProximitySamples
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.optimize.clearance import ClearanceRow
-from manipplan.optimize.descents import arithmetic
-from manipplan.optimize.descents.arithmetic import Curves
-from manipplan.optimize.descents.clearance_search import ClearanceSearch
+from manipplan.optimize import steps
+from manipplan.optimize.clearance import ClearanceRow, columns
+from manipplan.optimize.steps import Curves
 from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.symbolic.machine_code import BatchFunction
+
+#: Margin beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
+MARGIN = 5e-5
+#: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
+PAIR_APART = 1e-2
+#: Maximum number of places with rows: bottoms of dips first, then the nearest.
+MOST_PLACES = 80
+#: Joint step of the finite differences for second derivatives of a distance [rad or m].
+JOINT_STEP = 1e-4
+
+
+@dataclass(kw_only=True, eq=False)
+class ClearanceSearch:
+    """Distances on paths that differ little from each other.
+
+    Attributes:
+        model: the arm among its obstacles.
+        clearance: required distance [m].
+        margin: margin beyond the required distance [m]; larger at first, as corners are rounder at a distance.
+        always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
+    """
+
+    model: CollisionModel
+    clearance: float
+    margin: float = MARGIN
+    always: list[Place] = field(default_factory=list)
+
+    @cached_property
+    def _search(self) -> DistanceSearch:
+        return DistanceSearch(self.model)
+
+    @property
+    def target(self) -> float:
+        """The distance to keep [m]: the required one plus the margin."""
+        return self.clearance + self.margin
+
+    def find_near(self, curve: Curve, band: float) -> ProximitySamples:
+        """Places on a curve where a pair is near, as `DistanceSearch.find_near` says."""
+        return self._search.find_near(curve, self.target, band, self.always)
+
+    def places(self, samples: ProximitySamples) -> NDArray[np.intp]:
+        """The samples (r,) that get rows, bottoms of dips first."""
+        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
+        if len(bottoms) and len(bottoms) < MOST_PLACES:
+            along = 2 * samples.pairs + samples.s  # by pair, then place
+            ordered = np.sort(along[bottoms])
+            after = np.searchsorted(ordered, along[others])
+            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
+            others = others[np.minimum(*gaps) >= PAIR_APART]
+        return np.concatenate([bottoms, others])[:MOST_PLACES]
+
+    def planes(self, found: Witnesses) -> Array:
+        """Clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""
+        first, second = found.joints.T
+        distances = found.radii[:, 0] + self.target
+        return columns(self.model.robot.model.njoints - 1, first, found.points, second, found.normals, found.offsets, distances)
+
+    def reversed_planes(self, found: Witnesses) -> Array:
+        """As `planes`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
+        first, second = found.joints.T
+        offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
+        return columns(self.model.robot.model.njoints - 1, second, found.others, first, found.opposites, offsets, distances)
+
+    def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
+        """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""
+        m, n = q.shape
+        moved = q[:, None] + JOINT_STEP * np.eye(n)
+        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n))
+        hessians = (found.gradients.reshape(m, n, n) - gradients[:, None]) / JOINT_STEP
+        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
+
 
 #: The bottom of a dip moves with the path only where the second derivative of the distance by s is above this [m].
 LEAST_BEND = 1e-3
@@ -94,15 +162,15 @@ class LimitRows:
 
     def points(self, z: Array) -> Array:
         """The control points (r, n) at z."""
-        return arithmetic.points(self.line, self.directions, z)
+        return steps.points(self.line, self.directions, z)
 
     def violation(self, points: Array) -> float:
         """Largest violation of a limit by control points (r, n) [rad or m]; 0 when there is none."""
-        return arithmetic.violation(points, self.lower, self.upper)
+        return steps.violation(points, self.lower, self.upper)
 
     def near(self, points: Array, radius: float) -> LinearRows:
         """The rows at control points (r, n) that a step whose entries are at most `radius` can make negative."""
-        value, jacobian = arithmetic.limit_rows(points, self.directions, self.lower, self.upper, radius * self._most_changes)
+        value, jacobian = steps.limit_rows(points, self.directions, self.lower, self.upper, radius * self._most_changes)
         return LinearRows(value=value, jacobian=jacobian)
 
     @cached_property
@@ -112,77 +180,106 @@ class LimitRows:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class MeasuredRows:
-    """The distances at the nearest places of the curve at z (f, n).
+class NonlinearRows(ABC):
+    """Rows that are not linear, at the curve of z.
 
     Attributes:
         curves: the curves.
-        clearance_search: source of the distances.
-        z: the unknowns.
-        s, pairs, moves: (r,) place and pair of each row, and whether the distance has a minimum along the curve there.
+        z: (f, n) the unknowns.
+        s, is_bottom: (r,) the parameter of each row, and whether its value has a minimum along the curve there.
         q: (r, n) configurations.
-        value: (r,) distances beyond the target [m].
-        gradients: (r, n) their gradients by q.
+        value: (r,) the rows.
     """
 
     curves: Curves
-    clearance_search: ClearanceSearch
     z: Array
     s: Array
-    pairs: NDArray[np.intp]
-    moves: NDArray[np.bool_]
+    is_bottom: NDArray[np.bool_]
     q: Array
     value: Array
-    gradients: Array
 
-    @classmethod
-    def of(
-        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
-    ) -> "MeasuredRows":
-        """The rows where bodies are near along `curve`, which is that of z."""
-        chosen = clearance_search.places(samples)
-        s, pairs, moves = samples.s[chosen], samples.pairs[chosen], samples.is_bottom[chosen]
-        q = curve(s, FINE)
-        found = clearance_search.model.witnesses(q, pairs)
-        value = found.distances - clearance_search.target
-        return cls(
-            curves=curves,
-            clearance_search=clearance_search,
-            z=z,
-            s=s,
-            pairs=pairs,
-            moves=moves,
-            q=q,
-            value=value,
-            gradients=found.gradients,
-        )
+    @property
+    @abstractmethod
+    def gradients(self) -> Array:
+        """Gradients (r, n) of the rows by q."""
+
+    @abstractmethod
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        """Hessians (k, n, n) of some rows (k,) by q."""
+
+    @cached_property
+    def changes(self) -> Array:
+        """Change (r, f) of the curve with z at the rows."""
+        return self.curves.at(self.s)[1]
+
+    @property
+    def violation(self) -> float:
+        """The largest violation of a row; 0 when there is none."""
+        return max(-float(self.value.min()), 0.0)
 
     @cached_property
     def linear(self) -> LinearRows:
         """The rows for steps from z."""
-        return LinearRows.of(self.value, self._changes, self.gradients)
+        return LinearRows.of(self.value, self.changes, self.gradients)
 
     def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n) of the true distances d_i with multipliers λ (r,).
+        """Σ_i λ_i ∇²d_i (f n, f n) of the rows d_i with multipliers λ (r,).
 
-        At a minimum along the path, d_i is the minimum over s, at s* [m]: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
+        At a minimum along the path, d_i is the minimum over s, at s*: ∇²(min d) = ∇²d - (∂_s ∇d) (∂_s ∇d)ᵀ / ∂²_s d.
         """
         used = np.flatnonzero(multipliers > 0)
         if not len(used):
             return np.zeros((self.z.size, self.z.size))
-        (speed, slopes), (bend, bends) = (self.curves.at(self.s[used], order) for order in (1, 2))
-        gradients = self.gradients[used]
-        return arithmetic.curvature(
-            multipliers[used],
-            self._changes[used],
-            slopes,
-            arithmetic.points(speed, slopes, self.z),
-            arithmetic.points(bend, bends, self.z),
-            gradients,
-            self.clearance_search.hessians(self.q[used], self.pairs[used], gradients),
-            self.moves[used],
-            LEAST_BEND,
+        changes, is_bottom, gradients = self.changes[used], self.is_bottom[used], self.gradients[used]
+        slopes, speeds, bends = changes, np.zeros_like(gradients), np.zeros_like(gradients)  # used at bottoms only
+        if is_bottom.any():
+            (speed, slopes), (bend, second_slopes) = (self.curves.at(self.s[used], order) for order in (1, 2))
+            speeds, bends = steps.points(speed, slopes, self.z), steps.points(bend, second_slopes, self.z)
+        hessians = self.hessians(used)
+        return steps.curvature(multipliers[used], changes, slopes, speeds, bends, gradients, hessians, is_bottom, LEAST_BEND)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DistanceRows(NonlinearRows):
+    """The distances beyond the target [m] at the nearest configurations of the curve.
+
+    Attributes:
+        clearance_search: source of the distances.
+        pairs: (r,) the pair of bodies of each row.
+        witnesses: their nearest points.
+    """
+
+    clearance_search: ClearanceSearch
+    pairs: NDArray[np.intp]
+    witnesses: Witnesses
+
+    @classmethod
+    def of(
+        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
+    ) -> "DistanceRows":
+        """The rows where bodies are near along `curve`, which is that of z."""
+        chosen = clearance_search.places(samples)
+        s, pairs = samples.s[chosen], samples.pairs[chosen]
+        q = curve(s, FINE)
+        witnesses = clearance_search.model.witnesses(q, pairs)
+        return cls(
+            curves=curves,
+            z=z,
+            s=s,
+            is_bottom=samples.is_bottom[chosen],
+            q=q,
+            value=witnesses.distances - clearance_search.target,
+            clearance_search=clearance_search,
+            pairs=pairs,
+            witnesses=witnesses,
         )
+
+    @property
+    def gradients(self) -> Array:
+        return self.witnesses.gradients
+
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.clearance_search.hessians(self.q[rows], self.pairs[rows], self.gradients[rows])
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
         """Gradients of the distances of some rows, on the path and with each joint moved by a step.
@@ -199,12 +296,7 @@ class MeasuredRows:
         owner = np.repeat(rows, len(moves))
         moved = (self.q[rows, None] + moves).reshape(-1, n)
         found = self.clearance_search.model.witnesses(moved, self.pairs[owner])
-        return LinearRows.of(found.distances, self._changes[owner], found.gradients).jacobian, owner
-
-    @cached_property
-    def _changes(self) -> Array:
-        """Change (r, f) of the curve with z at the places."""
-        return self.curves.at(self.s)[1]
+        return LinearRows.of(found.distances, self.changes[owner], found.gradients).jacobian, owner
 
 
 def rejected_rows(
@@ -227,13 +319,13 @@ def rejected_rows(
     both = np.stack([clearance_search.planes(found), clearance_search.reversed_planes(found)], axis=1)
     planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
     line, changes = curves.at(s)
-    q = arithmetic.points(line, changes, z)
+    q = steps.points(line, changes, z)
     values = functions.value.by_columns(q, planes)[:, 0]
     true = clearance_search.model.pair_distances(q, pairs) - clearance_search.target
-    kept = np.flatnonzero(values >= true - STRICT)
-    if not len(kept):
+    allowed = np.flatnonzero(values >= true - STRICT)
+    if not len(allowed):
         return None
-    return LinearRows.of(values[kept], changes[kept], functions.gradient.by_columns(q[kept], planes[kept]))
+    return LinearRows.of(values[allowed], changes[allowed], functions.gradient.by_columns(q[allowed], planes[allowed]))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -265,52 +357,39 @@ class FixedRows:
 
     def at(self, z: Array) -> "FixedRowsAt":
         """The rows at z (f, n)."""
-        return FixedRowsAt(rows=self, z=z)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FixedRowsAt:
-    """Fixed rows at unknowns z (f, n)."""
-
-    rows: FixedRows
-    z: Array
-
-    @cached_property
-    def _q(self) -> Array:
-        line, changes = self.rows.changes
-        return arithmetic.points(line, changes, self.z)
-
-    @cached_property
-    def values(self) -> Array:
-        """The rows (r,) [m]."""
-        return self.rows.functions.value.by_columns(self._q, self.rows.columns)[:, 0]
-
-    @property
-    def violation(self) -> float:
-        """The largest violation of a row [m]; 0 when there is none."""
-        return max(-float(self.values.min()), 0.0)
-
-    @cached_property
-    def linear(self) -> LinearRows:
-        """The rows for steps from z."""
-        gradients = self.rows.functions.gradient.by_columns(self._q, self.rows.columns)
-        return LinearRows.of(self.values, self.rows.changes[1], gradients)
-
-    def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²d_i (f n, f n), with multipliers λ (r,)."""
-        used = np.flatnonzero(multipliers > 0)
-        if not len(used):
-            return np.zeros((self.z.size, self.z.size))
-        changes, q = self.rows.changes[1][used], self._q[used]
-        hessians = self.rows.functions.hessian(q, self.rows.columns[used])
-        still = np.zeros_like(q)
-        return arithmetic.curvature(
-            multipliers[used], changes, changes, still, still, still, hessians, np.zeros(len(used), dtype=bool), LEAST_BEND
+        line, changes = self.changes
+        q = steps.points(line, changes, z)
+        return FixedRowsAt(
+            curves=self.curves,
+            z=z,
+            s=self.s,
+            is_bottom=np.zeros(len(self.s), dtype=bool),
+            q=q,
+            value=self.functions.value.by_columns(q, self.columns)[:, 0],
+            rows=self,
         )
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FixedRowsAt(NonlinearRows):
+    """Fixed rows at unknowns z (f, n)."""
+
+    rows: FixedRows
+
+    @cached_property
+    def gradients(self) -> Array:
+        return self.rows.functions.gradient.by_columns(self.q, self.rows.columns)
+
+    @cached_property
+    def changes(self) -> Array:
+        return self.rows.changes[1]
+
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.rows.functions.hessian(self.q[rows], self.rows.columns[rows])
+
+
 #: Rows keep this much more than is required, or what start and goal have: a timed motion leaves its path by some 1e-6 rad.
-MARGIN = 5e-5
+CONSTRAINT_MARGIN = 5e-5
 #: Number of intervals of a path at whose ends all rows are evaluated; every STRIDE-th of these places may get a row.
 ROW_INTERVALS, STRIDE = 128, 2
 #: Rows are made within this value of the target: per radian of the radius of the trust region, at least and at most.
@@ -356,7 +435,7 @@ class ConstraintSearch:
     def of(cls, constraints: ConstraintSet, start: Array, goal: Array) -> "ConstraintSearch":
         """The search between start and goal (n,): no row keeps more than both have."""
         room = constraints.values(np.array([start, goal])).min(axis=0)
-        return cls(constraints=constraints, target=np.minimum(room, MARGIN))
+        return cls(constraints=constraints, target=np.minimum(room, CONSTRAINT_MARGIN))
 
     def find_near(self, curve: Curve, radius: float) -> ConstraintSamples:
         """The places that a step of a radius [rad or m] can use up."""
@@ -408,59 +487,30 @@ class ConstraintSearch:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ConstraintRows:
-    """The rows at samples of the curve of z (f, n).
+class ConstraintRows(NonlinearRows):
+    """The rows of constraints beyond their targets at samples of the curve.
 
     Attributes:
-        curves: the curves.
         search: source of the rows.
-        z: the unknowns.
-        samples: the places.
+        indices: (r,) the row of the constraints that each of these is.
     """
 
-    curves: Curves
     search: ConstraintSearch
-    z: Array
-    samples: ConstraintSamples
+    indices: NDArray[np.intp]
 
-    @cached_property
-    def value(self) -> Array:
-        """The rows (k,) beyond their targets."""
-        values = on_grid(self.search.constraints.values(self._q), FINE_DISTANCE)
-        return np.asarray(values[np.arange(len(self._q)), self.samples.rows] - self.search.target[self.samples.rows])
-
-    @cached_property
-    def linear(self) -> LinearRows:
-        """The rows for steps from z."""
-        return LinearRows.of(self.value, self._changes, self._gradients)
-
-    def curvature(self, multipliers: Array) -> Array:
-        """Σ_i λ_i ∇²c_i (f n, f n), with multipliers λ (k,): at a minimum along the path, of the minimum over s."""
-        used = np.flatnonzero(multipliers > 0)
-        if not len(used):
-            return np.zeros((self.z.size, self.z.size))
-        (speed, slopes), (bend, bends) = (self.curves.at(self.samples.s[used], order) for order in (1, 2))
-        return arithmetic.curvature(
-            multipliers[used],
-            self._changes[used],
-            slopes,
-            arithmetic.points(speed, slopes, self.z),
-            arithmetic.points(bend, bends, self.z),
-            self._gradients[used],
-            self.search.constraints.hessians(self._q[used], self.samples.rows[used]),
-            self.samples.is_bottom[used],
-            LEAST_BEND,
+    @classmethod
+    def of(cls, curves: Curves, search: ConstraintSearch, z: Array, samples: ConstraintSamples) -> "ConstraintRows":
+        """The rows at samples of the curve of z (f, n)."""
+        q = curves.curve(z)(samples.s, FINE)
+        values = on_grid(search.constraints.values(q), FINE_DISTANCE)[np.arange(len(q)), samples.rows]
+        value = np.asarray(values - search.target[samples.rows])
+        return cls(
+            curves=curves, z=z, s=samples.s, is_bottom=samples.is_bottom, q=q, value=value, search=search, indices=samples.rows
         )
 
     @cached_property
-    def _q(self) -> Array:
-        return self.curves.curve(self.z)(self.samples.s, FINE)
+    def gradients(self) -> Array:
+        return np.ascontiguousarray(self.search.constraints.gradients(self.q)[np.arange(len(self.q)), self.indices])
 
-    @cached_property
-    def _gradients(self) -> Array:
-        return np.ascontiguousarray(self.search.constraints.gradients(self._q)[np.arange(len(self._q)), self.samples.rows])
-
-    @cached_property
-    def _changes(self) -> Array:
-        """Change (k, f) of the curve with z at the places."""
-        return self.curves.at(self.samples.s)[1]
+    def hessians(self, rows: NDArray[np.intp]) -> Array:
+        return self.search.constraints.hessians(self.q[rows], self.indices[rows])

@@ -130,25 +130,25 @@ def convex_part(matrix: Array, share: float) -> Array | None:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Curves:
-    """The curves start + s (goal - start) + Σ_j (kept + zᵀ directionsᵀ)_j φ_j(s) for unknowns z (f, n).
+    """The curves start + s (goal - start) + Σ_j (base + zᵀ directionsᵀ)_j φ_j(s) for unknowns z (f, n).
 
     Attributes:
         basis: the functions φ_j.
         directions: (size, f) coefficients of functions whose slopes are orthonormal: ‖z‖ is the root mean square of the
             slope's change over s [rad or m].
-        kept: (n, size) coefficients at z = 0.
+        base: (n, size) coefficients at z = 0.
         start, goal: (n,) ends.
     """
 
     basis: Basis
     directions: Array
-    kept: Array
+    base: Array
     start: Array
     goal: Array
 
     def coefficients(self, z: Array) -> Array:
         """Coefficients (n, size) of the curve at z."""
-        return np.asarray(self.kept + product(self.directions, z).T)
+        return np.asarray(self.base + product(self.directions, z).T)
 
     def path(self, z: Array) -> JointPath:
         """The curve at z as a path."""
@@ -171,7 +171,7 @@ class Curves:
         """Bernstein control points of all pieces, one after the other: at z = 0 (r, n), and their change with z (r, f)."""
         functions = self.basis.control.reshape(-1, self.basis.size)
         line = self.start + self.basis.line.reshape(-1, 1) * (self.goal - self.start)
-        return np.ascontiguousarray(line + product(functions, self.kept.T)), product(functions, self.directions)
+        return np.ascontiguousarray(line + product(functions, self.base.T)), product(functions, self.directions)
 
     @cached_property
     def _derivatives(self) -> list[tuple[Curve, Curve]]:
@@ -270,7 +270,7 @@ class MovingLengthModel(LengthModel):
     _last: dict[bytes, LengthModel] = field(default_factory=dict, init=False)
 
     def at(self, z: Array) -> LengthModel:
-        """The sum over the panels that the path at z (f, n) needs; that of the last z is kept."""
+        """The sum over the panels that the path at z (f, n) needs; that of the last z is stored."""
         key = z.tobytes()
         if key not in self._last:
             edges = self.integral.fine_panels(self.curves.path(z))
