@@ -16,6 +16,8 @@ from manipplan.support.compiling.compiler import find_compiler
 
 #: Folders of tests that `make test-all` adds, and fixtures whose tests it adds.
 SLOW_FOLDERS, SLOW_FIXTURES = ("docs", "problems", "studies"), ("browser",)
+#: Maximum time that a test of `make quick` took last time [s], and where the cache knows it.
+BRIEF, SECONDS = 0.2, "manipplan/seconds"
 
 
 def pytest_configure(config):
@@ -29,6 +31,8 @@ def pytest_configure(config):
         os.environ.setdefault(threads, "1")
     if "not slow" in config.option.markexpr:
         os.environ[FEW] = "1"
+    if not hasattr(config, "workerinput"):  # the process that hears of all tests
+        config.pluginmanager.register(Stopwatch(config))
     config.addinivalue_line(
         "filterwarnings", r"ignore:\$(CC|CXX) = .* is not a working compiler:manipplan.support.errors.CompilerWarning"
     )
@@ -42,22 +46,35 @@ def pytest_ignore_collect(collection_path, config):
 
 
 def pytest_addoption(parser):
-    parser.addoption("--each-once", action="store_true", help="run a test with several cases for the first of them only")
+    parser.addoption("--brief", action="store_true", help="of each test the first case, if it took less than BRIEF last time")
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
-    """Mark as slow what `make test` leaves to `make test-all`."""
+    """Mark as slow what `make test` leaves to `make test-all`, and leave out what `make quick` does."""
     here = Path(__file__).parent
-    if config.option.each_once:
-        first = {}
+    if config.option.brief:
+        seconds, first = config.cache.get(SECONDS, {}), {}
         for item in items:
             first.setdefault(item.nodeid.partition("[")[0], item)
-        items[:] = first.values()
+        items[:] = [item for item in first.values() if seconds.get(item.nodeid, 0.0) < BRIEF]
     for item in items:
         folder = item.path.relative_to(here).parts[0]
         if folder in SLOW_FOLDERS or set(SLOW_FIXTURES) & set(item.fixturenames):
             item.add_marker(pytest.mark.slow)
+
+
+class Stopwatch:
+    """Remembers in pytest's cache how long each test took, for `make quick`."""
+
+    def __init__(self, config):
+        self.config, self.seconds = config, {}
+
+    def pytest_runtest_logreport(self, report):
+        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
+
+    def pytest_sessionfinish(self):
+        self.config.cache.set(SECONDS, self.config.cache.get(SECONDS, {}) | self.seconds)
 
 
 def pytest_runtest_setup(item):
