@@ -233,7 +233,7 @@ def main(arguments: Sequence[str] | None = None) -> list[Outcome]:
     if "mplib" in given.peers:
         accepted = [each.problem for each in found if each.motion is not None]
         theirs = of_mplib(
-            robot, accepted, environments=given.environments, tell=lambda some: track(some, description="judging mplib")
+            robot, accepted, environments=given.environments, notify=lambda some: track(some, description="judging mplib")
         )
         lines += ["", "Beside mplib 0.2.1:", "", *compared(found, theirs)]
     draw(found, theirs, picture)

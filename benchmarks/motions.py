@@ -111,9 +111,9 @@ def of_mplib(
     *,
     time_limit: float = 10.0,
     environments: Path = ENVIRONMENTS,
-    tell: Callable[[Sequence[int]], Sequence[int]] = list,
+    notify: Callable[[Sequence[int]], Sequence[int]] = list,
 ) -> list[Motion]:
-    """What mplib makes of the problems; `tell` wraps the loop that judges its motions. RuntimeError: it does not run."""
+    """What mplib makes of the problems; `notify` wraps the loop that judges its motions. RuntimeError: it does not run."""
     with tempfile.TemporaryDirectory() as folder:
         given = write_description(robot, Path(folder)) | {
             "starts": np.array([each.start for each in problems]),
@@ -123,7 +123,7 @@ def of_mplib(
         }
         found = run_peer("mplib", given, environments, "paths")
     motions = []
-    for k in tell(range(len(problems))):
+    for k in notify(range(len(problems))):
         times = {"status": str(found["said"][k]), "seconds": float(found["time"][k]), "cpu": float(found["cpu"][k])}
         rows = found["row"] == k
         if not rows.any():

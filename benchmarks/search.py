@@ -144,7 +144,7 @@ def quantile(layers: mp.Layers, value: float) -> float:
     return sum(int((m < value).sum()) for m in layers.m) / layers.count
 
 
-def small(branches: int, tell: Callable[[str], None]) -> list[str]:
+def small(branches: int, notify: Callable[[str], None]) -> list[str]:
     """All searches on layers that all of them can hold."""
     layers, epsilon = layers_of(SMALL[0]), SMALL[0].epsilon
     exact, result = timed(lambda: mp.max_min_search(layers, epsilon, prefer="first", threads=1), repeat=5)
@@ -160,7 +160,7 @@ def small(branches: int, tell: Callable[[str], None]) -> list[str]:
         rows.append(f"| {name} | {seconds:.4g} s | {seconds / exact:.4g} x | {minimum:.6f} | {remark} |")
 
     for prefer in ("shortest", "lexicographic"):
-        tell(prefer)
+        notify(prefer)
         seconds, path = timed(partial(mp.max_min_search, layers, epsilon, prefer=prefer, threads=1), repeat=5)
         row(
             f'exact, prefer="{prefer}"',
@@ -172,13 +172,13 @@ def small(branches: int, tell: Callable[[str], None]) -> list[str]:
         ("dense dynamic programme, as CppFlow's, NumPy", dense, "all pairs"),
         ("ladder graph, as Descartes', NumPy", ladder, "all pairs, edges stored"),
     ):
-        tell(name)
+        notify(name)
         seconds, minimum = timed(partial(peer, layers, epsilon))
         row(name, seconds, minimum, remark)
-    return [*rows, "", *papers(branches, tell)]
+    return [*rows, "", *papers(branches, notify)]
 
 
-def papers(branches: int, tell: Callable[[str], None]) -> list[str]:
+def papers(branches: int, notify: Callable[[str], None]) -> list[str]:
     """The search of guilamo2006 with and without memory; all in machine code, on one thread."""
     rows = [
         f"The search of guilamo2006, compiled as the exact one is, on one thread, for {len(SMALL)} seeds of the same layers; "
@@ -189,7 +189,7 @@ def papers(branches: int, tell: Callable[[str], None]) -> list[str]:
     ]
     for case in SMALL:
         layers, epsilon = layers_of(case), case.epsilon
-        tell(f"guilamo2006, seed {case.seed}")
+        notify(f"guilamo2006, seed {case.seed}")
         exact, result = timed(partial(mp.max_min_search, layers, epsilon, prefer="first", threads=1), repeat=5)
         seconds, found = timed(partial(mp.guilamo_search, layers, epsilon, memoised=True))
         assert found.minimum == result.minimum
@@ -237,7 +237,7 @@ def large(name: str, threads: int) -> dict:
     }
 
 
-def large_rows(tell: Callable[[str], None]) -> list[str]:
+def large_rows(notify: Callable[[str], None]) -> list[str]:
     """Every large case, each in a fresh process."""
     threads = CORES
     rows = [
@@ -249,7 +249,7 @@ def large_rows(tell: Callable[[str], None]) -> list[str]:
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name in LARGE:
-        tell(name)
+        notify(name)
         command = [sys.executable, __file__, "--large", name, "--threads", str(threads)]
         told = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
         rows.append(
@@ -261,9 +261,9 @@ def large_rows(tell: Callable[[str], None]) -> list[str]:
     return rows
 
 
-def sampled_rows(tell: Callable[[str], None]) -> list[str]:
+def sampled_rows(notify: Callable[[str], None]) -> list[str]:
     """The circle of the study: TALOS' torso and arm, 306,306 samples of what it has to spare at each of 50 positions."""
-    tell("sampling TALOS' circle")
+    notify("sampling TALOS' circle")
     robot = mp.load_robot("talos_torso_right_arm")
     start = np.array([[0.0, 0.0, -1.0, 0.45], [-1.0, 0.0, 0.0, -0.25], [0.0, 1.0, 0.0, 0.25], [0.0, 0.0, 0.0, 1.0]])
     circle = mp.CartesianPath.circle(start, start[:3, 3] - [0.0, 0.0, 0.1], (1.0, 0.0, 0.0))
@@ -305,7 +305,7 @@ def main(arguments: list[str] | None = None) -> None:
     # a section of the page each: its lines
     sections: list[Callable[[Callable[[str], None]], list[str]]] = [
         sampled_rows,
-        lambda tell: small(options.branches, tell),
+        lambda notify: small(options.branches, notify),
         large_rows,
     ]
     text: list[str] = []

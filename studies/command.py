@@ -45,16 +45,16 @@ class Study(Generic[Claims]):
         parser.add_argument("--out", type=Path, help=where)
         options = parser.parse_args(arguments)
         out = options.out or (Path(tempfile.mkdtemp(prefix=f"{self.pages.name}-")) if options.quick else self.pages)
-        with terminal.progress() as tell:
-            wrong = self.run(out, quick=options.quick, progress=tell)
+        with terminal.progress() as notify:
+            wrong = self.run(out, quick=options.quick, progress=notify)
         terminal.show_result("\n".join(wrong or ["all figures are as expected"]), [out])
         return wrong
 
 
-def in_stages(stages: Sequence[Stage], tell: Progress) -> None:
+def in_stages(stages: Sequence[Stage], notify: Progress) -> None:
     """Run the stages in order and report the progress."""
     whole, done = sum(weight for _, weight, _ in stages), 0.0
     for text, weight, do in stages:
-        tell(done / whole, text)
+        notify(done / whole, text)
         do()
         done += weight

@@ -62,10 +62,10 @@ def check(
         column: Column of a CSV file for a joint, or for time, that has another name: joint=column, time=column.
         json: Print the report as JSON.
     """
-    with terminal.progress() as tell:
-        tell(0.0, "loading the robot")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the robot")
         arm, world = options.load(robot, jerk=jerk)
-        tell(0.3, "checking the motion")
+        notify(0.3, "checking the motion")
         report = check_job(
             arm,
             trajectory / "trajectory.csv" if trajectory.is_dir() else trajectory,
@@ -82,7 +82,7 @@ def check(
             degrees=degrees,
             columns=columns_of(column),
         )
-        tell(1.0, "done")
+        notify(1.0, "done")
     console = Console()
     if json:
         terminal.show_line(console, json_module.dumps(json_ready(report), indent=1, allow_nan=False))

@@ -19,14 +19,14 @@ def demo(out: Path = Path("demo"), seed: int = 0) -> int:
         seed: Random seed of the planner; the same seed gives the same result.
     """
     folder = place_for("out", out)
-    with terminal.progress() as tell:
-        tell(0.0, "loading the Panda")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the Panda")
         panda = panda_among_boxes()
     return max(_solve(panda, folder / "panda", seed), _solve(planar_path(), folder / "planar", seed))
 
 
 def _solve(problem: DemoProblem, folder: Path, seed: int) -> int:
-    with terminal.progress() as tell:
+    with terminal.progress() as notify:
         made = plan(
             problem.robot,
             problem.start,
@@ -35,8 +35,8 @@ def _solve(problem: DemoProblem, folder: Path, seed: int) -> int:
             objective=PathObjective(power=problem.power),
             seeding=Seeding(seed=seed),
             clearance=problem.clearance,
-            progress=part(tell, 0.0, 0.95),
+            progress=part(notify, 0.0, 0.95),
         )
-        tell(1.0, "writing files")
+        notify(1.0, "writing files")
         files = made.save(folder)
     return terminal.show_plan(made, files)

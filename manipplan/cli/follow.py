@@ -64,8 +64,8 @@ def follow(
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
-    with terminal.progress() as tell:
-        tell(0.0, "loading the robot")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the robot")
         arm, world = options.load(robot, jerk=jerk)
         made = follow_job(
             arm,
@@ -84,8 +84,8 @@ def follow(
             closed=closed,
             torque=torque,
             seed=seed,
-            progress=part(tell, 0.0, 0.95),
+            progress=part(notify, 0.0, 0.95),
         )
-        tell(1.0, "writing files")
+        notify(1.0, "writing files")
         files = made.save(folder)
     return terminal.show_plan(made, files, f"search       {made.refinement}", f"deviation    {made.deviation}")

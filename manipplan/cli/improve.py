@@ -42,8 +42,8 @@ def improve(
         out: Folder for the files that are written.
     """
     folder = place_for("out", out)
-    with terminal.progress() as tell:
-        tell(0.0, "loading the robot")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the robot")
         arm, world = options.load(robot)
         made = improve_job(
             arm,
@@ -55,8 +55,8 @@ def improve(
             columns=columns_of(column),
             clearance=clearance,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]),
-            progress=part(tell, 0.0, 0.95),
+            progress=part(notify, 0.0, 0.95),
         )
-        tell(1.0, "writing files")
+        notify(1.0, "writing files")
         files = made.save(folder)
     return terminal.show_plan(made, files)

@@ -67,8 +67,8 @@ def plan(
         time_limit: Time limit of the planner's search [s].
     """
     folder = place_for("out", out)
-    with terminal.progress() as tell:
-        tell(0.0, "loading the robot")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the robot")
         arm, world = options.load(robot, jerk=jerk)
         begin = configuration_of("start", start, arm)
         end = _goal(arm, goal, goal_pose, goals)
@@ -85,9 +85,9 @@ def plan(
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),
             clearance=clearance,
             torque=torque,
-            progress=part(tell, 0.0, 0.95),
+            progress=part(notify, 0.0, 0.95),
         )
-        tell(1.0, "writing files")
+        notify(1.0, "writing files")
         files = made.save(folder)
     chosen = [f"goal {made.goal_index} of {goals} was chosen"] if goals is not None else []
     return terminal.show_plan(made, files, *chosen)

@@ -34,8 +34,8 @@ def run(
         torque: Keep the joints' effort limits as well.
     """
     folder = place_for("out", out)
-    with terminal.progress() as tell:
-        tell(0.0, "loading the robot")
+    with terminal.progress() as notify:
+        notify(0.0, "loading the robot")
         file = ProgramFile.read(program)
         if not (robot or file.robot):
             raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
@@ -50,11 +50,11 @@ def run(
             blend=file.blend,
             clearance=file.clearance,
             torque=torque,
-            progress=part(tell, 0.05, 0.95),
+            progress=part(notify, 0.05, 0.95),
         )
-        tell(0.95, "writing files")
+        notify(0.95, "writing files")
         files = made.save(folder)
-        tell(1.0, "done")
+        notify(1.0, "done")
     terminal.show_assumptions(Console(), arm)
     terminal.show_result(str(made), files)
     return 0

@@ -32,8 +32,8 @@ def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = N
             raise
         raise MissingSourcesError("the studies") from error
     began = time.monotonic()
-    with terminal.progress() as tell:
-        wrong = made.run(folder, quick=quick, progress=tell)
+    with terminal.progress() as notify:
+        wrong = made.run(folder, quick=quick, progress=notify)
     seconds = time.monotonic() - began
     report = write_report(made.pages.with_suffix(".md"), folder, quick=quick, seconds=seconds, differences=wrong)
     terminal.show_result("\n".join(wrong or [f"{paper}: all figures are as expected"]), [report])

@@ -47,7 +47,7 @@ class GoalChoice:
 
 
 def choose(
-    candidates: Sequence[GoalCandidate], planner: Planner, seconds: float, deadline: Deadline, tell: Progress
+    candidates: Sequence[GoalCandidate], planner: Planner, seconds: float, deadline: Deadline, notify: Progress
 ) -> GoalChoice:
     """The motion of the largest minimum manipulability and, of those that tie, of the smallest g.
 
@@ -57,13 +57,13 @@ def choose(
     """
     search = _Search(rows=list(candidates), tried=[], paths={}, failures={})
     if len(candidates) == 1:
-        search.take(0, planner(candidates[0].q, seconds, tell))
+        search.take(0, planner(candidates[0].q, seconds, notify))
         return search.choice()
     while (k := search.following()) is not None and not (search.tried and deadline.passed):
         only = sum(each.is_free for each in candidates) == 1 or len(search.paths) == PATHS - 1
         share = deadline.left * (1.0 if only else SHARE)
         done = len(search.tried) / (len(search.tried) + 1)
-        found = planner(candidates[k].q, share, part(tell, done, (2 * done + 1) / 3 if not only else 1.0))
+        found = planner(candidates[k].q, share, part(notify, done, (2 * done + 1) / 3 if not only else 1.0))
         search.take(k, found)
     return search.choice()
 

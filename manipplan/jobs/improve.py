@@ -119,11 +119,11 @@ def improve(
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_FOLLOWED, tolerance=tolerance)
-    tell(0.1, "smoothing the recording")
+    notify(0.1, "smoothing the recording")
     parts = [part for part in (tolerance.position, tolerance.rotation) if part is not None]
     curve = smooth(motion, robot.limits, ENOUGH * min(parts))
     for name, end in (("recorded start", curve.ends.start), ("recorded goal", curve.ends.goal)):
@@ -140,14 +140,14 @@ def improve(
         clearance=clearance,
         duration=duration or motion.duration,
     )
-    tell(0.2, "raising the manipulability")
+    notify(0.2, "raising the manipulability")
     found = best_motion(tube, curve)
     if found is None:
         bodies, row = model.nearest_bodies(motion.q)
         return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")
     trajectory, comparison = found
     status = Status.IMPROVED if comparison.better else Status.NOT_BETTER
-    tell(0.8, "checking the result")
+    notify(0.8, "checking the result")
     path, seed = trajectory.path(), motion.path()
     result = make_result(
         path,
@@ -177,5 +177,5 @@ def improve(
     made = replace(made, report=replace(made.report, comparison=comparison))
     if not made.report.passed:
         return failed(made, throw, made.message)
-    tell(1.0, "done")
+    notify(1.0, "done")
     return made

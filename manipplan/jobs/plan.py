@@ -172,7 +172,7 @@ def plan(
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
     deadline = Deadline.within((limit - reserve) * seeding.count)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     targets, is_list = read_goals("goal", goal, robot)
     given = named_configuration("start", start, robot)
     q_start = robot.configuration("start", given)
@@ -186,7 +186,7 @@ def plan(
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
     compile_ahead(*SOURCES)
 
-    def path_to(q: Array, seconds: float, tell: Progress) -> PathResult | NoPath:
+    def path_to(q: Array, seconds: float, notify: Progress) -> PathResult | NoPath:
         """The path to a configuration, which may be singular."""
         shifts = seeding.shifts if all(each.q is not None for each in targets) else AS_GIVEN
         goals = len(shifted_goals(robot, q_start, q, shifts))
@@ -202,7 +202,7 @@ def plan(
             clearance=clearance,
             executor=executor,
             throw=False,
-            progress=tell,
+            progress=notify,
         )
         if found.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
@@ -221,11 +221,11 @@ def plan(
     else:
         if seeding.initial is not None:
             raise InvalidInputError("seeding.initial", seeding.initial, "None: a goal with a first path is one configuration")
-        tell(0.0, "preparing collision shapes")
+        notify(0.0, "preparing collision shapes")
         model = scene.collision_model(robot)
         model.free_configuration("start", q_start, number("clearance", clearance, least=0.0))
         candidates = find_candidates(targets, q_start, model, integral, clearance, kept)
-    choice = choose(candidates, path_to, limit - reserve, deadline, part(tell, 0.0, 0.6))
+    choice = choose(candidates, path_to, limit - reserve, deadline, part(notify, 0.0, 0.6))
     draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
     if choice.result is None:
         return failed(draft, throw, choice.failure)
@@ -238,7 +238,7 @@ def plan(
         if deadline.passed:
             result = result if result.status.ok else _out_of_time(result)
             break
-        tell(0.6, f"{other.basis} of degree {other.degree}")
+        notify(0.6, f"{other.basis} of degree {other.degree}")
         more = optimize_from(
             robot,
             result.seed,
@@ -255,11 +255,11 @@ def plan(
     path = result.path
     draft = replace(draft, path=path, result=result, status=result.status)
     try:
-        tell(0.8, "timing the motion")
+        notify(0.8, "timing the motion")
         trajectory = retime(path, robot, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    tell(0.9, "checking the result")
+    notify(0.9, "checking the result")
     model = scene.collision_model(robot)
     reached = targets[draft.goal_index]
     made = finish(
@@ -280,7 +280,7 @@ def plan(
     made = replace(made, report=replace(made.report, tools=tools))
     if missed and made.report.passed:
         made = check_failed(made, throw, missed)
-    tell(1.0, "done")
+    notify(1.0, "done")
     return made
 
 

@@ -488,10 +488,10 @@ def plan_many(
             was planned then. Or the executor takes no work, or its workers cannot load the problems.
         KeyboardInterrupt: Ctrl-C; finished results are in `folder`.
     """
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     if executor is not None and not isinstance(executor, Executor):
         executor = whole_number("executor", executor, least=1) if isinstance(executor, int) else _no_executor(executor)
-    batch = _Batch.of(problems, None if folder is None else Finished(folder), tell)
+    batch = _Batch.of(problems, None if folder is None else Finished(folder), notify)
     left = batch.read_finished()
     if executor is None:
         batch.plan_here(left)
@@ -525,12 +525,12 @@ class _Batch:
     problems: Sequence[Problem]
     shared: Sequence[Problem]
     finished: Finished | None
-    tell: Progress
+    notify: Progress
     results: dict[int, PartialPlan] = field(default_factory=dict)
     failures: int = 0
 
     @classmethod
-    def of(cls, problems: Iterable[Problem], finished: Finished | None, tell: Progress) -> "_Batch":
+    def of(cls, problems: Iterable[Problem], finished: Finished | None, notify: Progress) -> "_Batch":
         """A batch of checked problems."""
         if not isinstance(problems, Iterable):
             raise InvalidInputError("problems", problems, "a list of Problem")
@@ -543,7 +543,7 @@ class _Batch:
             given.append(problem)
             robot = robots.setdefault(robot_key(problem.robot), problem.robot)
             shared.append(replace(problem, robot=robot, scene=scenes.setdefault(scene_key(scene), scene)))
-        return cls(problems=given, shared=shared, finished=finished, tell=tell)
+        return cls(problems=given, shared=shared, finished=finished, notify=notify)
 
     def read_finished(self) -> list[int]:
         """Take the results that are on disk; returns the numbers of the other problems."""
@@ -583,4 +583,4 @@ class _Batch:
             self.failures += 1
             log.info("%s: %s: %s", label(k, self.problems[k]), plan.status.name, plan.message)
         failed = f", {self.failures} failed" if self.failures else ""
-        self.tell(len(self.results) / len(self.problems), f"{len(self.results)} of {len(self.problems)} problems{failed}")
+        self.notify(len(self.results) / len(self.problems), f"{len(self.results)} of {len(self.problems)} problems{failed}")

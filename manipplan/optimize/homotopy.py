@@ -56,13 +56,15 @@ class SolvePool:
 
     problem: PathProblem
     executor: Executor | None = None
-    tell: Progress = silent
+    notify: Progress = silent
     deadline: Deadline = NEVER
 
     def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | NoPath]:
         """A free first path per goal (n,) and seed."""
-        tell = part(self.tell, 0.0, 0.33)
-        return self._each(_seed, [(start, goal, seed, self.deadline) for goal, seed in tasks], tell, "looking for a first path")
+        notify = part(self.notify, 0.0, 0.33)
+        return self._each(
+            _seed, [(start, goal, seed, self.deadline) for goal, seed in tasks], notify, "looking for a first path"
+        )
 
     def solve_local(self, firsts: Sequence[FirstPath]) -> list[PathResult]:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
@@ -70,10 +72,10 @@ class SolvePool:
         for k, first in enumerate(firsts):
             known = any(_ends_together(first.path, other.path) for other in firsts[:k])
             tasks.append((first.path, not known, self.deadline))
-        results = self._each(_solve, tasks, part(self.tell, 0.33, 1.0), "optimising the path")
+        results = self._each(_solve, tasks, part(self.notify, 0.33, 1.0), "optimising the path")
         return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
 
-    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]], tell: Progress, text: str) -> list[T]:
+    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]], notify: Progress, text: str) -> list[T]:
         made: list[Callable[[], T]]
         if self.executor is None:
             made = [partial(work, self.problem, *task) for task in tasks]
@@ -85,7 +87,7 @@ class SolvePool:
                 raise InvalidInputError("executor", self.executor, f"an executor that takes work ({error})") from error
         results = []
         for k, result in enumerate(made):
-            tell(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")
+            notify(k / len(made), text if len(made) == 1 else f"{text}: {k} of {len(made)}")
             results.append(result())
             if isinstance(results[-1], PathResult) and results[-1].status is Status.INTERRUPTED:
                 break

@@ -150,7 +150,7 @@ def optimize_path(
         raise InvalidInputError("constraints", constraints, "none without a scene; scene=mp.Scene() checks for self-collision")
     if executor is not None:
         instance("executor", executor, Executor)
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     if recorded is not None:  # full turns of a continuous joint are those of the first path
         q_goal = q_goal + np.where(robot.continuous_joints, 2 * np.pi * np.round((recorded.goal - q_goal) / (2 * np.pi)), 0.0)
@@ -173,7 +173,7 @@ def optimize_path(
     if problem.constraint_set is not None:
         check_ends(problem.constraint_set, q_start, q_goal)
     if scene is not None:
-        tell(0.0, "preparing collision shapes")
+        notify(0.0, "preparing collision shapes")
     model = problem.model()
     if model is not None:
         model.free_configuration("start", q_start, clearance)
@@ -182,7 +182,7 @@ def optimize_path(
         check_apart(q_start, each)
     first = seeding.seed if scene is not None else 0  # without a scene, seed 0 is the straight line
     numbers = [first, *(seeding.seed + k for k in range(1, seeding.count))]
-    pool = SolvePool(problem=problem, executor=executor, tell=tell, deadline=deadline)
+    pool = SolvePool(problem=problem, executor=executor, notify=notify, deadline=deadline)
     if recorded is not None:
         check_initial(problem, recorded, q_start, q_goal)
         firsts = [FirstPath(path=recorded, count=1)]
@@ -195,7 +195,7 @@ def optimize_path(
                 raise
             return error.result
     best = best_and_rivals(pool.solve_local(firsts))
-    tell(1.0, "optimised")
+    notify(1.0, "optimised")
     if throw and not np.isfinite(best.g) and best.status is not Status.INTERRUPTED:
         hint = idle_hint(objective.kinematics(robot, compiled=compiled))
         reason = f"the manipulability is zero on the path at s = {best.min_at:.3f}, so g is infinite"

@@ -224,13 +224,13 @@ def max_min_search(
     for name, value in {"strict": strict, "anytime": anytime, "explain": explain, "throw": throw}.items():
         flag(name, value)
     one_of("prefer", prefer, [each.value for each in Prefer])
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     if threads is None:
         from manipplan.kinematics.batch import all_cores
 
         threads = all_cores()
     whole_number("threads", threads, least=1, most=MOST_THREADS)
-    results = _results(layers, steps, bool(strict), Prefer(prefer), explain, tell, threads if layers.count >= THREADED else 1)
+    results = _results(layers, steps, bool(strict), Prefer(prefer), explain, notify, threads if layers.count >= THREADED else 1)
     results = _raise_if_not_connected(results) if throw else results
     if anytime:
         return results
@@ -253,14 +253,14 @@ def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True
 
 
 def _results(
-    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, explain: bool, tell: Progress, threads: int
+    layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, explain: bool, notify: Progress, threads: int
 ) -> Iterator[SearchResult]:
     """Yields results during the search."""
     reach = exclusive(epsilon, strict=strict)
     # samples and rounds grow fourfold up to all candidates; a preference other than "first" takes one more pass
     with ThreadPool(threads) as pool:
-        search = ThresholdSearch(layers, pool, tell, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
-        search.tell(0.0, "searching")
+        search = ThresholdSearch(layers, pool, notify, work=layers.count * (4 / 3 + (prefer is not Prefer.FIRST)))
+        search.notify(0.0, "searching")
         path, certified = None, layers.bound
         for path, certified, exact in _rounds(search, reach):
             if exact:
@@ -273,7 +273,7 @@ def _results(
             objective = Shortest() if prefer is Prefer.SHORTEST else Lexicographic()
             path = search.best(objective, Subset(threshold=certified), reach, f"{prefer.value} path")
         final = _result(search, path, Status.PROVEN_OPTIMAL, epsilon, strict, certified)
-        search.tell(1.0, "done")
+        search.notify(1.0, "done")
         yield final
 
 
@@ -364,5 +364,5 @@ def _not_connected(search: ThresholdSearch, epsilon: Array, reach: Array, strict
         which = f"for values above {factor:.6g} times epsilon" if strict else f"for {factor:.6g} times epsilon or more"
         remedy = f"the layers are connected {which} ({least}); "
     message = f"{where}; {remedy}{Status.NOT_CONNECTED.value}"
-    search.tell(1.0, "done")
+    search.notify(1.0, "done")
     return replace(result, breaks_at=place, smallest_epsilon=smallest, message=message)

@@ -152,7 +152,7 @@ def sample_layers(
     )
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)
@@ -186,7 +186,7 @@ def sample_layers(
                 raise _no_candidate(position, sampler, poses[k], values, reached)
             layers[k] = q, m
             found = sum(len(m) for _, m in layers.values())
-            tell(len(layers) / n, f"sampling positions: {found:,} candidates")
+            notify(len(layers) / n, f"sampling positions: {found:,} candidates")
     return Layers(
         q=tuple(layers[k][0] for k in range(n)),
         m=tuple(layers[k][1] for k in range(n)),

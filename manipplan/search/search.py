@@ -98,12 +98,12 @@ class CandidatePath:
 class ThresholdSearch:
     """Searches of one set of layers. `rounds` counts its sweeps, `nodes` the candidates of the last sweep."""
 
-    def __init__(self, layers: Layers, pool: ThreadPool, tell: Progress, *, work: float) -> None:
+    def __init__(self, layers: Layers, pool: ThreadPool, notify: Progress, *, work: float) -> None:
         self.layers = layers
         self.pool = pool
         self.rounds = 0
         self.nodes = 0
-        self.tell = tell
+        self.notify = notify
         self._work = work  # number of candidates visited in the worst case
         self._passed = 0
         self._told = -np.inf
@@ -212,7 +212,7 @@ class ThresholdSearch:
         now = time.monotonic()
         if now - self._told > RATE:
             self._told = now
-            self.tell(min(0.99, self._passed / self._work), text)
+            self.notify(min(0.99, self._passed / self._work), text)
 
     def _cycle(self, objective: SweepObjective, part: Subset, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
         layers, count = self.layers, len(self.layers.q)

@@ -31,12 +31,12 @@ def as_callback(progress: Progress | None) -> Progress:
     return progress or silent
 
 
-def part(tell: Progress, begin: float, end: float) -> Progress:
+def part(notify: Progress, begin: float, end: float) -> Progress:
     """The callback for a part of the work: its shares 0 to 1 are reported as `begin` to `end` of the whole.
 
     The end of the part is not reported: the next part reports its own start.
     """
-    return lambda share, text: tell(begin + share * (end - begin), text) if share < 1 else None
+    return lambda share, text: notify(begin + share * (end - begin), text) if share < 1 else None
 
 
 @contextmanager

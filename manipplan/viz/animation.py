@@ -48,7 +48,7 @@ class Film:
     times: Array
     fps: float
     colours: int
-    tell: Progress
+    notify: Progress
 
     def write_gif(self, stream: IO[bytes]) -> None:
         """Write the frames as a GIF, with durations in hundredths of a second and `HOLD` for the last frame."""
@@ -85,7 +85,7 @@ class Film:
 
     def _time_frames(self) -> Iterator[float]:
         for k, time in enumerate(self.times.tolist()):
-            self.tell(k / len(self.times), f"frame {k + 1} of {len(self.times)}")
+            self.notify(k / len(self.times), f"frame {k + 1} of {len(self.times)}")
             yield time
 
 
@@ -148,7 +148,7 @@ def animate(
         PlanningError: the plan has no trajectory.
         MissingProgramError: ffmpeg is needed and not installed.
     """
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     kind = Path(file).suffix.lower() if isinstance(file, str | Path) else ""
     if kind not in (".gif", ".mp4"):
         raise InvalidInputError("file", file, "a file whose name ends in .gif or .mp4")
@@ -172,12 +172,12 @@ def animate(
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=size, dpi=dpi)
-        film = Film(figure=figure, show=_stage(plan, figure), times=times, fps=fps, colours=colours, tell=tell)
+        film = Film(figure=figure, show=_stage(plan, figure), times=times, fps=fps, colours=colours, notify=notify)
         (film.write_gif if kind == ".gif" else film.write_mp4)(stream)
 
     with style.shared():
         write_bytes(file, write)
-    tell(1.0, "done")
+    notify(1.0, "done")
 
 
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:

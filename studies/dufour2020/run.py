@@ -15,7 +15,7 @@ STEPS = 11
 TIMED = 20
 
 
-def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     names = QUICK if quick else ("S1", "S2", *config.TABLE_1)
     whole, done, doing = STEPS + len(names) + (0 if quick else TIMED), 0, ""
@@ -23,7 +23,7 @@ def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     def advance(text: str | None = None) -> None:
         nonlocal done, doing
         done, doing = done + 1, text or doing
-        tell(done / whole, doing)
+        notify(done / whole, doing)
 
     arm = Arm()
     first, second = Scenario.of(arm, "S1"), Scenario.of(arm, "S2")
@@ -69,7 +69,7 @@ def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
     for name in names:
         figures.pareto(fronts, name, out / f"pareto_{name}.png")
     if not quick:
-        tell(done / whole, "step times")
+        notify(done / whole, "step times")
         numerics.real_time(arm, sphere.avoidance, advance)[0].write(out)
     return found
 

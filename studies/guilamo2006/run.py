@@ -10,11 +10,11 @@ from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Runs, warm
 
 
-def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
     found: list[claims.Claim] = []
-    command.in_stages(stages(results, out, found), tell)
+    command.in_stages(stages(results, out, found), notify)
     return found
 
 

@@ -10,10 +10,10 @@ from studies.kth2012.results import Results
 from studies.tables import Table
 
 
-def study(out: Path, quick: bool, tell: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     results, found = Results(quick=quick), []
-    command.in_stages(stages(results, out, found), tell)
+    command.in_stages(stages(results, out, found), notify)
     return found
 
 

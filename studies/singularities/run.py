@@ -17,7 +17,7 @@ PAGES = Path(__file__).parents[2] / "docs" / "studies" / "singularities"
 EXPECTED = Path(__file__).with_name("expected.csv")
 
 
-def study(out: Path, _quick: bool, tell: Progress) -> dict[str, float]:
+def study(out: Path, _quick: bool, notify: Progress) -> dict[str, float]:
     """Make the tables and the figure; returns the numbers that are compared."""
     arms: list[list[Series]] = []
     command.in_stages(
@@ -26,7 +26,7 @@ def study(out: Path, _quick: bool, tell: Progress) -> dict[str, float]:
             ("UR5", 3.0, lambda: arms.append(spatial())),
             ("figure", 1.0, lambda: figures.slopes(arms, out / "slopes.png")),
         ],
-        tell,
+        notify,
     )
     for name, series in zip(("planar", "spatial"), arms, strict=True):
         table(name, series).write(out)

@@ -490,7 +490,7 @@ def test_wrong_arguments_raise_before_work_starts(panda, line, change, message):
         "path": line,
         "positions": 3,
         "throw": False,
-        "progress": lambda *tell: told.append(tell),
+        "progress": lambda *notify: told.append(notify),
         **change,
     }
     with pytest.raises(mp.InvalidInputError, match=message):

@@ -203,7 +203,7 @@ class Lead:
     def __init__(self, robot, minima):
         self.robot, self.minima, self.goals = robot, minima, []
 
-    def __call__(self, goal, seconds, tell):
+    def __call__(self, goal, seconds, notify):
         self.goals.append(goal)
         least = self.minima[len(self.goals) - 1] if len(self.goals) <= len(self.minima) else None
         if least is None:

@@ -232,7 +232,7 @@ def chosen(candidates, results):
     """The choice, and the goals tried, with results by goal."""
     tried = []
 
-    def planner(q, seconds, tell):
+    def planner(q, seconds, notify):
         assert seconds > 0
         tried.append(int(q[0]))
         return results[int(q[0])]
@@ -270,7 +270,7 @@ def test_only_a_few_paths_are_planned(planar):
 def test_candidates_share_the_time(planar):
     given = []
 
-    def planner(q, seconds, tell):
+    def planner(q, seconds, notify):
         given.append(seconds)
         return made(planar, 0.1)
 

@@ -133,11 +133,11 @@ def test_coal_is_asked_where_the_kernel_cannot_tell(panda, band):
     scene = mp.Scene([mp.Cylinder(radius=0.05, length=0.6, position=(0.45, 0.0, 0.3), name="post")])
     search, curve = DistanceSearch(scene.collision_model(panda)), JointPath.line(START, GOAL).curve()
     asked = []
-    tell = search.model.pair_distances
+    notify = search.model.pair_distances
 
     def listening(q, pairs, **options):
         asked.append(len(q))
-        return tell(q, pairs, **options)
+        return notify(q, pairs, **options)
 
     search.model.pair_distances = listening
     found = search.find_near(curve, 0.0, band, [(0.5, 0)])

@@ -246,8 +246,8 @@ def test_a_terminal_shows_names_as_they_are(kind, tmp_path, monkeypatch):
 
         out = io.StringIO()
         monkeypatch.setattr(terminal, "Console", lambda stderr, out=out, t=is_terminal: Console(file=out, force_terminal=t))
-        with terminal.progress() as tell:
-            tell(0.5, f"{name} now")
+        with terminal.progress() as notify:
+            notify(0.5, f"{name} now")
         words = printable(name).split()[:1] if len(name) < 60 else []
         assert all(word in out.getvalue() for word in words)
         assert "\x9b" not in out.getvalue() and "\u202e" not in out.getvalue()

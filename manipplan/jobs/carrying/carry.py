@@ -148,14 +148,14 @@ def carry(
         seed=seed,
     )
     flag("throw", throw)
-    tell, held, allowed, integral = as_callback(progress), request.grasps, request.tolerance, request.integral
+    notify, held, allowed, integral = as_callback(progress), request.grasps, request.tolerance, request.integral
     first = request.way(next(iter(held)))
     draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
     try:
-        joint, seed_path = motion_of_both(request, part(tell, 0.0, 0.9))
+        joint, seed_path = motion_of_both(request, part(notify, 0.0, 0.9))
     except PlanningError as error:
         return failed(draft, throw, str(error))
-    tell(0.9, "timing the motion")
+    notify(0.9, "timing the motion")
     model = request.scene.collision_model(robot)
     result = make_result(
         joint,
@@ -172,7 +172,7 @@ def carry(
         trajectory = retime(joint, robot, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    tell(0.95, "checking the result")
+    notify(0.95, "checking the result")
     poses = tool_poses(robot, trajectory(np.linspace(0.0, trajectory.duration, TIMES)))
     deviation = deviation_from(first, poses[next(iter(held))])
     made = finish(
@@ -199,7 +199,7 @@ def carry(
     fault = deviation.excess(allowed, "time") or _excess(errors, allowed)
     if fault:
         return check_failed(made, throw, f"{fault}. Take more positions")
-    tell(1.0, "done")
+    notify(1.0, "done")
     return made
 
 

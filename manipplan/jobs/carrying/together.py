@@ -136,30 +136,30 @@ PROXIMITY_SAMPLES = 401
 FINER = 4
 
 
-def motion_of_both(request: Request, tell: Progress) -> tuple[JointPath, JointPath]:
+def motion_of_both(request: Request, notify: Progress) -> tuple[JointPath, JointPath]:
     """The joint path of the whole robot, and the same as searched; where nothing connects, with closer positions and samples.
 
     Raises PlanningError with the reason, and InvalidInputError for a position that a tool cannot reach.
     """
     if request.positions is not None and request.samples is not None:
-        return _tried(request, tell, finer=False)
+        return _tried(request, notify, finer=False)
     try:
-        return _tried(request, part(tell, 0.0, 0.5), finer=False)
+        return _tried(request, part(notify, 0.0, 0.5), finer=False)
     except PlanningError as first:
         try:
-            return _tried(request, part(tell, 0.5, 1.0), finer=True)
+            return _tried(request, part(notify, 0.5, 1.0), finer=True)
         except InvalidInputError as error:  # the positions and samples are not the caller's
             raise first from error
 
 
-def _tried(request: Request, tell: Progress, *, finer: bool) -> tuple[JointPath, JointPath]:
+def _tried(request: Request, notify: Progress, *, finer: bool) -> tuple[JointPath, JointPath]:
     """The same with the default positions and samples, or finer ones."""
-    arms = _arms(request, part(tell, 0.0, 0.8), finer=finer)
-    tell(0.8, "searching for motions of the arms")
+    arms = _arms(request, part(notify, 0.0, 0.8), finer=finer)
+    notify(0.8, "searching for motions of the arms")
     return _motion(request, arms)
 
 
-def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
+def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
     """Both arms with all their configurations at the positions."""
     arms, robot = [], request.robot
     s = request.at(STRIDE / 2 if finer else STRIDE)
@@ -178,7 +178,7 @@ def _arms(request: Request, tell: Progress, *, finer: bool) -> list[LoneArm]:
                 clearance=request.clearance,
                 spare=SPARE_CLEARANCE,
                 seed=request.seed,
-                progress=part(tell, k / len(request.grasps), (k + 1) / len(request.grasps)),
+                progress=part(notify, k / len(request.grasps), (k + 1) / len(request.grasps)),
             )
         except InvalidInputError as error:
             argument = error.argument if error.argument == "samples" else f"{tool}: {error.argument}"

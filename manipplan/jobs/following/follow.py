@@ -197,7 +197,7 @@ def follow(
                 "axis too"
             )
         raise InvalidInputError("objective", objective, wanted)
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     epsilon = check_epsilon(epsilon, robot.continuous_joints)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
@@ -216,7 +216,7 @@ def follow(
         q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
         taken = taken_to_limits(robot, "start", given)
 
-    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, tell: Progress) -> ToolPathPlanner:
+    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, notify: Progress) -> ToolPathPlanner:
         layers = sample_layers(
             robot,
             path,
@@ -231,12 +231,12 @@ def follow(
             near=q_start,
             executor=executor,
             seed=seed,
-            progress=tell,
+            progress=notify,
         )
         return ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
 
     spread = positions if positions is not None else choose_positions(path, closed=closed)
-    finder = sampled(spread, samples, part(tell, 0.0, 0.4))
+    finder = sampled(spread, samples, part(notify, 0.0, 0.4))
     sampler = finder.layers.sampler
     assert sampler is not None
     if max(float(m.max()) for m in finder.layers.m) < VANISHING:
@@ -245,12 +245,12 @@ def follow(
         wanted += f"; {hint}" if hint else ""
         raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
-    def finer(tell: Progress) -> ToolPathPlanner | None:
+    def finer(notify: Progress) -> ToolPathPlanner | None:
         one = samples is None and len(sampler.solver.names) == 1 and FINER * finder.layers.count <= MOST
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
-        return sampled(closer, FINER * default_samples(sampler.solver)[0] if one else samples, tell)
+        return sampled(closer, FINER * default_samples(sampler.solver)[0] if one else samples, notify)
 
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
@@ -260,7 +260,7 @@ def follow(
     )
     stands = q_start is not None and finder.is_at_start(q_start)
     begin = q_start if stands else None
-    parts = find_parts(finder, finer, epsilon, interruptions, part(tell, 0.4, 0.6), start=begin)
+    parts = find_parts(finder, finer, epsilon, interruptions, part(notify, 0.4, 0.6), start=begin)
     if isinstance(parts, SearchResult):
         whole = finder if begin is None else finder.starting_at(begin)
         told = "from the start, which is at the first pose of the path, " if stands else ""
@@ -274,7 +274,9 @@ def follow(
         torque=torque,
         seed=seed,
     )
-    joiner = PartsJoiner(start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, tell=part(tell, 0.6, 0.9))
+    joiner = PartsJoiner(
+        start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
+    )
     motion = joiner.first_of(parts)
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
@@ -288,12 +290,12 @@ def follow(
     draft = replace(
         draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result
     )
-    tell(0.95, "timing the motion")
+    notify(0.95, "timing the motion")
     try:
         trajectory, along = motion.timed(robot, integral, tool_speed, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    tell(0.97, "checking the result")
+    notify(0.97, "checking the result")
     made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
     made = replace(made, report=replace(made.report, taken_to_limits=taken))
     if made.status not in ALONG:
@@ -302,7 +304,7 @@ def follow(
         return check_failed(made, throw, fault)
     if is_singular(result.path, integral, integral.cost(result.path)):
         made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR))
-    tell(1.0, "done")
+    notify(1.0, "done")
     return made
 
 

@@ -233,7 +233,7 @@ def choose_entry(
     start: Array,
     integral: PathIntegral,
     plan_transit: PlanTransit,
-    tell: Progress,
+    notify: Progress,
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and course together.
 
@@ -273,9 +273,9 @@ def choose_entry(
             continue
         left = 0.5**tried  # of the share of the work
         tried += 1
-        course = finder.along(_turned(found, row.q), part(tell, 1 - left, 1 - 0.7 * left))
+        course = finder.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
-        lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(tell, 1 - 0.7 * left, 1 - 0.5 * left))
+        lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= work_time() - began
         row = replace(row, q=course.path.start)
         if isinstance(lead_in, str):

@@ -58,7 +58,7 @@ Finer = Callable[[Progress], ToolPathPlanner | None]
 
 
 def find_parts(
-    finder: ToolPathPlanner, finer: Finer, epsilon: ArrayLike, most: int, tell: Progress, *, start: Array | None = None
+    finder: ToolPathPlanner, finer: Finer, epsilon: ArrayLike, most: int, notify: Progress, *, start: Array | None = None
 ) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
@@ -79,18 +79,18 @@ def find_parts(
     no_finer = ""
     for k, samples in enumerate((lambda _: finder, finer)):
         try:
-            each = samples(part(tell, 0.2, 0.5))
+            each = samples(part(notify, 0.2, 0.5))
         except InvalidInputError as error:  # about positions and samples that the caller did not give
             no_finer, each = f"; finer samples: {error}", None
         if each is None:
             continue
         begun = each if start is None else each.starting_at(start)
-        search = part(tell, 0.5 * k, 0.5 * k + 0.2)
+        search = part(notify, 0.5 * k, 0.5 * k + 0.2)
         found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
         if found.connected:
             return iter([[FoundPart(s_begin=0.0, s_end=1.0, finder=begun, found=found)]])
         tried.append(each if each.layers.closed else begun)
-    counts = [(fewest_parts(each.layers, epsilon, progress=part(tell, 0.7, 0.8)), each) for each in tried]
+    counts = [(fewest_parts(each.layers, epsilon, progress=part(notify, 0.7, 0.8)), each) for each in tried]
     possible = [(parts, each) for parts, each in counts if parts is not None]
     if not possible:
         found = _unconnected(finder, epsilon, start)
@@ -102,7 +102,7 @@ def find_parts(
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         found = _unconnected(finder, epsilon, start)
         return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}{no_finer}")
-    fewest = fewest_interruptions(best.layers, epsilon, progress=part(tell, 0.8, 0.9))
+    fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.8, 0.9))
     return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 
 
@@ -300,13 +300,13 @@ class PartsJoiner:
     closed: bool
     way: Array
     transits: TransitPlanner
-    tell: Progress
+    notify: Progress
 
     def first_of(self, options: Iterable[list[FoundPart]]) -> FollowingMotion | Failure:
         """The motion along the first of several sets of parts that can be joined."""
         failures: list[Failure] = []
         for tried, parts in enumerate(options):
-            made = self._joined(parts, part(self.tell, 1 - 0.5**tried, 1 - 0.5 ** (tried + 1)))
+            made = self._joined(parts, part(self.notify, 1 - 0.5**tried, 1 - 0.5 ** (tried + 1)))
             if isinstance(made, FollowingMotion) or not made.at_cut:
                 return made
             failures.append(made)
@@ -316,14 +316,14 @@ class PartsJoiner:
         places = "another place does" if others == 1 else f"{others} other places do"
         return replace(first, reason=f"{first.reason}; {places} not help either")
 
-    def _joined(self, parts: list[FoundPart], tell: Progress) -> FollowingMotion | Failure:
+    def _joined(self, parts: list[FoundPart], notify: Progress) -> FollowingMotion | Failure:
         """The motion along parts of the path, or why there is none."""
         pieces: list[FollowedPart] = []
         search = parts[0].found
         candidates: tuple[GoalCandidate, ...] = ()
         returns = self.closed and not parts[0].finder.layers.closed
         for k, each in enumerate(parts):
-            share = part(tell, k / len(parts), (k + 1) / len(parts))
+            share = part(notify, k / len(parts), (k + 1) / len(parts))
             begin = pieces[-1].course.path.goal if pieces else self.start
             # an interrupted motion around a closed path begins where that takes the fewest interruptions
             if begin is None or (not pieces and self.hold_start and not returns):

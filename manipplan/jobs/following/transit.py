@@ -128,8 +128,8 @@ class TransitPlanner:
     def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""
 
-        def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
-            made = self._free(start, goal, seconds, tell)
+        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | str:
+            made = self._free(start, goal, seconds, notify)
             return made if isinstance(made, str) else self._of([made.path], [made.trajectory])
 
         return planned
@@ -145,12 +145,12 @@ class TransitPlanner:
         if isinstance(off, str):
             return f"no straight retreat from the path: {off}"
 
-        def planned(goal: Array, seconds: float, tell: Progress) -> Transit | str:
+        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | str:
             on = self._straight(goal, way)
             if isinstance(on, str):
                 return f"no straight way back onto the path: {on}"
             back = on.backwards()
-            middle = self._free(off.goal, back.start, seconds, tell)
+            middle = self._free(off.goal, back.start, seconds, notify)
             if isinstance(middle, str):
                 return middle
             try:
@@ -180,7 +180,7 @@ class TransitPlanner:
             return f"{error.argument} is not {error.allowed}"
         return motion_from(finder, q, self.robot, STRAIGHT_EPSILON)
 
-    def _free(self, begin: Array, goal: Array, seconds: float, tell: Progress) -> Plan | str:
+    def _free(self, begin: Array, goal: Array, seconds: float, notify: Progress) -> Plan | str:
         made = plan(
             self.robot,
             begin,
@@ -191,7 +191,7 @@ class TransitPlanner:
             clearance=self.clearance,
             torque=self.torque,
             throw=False,
-            progress=tell,
+            progress=notify,
         )
         return made if isinstance(made, Plan) and made.status.has_path else made.message
 

@@ -96,7 +96,7 @@ class ProgramSearch:
         self._tools = [np.array([each.index(key) for key in each]) for each in keys]
         self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
 
-    def best(self, tell: Progress) -> Chosen | None:
+    def best(self, notify: Progress) -> Chosen | None:
         """The best program; None where none was found, as `failures` tell."""
         best: Chosen | None = None
         while len(self.failures) < FAILURES * len(self.legs):
@@ -104,7 +104,7 @@ class ProgramSearch:
             enough = self.late or len(self._free) >= MOTIONS * len(self.legs)
             if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or enough)):
                 break
-            made = self._made(nodes, -np.inf if best is None else best.minimum * (1 + GAIN), tell)
+            made = self._made(nodes, -np.inf if best is None else best.minimum * (1 + GAIN), notify)
             if made is not None and (best is None or made.minimum > best.minimum * (1 + GAIN)):
                 best = made
             elif made is None and self.late:
@@ -155,7 +155,7 @@ class ProgramSearch:
             most = np.minimum(np.minimum(most[:, None], edge).max(axis=0), at)
         return float(most.max())
 
-    def _made(self, nodes: tuple[int, ...], least: float, tell: Progress) -> Chosen | None:
+    def _made(self, nodes: tuple[int, ...], least: float, notify: Progress) -> Chosen | None:
         """The program through some nodes; None where a motion fails, or as soon as one keeps no more than `least`.
 
         The bounds of its nodes and motions are lowered to what they keep.
@@ -164,7 +164,7 @@ class ProgramSearch:
         free: list[Plan | None] = []
         courses: list[LegMotion] = []
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
-            tell(k / len(self.legs), f"step {leg.number}")
+            notify(k / len(self.legs), f"step {leg.number}")
             course = self._course(k, node, state)
             # a part is carried in the same way after all that end with the tool in the same pose
             rows = self._tools[k] == self._tools[k][before] if state.history else np.ones(len(self._tools[k]), dtype=bool)

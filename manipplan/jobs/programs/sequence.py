@@ -91,7 +91,7 @@ def sequence(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     blend, clearance = number("blend", blend, least=0.0), number("clearance", clearance, least=0.0)
     flag("torque", torque)
-    tell = as_callback(progress)
+    notify = as_callback(progress)
     check_timing_limits(robot.limits)
     given = named_configuration("start", start, robot)
     q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
@@ -102,7 +102,7 @@ def sequence(
     known, needed = first, needed_by(legs)
     places = [PartPoses.at_first(robot, scene, needed[0])]
     for k, leg in enumerate(legs):
-        tell(0.2 * k / len(legs), f"configurations of step {leg.number}")
+        notify(0.2 * k / len(legs), f"configurations of step {leg.number}")
         nodes.append(nodes_of(leg, known, q_start, objective, clearance, places, needed[k + 1]))
         known, places = _known_after(leg, known), places_after(nodes[-1])
     free = sum(each.is_free for each in legs)
@@ -116,14 +116,14 @@ def sequence(
         planner=_planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque),
         deadline=work_time() + seeding.time_limit * max(free, 1),
     )
-    chosen = search.best(part(tell, 0.2, 0.9))
+    chosen = search.best(part(notify, 0.2, 0.9))
     if chosen is None:
         reasons = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
         raise PlanningError(f"no program was found: {reasons}")
     items = list(_items(legs, chosen))
     if not any(isinstance(each, RawMotion) for each in items):
         raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")
-    tell(0.9, "timing and checking")
+    notify(0.9, "timing and checking")
     program = assemble(
         items,
         first,
@@ -142,7 +142,7 @@ def sequence(
     program = replace(program, parts=(first_part, *others))
     if not program.passed:
         raise PlanningError(f"the program did not pass its check\n{program}", program)
-    tell(1.0, "done")
+    notify(1.0, "done")
     return program
 
 
