@@ -33,7 +33,7 @@ from manipplan.optimize import program as program_module
 from manipplan.optimize.clearance import row_functions
 from manipplan.optimize.program import SPACING, LimitHull, PathProgram
 from manipplan.paths.rounding import on_grid
-from manipplan.symbolic.machine_code import compiled_together
+from manipplan.symbolic.machine_code import compile_together
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "energy_solvers.md"
 #: Two optima are the same when their energies differ by at most this share of the first path's energy.
@@ -143,7 +143,7 @@ def derivable(program: PathProgram) -> tuple[ca.Function, ca.Function]:
     """The same as machine code that CasADi can derive twice."""
     density, rows = symbols(program)
     energy = differentiable("energy_density", density.value, density.gradient, density.hessian, moving=2)
-    return compiled_together(energy, "the energy")[0], compiled_together(differentiable("row", *rows, moving=1), "rows")[0]
+    return compile_together(energy, "the energy")[0], compile_together(differentiable("row", *rows, moving=1), "rows")[0]
 
 
 def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
@@ -242,7 +242,7 @@ def built(plugin: str, options: dict, given: Nlp) -> ca.Function:
         options |= {"N": 0, "nx": [0], "nu": [nx], "ng": [ng]}
     if plugin == "generated":
         solver = ca.nlpsol("energy", "sqpmethod", given.oracle, options | {"error_on_fail": True})
-        return compiled_together([solver], "sqpmethod")[0]
+        return compile_together([solver], "sqpmethod")[0]
     return ca.nlpsol("energy", plugin, given.oracle, options)
 
 

@@ -16,7 +16,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
-from manipplan.collision.surfaces.shells import connected_parts, winding_number
+from manipplan.collision.surfaces.shells import find_components, winding_number
 from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.meshes.files import triangle_tree
@@ -521,7 +521,7 @@ class CollisionModel:
         if body not in self._probes:
             item = self.objects[body]
             if isinstance(item.geometry, coal.BVHModelBase):
-                parts = [placed_triangles(item)] if body in self.solids else connected_parts(placed_triangles(item))
+                parts = [placed_triangles(item)] if body in self.solids else find_components(placed_triangles(item))
                 self._probes[body] = np.array([part[0, 0] for part in parts])
             elif isinstance(item.geometry, coal.Halfspace | coal.Plane):  # without bounds, it is inside nothing
                 self._probes[body] = np.empty((0, 3))

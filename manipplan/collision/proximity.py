@@ -15,7 +15,7 @@ from manipplan.paths.joint import Curve, curve_code
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.support.errors import CompilerError
 
 #: Number of intervals of the grid along the curve. A band around the target is only looked at in every SPACING-th place.
@@ -52,7 +52,7 @@ Place = tuple[float, int]
 
 @cache
 def _call() -> Callable[..., int]:
-    code = needed_code(SOURCE, "distances along paths")
+    code = require_code(SOURCE, "distances along paths")
     return code.functions()["look"]
 
 

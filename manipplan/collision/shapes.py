@@ -59,7 +59,7 @@ class Part:
 
 
 def _part_of_triangles(triangles: Array, radius: float, closed: bool) -> Part:
-    return Part(shape=triangle_tree(*shells.merged_corners(triangles)), radius=radius, closed=closed)
+    return Part(shape=triangle_tree(*shells.merge_corners(triangles)), radius=radius, closed=closed)
 
 
 def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -> Part:

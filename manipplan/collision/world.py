@@ -13,7 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.surfaces.shells import connected_parts
+from manipplan.collision.surfaces.shells import find_components
 from manipplan.robots.hulls import box_corners
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -233,7 +233,7 @@ def _trees(
         begin += len(corners)
         boxes[still == k] = node_box[root[k]] + np.repeat([-radius[k], radius[k]], 3)
         if k in facing:  # a solid is connected, so that one point decides whether it is inside another
-            parts = [corners] if closed[k] > 0 else connected_parts(corners)
+            parts = [corners] if closed[k] > 0 else find_components(corners)
             probe.append(np.array([part[0, 0] for part in parts]))
             probes[k] = held, len(parts)
             held += len(parts)

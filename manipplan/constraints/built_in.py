@@ -18,7 +18,7 @@ import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
 from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
-from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
+from manipplan.kinematics.batch import NativeKernel, find_wanted_kernel, run_kernel
 from manipplan.robots.arms import led_by
 from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.robot import Robot
@@ -100,7 +100,7 @@ def tool_frame(robot: Robot, tool: str) -> ToolFrame:
             lengths[i - 1] = np.linalg.norm(model.jointPlacements[i].translation)
     return ToolFrame(
         function=function,
-        kernel=wanted_kernel(function, "auto", f"{tool} of {robot.name}, in batches"),
+        kernel=find_wanted_kernel(function, "auto", f"{tool} of {robot.name}, in batches"),
         batch=BatchFunction(function),
         tree=chain.tree,
         turns=turns,

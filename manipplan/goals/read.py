@@ -128,7 +128,7 @@ def read_goal(argument: str, goal: Any, robot: Robot) -> Target:
     if isinstance(goal, Mapping):
         return _read_tools(argument, goal, robot)
     if isinstance(goal, str):
-        return Target.of_configuration(argument, named_configuration(argument, goal, robot), robot)
+        return Target.of_configuration(argument, read_configuration(argument, goal, robot), robot)
     pose = _read_pose(argument, goal, robot)
     if pose is not None:
         if len(robot.tools) > 1:
@@ -177,7 +177,7 @@ def _read_pose(argument: str, goal: Any, arm: Robot) -> PoseGoal | None:
     return None
 
 
-def named_configuration(argument: str, q: Any, robot: Robot) -> Array:
+def read_configuration(argument: str, q: Any, robot: Robot) -> Array:
     """A configuration (n,), perhaps outside the limits, given by its numbers or by the name of a state.
 
     Raises InvalidInputError for a wrong shape, and UnknownNameError, with the nearest names, for an unknown one.

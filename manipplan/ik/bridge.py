@@ -28,7 +28,7 @@ from manipplan.ik.geometry import Screws
 from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.support.memo import once_per_owner
 
 #: Revolute joints whose limits span more full turns than this are enumerated in one turn, like those without limits.
@@ -334,7 +334,7 @@ SOURCE = Path(__file__).with_name("inverse.c")
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
     """The functions of inverse.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return needed_code(SOURCE, "inverse kinematics").functions()
+    return require_code(SOURCE, "inverse kinematics").functions()
 
 
 def real(values: Any) -> Array:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from manipplan.robots.model_tree import Mimic, frame_index, joint_tree
 from manipplan.robots.robot import Robot
-from manipplan.robots.subchain import uncoupled
+from manipplan.robots.subchain import uncouple
 from manipplan.support.checks import Array
 
 #: Axes that miss a point by less than this meet in it [m]; directions that differ by less are parallel. Descriptions round
@@ -44,7 +44,7 @@ class Screws:
     @classmethod
     def of(cls, robot: Robot) -> "Screws":
         """The screws of a robot."""
-        model, _, followers = uncoupled(robot.model, pin.GeometryModel())
+        model, _, followers = uncouple(robot.model, pin.GeometryModel())
         data, frame = model.createData(), frame_index(model, robot.tool)
         pin.forwardKinematics(model, data, pin.neutral(model))
         pin.updateFramePlacements(model, data)

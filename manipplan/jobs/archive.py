@@ -45,7 +45,7 @@ from manipplan.support.checks import Array, existing_file, instance, is_folder, 
 from manipplan.support.content import code_key
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, finish, found_again, write_text
-from manipplan.support.json_data import from_json, json_ready, packed_array, read_json, stored_array, unpacked_array
+from manipplan.support.json_data import from_json, json_ready, pack_array, read_array, read_json, unpack_array
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -140,7 +140,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             arm = _apply_changes(arm, path, data, folder)
             limits = from_json(data["limits"], JointLimits)
             if limits.n == arm.n:  # otherwise it is another arm, which raises below
-                arm = replace(arm, limits=limits, neutral=stored_array(data["neutral"]))
+                arm = replace(arm, limits=limits, neutral=read_array(data["neutral"]))
                 arm = arm.with_limits(limit_tolerance=data["limit_tolerance"])
         except MissingExtraError:
             raise
@@ -149,8 +149,8 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             raise FileFormatError("file", str(path), wanted) from error
     else:
         arm = instance("robot", given, Robot)
-    stored = [stored_array(data[key]) for key in ("home", "screws")]
-    stored.append(stored_array(data["outlines"]).reshape(-1, OUTLINE))
+    stored = [read_array(data[key]) for key in ("home", "screws")]
+    stored.append(read_array(data["outlines"]).reshape(-1, OUTLINE))
     names = tuple(data["joint_names"])
     found = (*fingerprint(arm), outlines(arm))
     tools = tuple(data["tools"])
@@ -167,7 +167,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
             "plan was saved. Its files were changed, or it is another robot: give the right robot="
         )
         raise FileFormatError("robot", said, wanted)
-    other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), stored_array(data["limits"][kind]))]
+    other = [kind for kind in LIMITS if not np.array_equal(getattr(arm.limits, kind), read_array(data["limits"][kind]))]
     if other:
         log.warning("%s: the robot given has other limits (%s) than the plan was made and checked for", path, ", ".join(other))
     return arm
@@ -175,11 +175,11 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
 
 def _apply_changes(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) -> Robot:
     """The arm with the base, the tool frames and the parts of the data."""
-    base = stored_array(data["base"])
+    base = read_array(data["base"])
     if not np.array_equal(base, arm.base):
         arm = arm.at(base)
     for added in data["frames"]:
-        arm = arm.with_tool(stored_array(added["pose"]), name=added["name"], tool=added["frame"])
+        arm = arm.with_tool(read_array(added["pose"]), name=added["name"], tool=added["frame"])
     return with_parts(arm, path, data, folder)
 
 
@@ -232,13 +232,13 @@ def _store(value: Any, folder: Path) -> Any:
     """A value of an obstacle: paths as two, many numbers compressed."""
     if isinstance(value, Path):
         return absolute_and_relative(value, folder)
-    return packed_array(np.array(value, dtype=float)) if isinstance(value, list) and len(value) > MANY else value
+    return pack_array(np.array(value, dtype=float)) if isinstance(value, list) and len(value) > MANY else value
 
 
 def _restore(key: str, value: Any, folder: Path) -> Any:
     if key == "file":
         return found_again(value, folder)
-    return unpacked_array(value) if isinstance(value, Mapping) else value
+    return unpack_array(value) if isinstance(value, Mapping) else value
 
 
 def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
@@ -249,7 +249,7 @@ def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
         return [change(each) for each in value]
     if key in FOLDERS_BY_NAME:
         return {name: change(folder) for name, folder in value.items()}
-    return stored_array(value) if key in (*LIMITS, "neutral", "lengths") else value
+    return read_array(value) if key in (*LIMITS, "neutral", "lengths") else value
 
 
 FORMAT, VERSION = "manipplan-plan", 1
@@ -320,7 +320,7 @@ def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, mea
     from manipplan.jobs.result import Plan
 
     path = _plan_file(file)
-    plan = plan_of(path, checked_json(path), robot=robot, scene=scene, measure=measure)
+    plan = plan_of(path, read_checked_json(path), robot=robot, scene=scene, measure=measure)
     if not isinstance(plan, Plan):
         wanted = f"a plan with a trajectory; this one has none, with status {plan.status.name}: {plan.message}"
         raise FileFormatError("file", str(path), wanted)
@@ -379,7 +379,7 @@ def _path_result(
         floor=float(data.get("floor", 0.0)),  # files of version 0.1 have none
         task=from_json(data["task"], Task),
         measure=restore_measure(path, data["measure"], measure),
-        metric=_maybe(data["metric"], stored_array),
+        metric=_maybe(data["metric"], read_array),
         seed_cost=from_json(numbers["seed_cost"], PathCost),
         history=(),
         status=Status[numbers["status"]],
@@ -412,7 +412,7 @@ def _workspace(data: Mapping[str, Any]) -> CartesianPath | None:
         log.warning("the workspace path is missing: %s", data["missing"])
         return None
     values: dict[str, Any] = {
-        key: stored_array(value) if isinstance(value, list) else _workspace(value) if isinstance(value, dict) else value
+        key: read_array(value) if isinstance(value, list) else _workspace(value) if isinstance(value, dict) else value
         for key, value in data.items()
         if key != "kind"
     }
@@ -443,7 +443,7 @@ def _plan_file(file: str | Path) -> Path:
     return existing_file("file", file)
 
 
-def checked_json(path: Path, kind: str = FORMAT, number: int = VERSION) -> dict[str, Any]:
+def read_checked_json(path: Path, kind: str = FORMAT, number: int = VERSION) -> dict[str, Any]:
     """The data of a file, of a format and version and unchanged."""
     try:
         data = read_json("file", path)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import named_configuration
+from manipplan.goals.read import read_configuration
 from manipplan.jobs.measure import measure
 from manipplan.jobs.recordings.read import read_motion
 from manipplan.jobs.report import PathPart, Report
@@ -105,7 +105,7 @@ def check(
     instance("robot", robot, Robot)
     motion = _motion(robot, trajectory, degrees=degrees, columns=columns)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    ends = {name: named_configuration(name, q, robot) for name, q in (("start", start), ("goal", goal)) if q is not None}
+    ends = {name: read_configuration(name, q, robot) for name, q in (("start", start), ("goal", goal)) if q is not None}
     inside = {name: robot.configuration(name, q) for name, q in ends.items()}
     if path is not None and not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")

@@ -16,10 +16,10 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import GoalCandidate, find_candidates, measured
 from manipplan.goals.choice import choose
 from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import named_configuration, read_goals
+from manipplan.goals.read import read_configuration, read_goals
 from manipplan.jobs.report import with_goals
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
-from manipplan.optimize.homotopy import shifted_goals
+from manipplan.optimize.homotopy import shift_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
@@ -174,7 +174,7 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     notify = as_callback(progress)
     targets, is_list = read_goals("goal", goal, robot)
-    given = named_configuration("start", start, robot)
+    given = read_configuration("start", start, robot)
     q_start = robot.configuration("start", given)
     if seeding.shifts != AS_GIVEN:
         targets = tuple(replace(each, turns=True) for each in targets)
@@ -189,7 +189,7 @@ def plan(
     def path_to(q: Array, seconds: float, notify: Progress) -> PathResult | NoPath:
         """The path to a configuration, which may be singular."""
         shifts = seeding.shifts if all(each.q is not None for each in targets) else AS_GIVEN
-        goals = len(shifted_goals(robot, q_start, q, shifts))
+        goals = len(shift_goals(robot, q_start, q, shifts))
         found = optimize_path(
             robot,
             q_start,

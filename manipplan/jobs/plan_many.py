@@ -34,8 +34,8 @@ from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import metric_matrix
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import named_configuration, read_goals
-from manipplan.jobs.archive import checked_json, plan_of, write_plan
+from manipplan.goals.read import read_configuration, read_goals
+from manipplan.jobs.archive import plan_of, read_checked_json, write_plan
 from manipplan.jobs.plan import plan
 from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.measures.measure import Measure
@@ -43,7 +43,7 @@ from manipplan.optimize.optimize import check_options
 from manipplan.optimize.problem import initial_path
 from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
-from manipplan.robots.subchain import uncoupled
+from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import flag, instance, number, whole_number
 from manipplan.support.content import code_key, content_key
@@ -96,7 +96,7 @@ def checked(argument: str, problem: Problem) -> Problem:
         instance("name", problem.name, str)
         flag("torque", problem.torque)
         check_options(problem.objective, problem.shape, seeding)
-        start = named_configuration("start", problem.start, robot)
+        start = read_configuration("start", problem.start, robot)
         targets, is_list = read_goals("goal", problem.goal, robot)
         goals = [each.goal for each in targets]
         clearance = number("clearance", problem.clearance, least=0.0)
@@ -147,7 +147,7 @@ def problem_key(problem: Problem) -> str:
 @once_per_owner
 def robot_key(robot: Robot) -> str:
     """The content of a robot as a key: all that plans depend on, not where it was read from."""
-    model, geometry, followers = uncoupled(robot.model, robot.geometry)  # as it is pickled
+    model, geometry, followers = uncouple(robot.model, robot.geometry)  # as it is pickled
     parts = {each.name: getattr(robot, each.name) for each in fields(robot) if each.name not in ("model", "geometry", "source")}
     bodies = [
         (body.name, body.parentJoint, body.parentFrame, body.placement, body.meshScale, body.geometry)
@@ -433,7 +433,7 @@ class Finished:
             return None
         measure = problem.objective.measure
         try:
-            data = checked_json(file)
+            data = read_checked_json(file)
             if data.get("problem") != key:
                 raise FileFormatError("file", str(file), "the result of this problem; it holds that of another one")
             if data.get("code") != code_key():

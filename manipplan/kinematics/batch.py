@@ -93,7 +93,7 @@ def simd_kernel(function: ca.Function, subject: str) -> NativeKernel:
     return load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
 
 
-def wanted_kernel(function: ca.Function, compiled: bool | str, subject: str) -> NativeKernel | None:
+def find_wanted_kernel(function: ca.Function, compiled: bool | str, subject: str) -> NativeKernel | None:
     """The same where `compiled` asks for machine code and the function's operations are known; None otherwise."""
     if not (wants_machine_code(compiled) and expressible(function, C_OPERATIONS)):
         return None

@@ -24,7 +24,7 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 
-from manipplan.kinematics.batch import NativeKernel, run_kernel, wanted_kernel
+from manipplan.kinematics.batch import NativeKernel, find_wanted_kernel, run_kernel
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.model_tree import axis_of, frame_index, is_prismatic
 from manipplan.robots.robot import Robot
@@ -298,7 +298,7 @@ def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> Sing
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
         function=function,
-        kernel=wanted_kernel(function, compiled, f"sides of {robot.name}, in batches"),
+        kernel=find_wanted_kernel(function, compiled, f"sides of {robot.name}, in batches"),
     )
 
 

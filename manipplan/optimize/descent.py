@@ -35,7 +35,7 @@ from manipplan.optimize.rows import (
     LinearRows,
     NonlinearRows,
     RowFunctions,
-    rejected_rows,
+    find_violated_rows,
 )
 from manipplan.optimize.steps import LengthModel
 from manipplan.paths.joint import Curve
@@ -409,10 +409,10 @@ class _Model:
         if program.clearance_search is None:
             return self
         curves = program.length.curves
-        more = rejected_rows(program.functions, curves, program.clearance_search, here.z, there.curve, there.samples)
+        more = find_violated_rows(program.functions, curves, program.clearance_search, here.z, there.curve, there.samples)
         return self if more is None else replace(self, near=self.near.with_rows(more), first=None)
 
-    def predicted_decrease(self, step: QuadraticStep, restored: float, penalty: float) -> float:
+    def predict_decrease(self, step: QuadraticStep, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
 
         -(∇gᵀ p + ½ pᵀ H p) + ν restored, where H is the Hessian of the Lagrangian and not a convex one.
@@ -481,8 +481,8 @@ def descend(
             penalty = max(penalty, min(2 * float(step.multipliers.sum()), LARGEST_PENALTY))
         restored = here.violation - step.slack
         if restored > EXACT:  # a step that restores feasibility may raise g, and φ must fall: (18.36) in nocedal2006
-            penalty = max(penalty, min(-model.predicted_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
-        predicted = model.predicted_decrease(step, restored, penalty)
+            penalty = max(penalty, min(-model.predict_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
+        predicted = model.predict_decrease(step, restored, penalty)
         if predicted < tolerance * here.value or (here.violation > DEEP and radius < SHORT):
             if not is_plain:
                 is_plain = True

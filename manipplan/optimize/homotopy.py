@@ -17,7 +17,7 @@ from typing import TypeVar
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.optimize.problem import TIE, PathProblem, planned_path, solve_local
+from manipplan.optimize.problem import TIE, PathProblem, plan_first_path, solve_local
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns
@@ -179,7 +179,7 @@ def _best_first(results: Sequence[PathResult]) -> list[PathResult]:
     return ordered
 
 
-def shifted_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Array]:
+def shift_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Array]:
     """The full turns of a goal that `Seeding.shifts` asks for: for all of them, by one turn in some revolute joints."""
     if shifts == AS_GIVEN:
         return [goal]
@@ -214,7 +214,7 @@ def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: 
     if problem.scene is None:
         return random_path(problem.robot, start, goal, seed)
     try:
-        return planned_path(problem, start, goal, seed, deadline)
+        return plan_first_path(problem, start, goal, seed, deadline)
     except PlanningError as error:
         return NoPath(message=str(error))
 

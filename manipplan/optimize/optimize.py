@@ -12,7 +12,7 @@ from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.constraints.constraint_set import check_ends
 from manipplan.cost.objective import PathObjective, idle_hint
-from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shifted_goals
+from manipplan.optimize.homotopy import FirstPath, SolvePool, best_and_rivals, seed_classes, shift_goals
 from manipplan.optimize.problem import PathProblem, check_initial, initial_path, solve_local
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import PathShape
@@ -154,7 +154,7 @@ def optimize_path(
     q_start, q_goal = robot.configuration("start", start), robot.configuration("goal", goal)
     if recorded is not None:  # full turns of a continuous joint are those of the first path
         q_goal = q_goal + np.where(robot.continuous_joints, 2 * np.pi * np.round((recorded.goal - q_goal) / (2 * np.pi)), 0.0)
-    goals = shifted_goals(robot, q_start, q_goal, seeding.shifts)
+    goals = shift_goals(robot, q_start, q_goal, seeding.shifts)
     q_goal = goals[0] if len(goals) == 1 else q_goal
     objective = objective.resolved(robot, compiled=compiled)
     deadline = Deadline.within(seeding.time_limit * seeding.count * len(goals))

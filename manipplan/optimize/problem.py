@@ -22,7 +22,7 @@ from manipplan.optimize.local import LocalSearch
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.proven import INSIDE, Candidate, Until
 from manipplan.optimize.result import PathResult, Step, make_result
-from manipplan.paths.basis import EndConditions, PathShape, named_basis
+from manipplan.paths.basis import EndConditions, PathShape, find_basis
 from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
@@ -116,7 +116,7 @@ class PathProblem:
             degree = max(WARM_START_DEGREE, STRIDE * ((self.shape.degree - 1) // STRIDE))
         else:
             return None
-        if not self.climbs or not self.ends.possible(named_basis("legendre", degree)):
+        if not self.climbs or not self.ends.possible(find_basis("legendre", degree)):
             return None
         basis = self.shape.basis if self.shape.pieces == 1 else "legendre"
         return replace(self, shape=replace(self.shape, basis=basis, degree=degree, pieces=1), compares=False)
@@ -289,7 +289,7 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
         if not straight:
             return None
         try:
-            first = planned_path(coarse, search.start, search.goal, coarse.seeding.seed, search.deadline)
+            first = plan_first_path(coarse, search.start, search.goal, coarse.seeding.seed, search.deadline)
         except PlanningError as error:
             log.info("among the pieces of the coarse scene: %s", error)
             return None
@@ -298,7 +298,7 @@ def _coarse_optimum(coarse: PathProblem, search: LocalSearch, first: JointPath, 
     return optimum
 
 
-def planned_path(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline = NEVER) -> JointPath:
+def plan_first_path(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: Deadline = NEVER) -> JointPath:
     """A free first path of the planner with few singularities on it; raises PlanningError without any."""
     share = OPTIMISING_SHARE if problem.seeding.planner in OPTIMISING else 1.0  # they use up what they get
     limit = max(share * min(problem.seeding.time_limit, deadline.left), SHORTEST_SEARCH)
@@ -332,7 +332,7 @@ def _program(problem: PathProblem, integral: PathIntegral) -> PathProgram:
     key = (kinematics.task, kinematics.measure, kinematics.compiled, integral.power, integral.floor, metric, basis, fixed)
     programs = _programs(kinematics.robot)
     if key not in programs:
-        programs[key] = PathProgram(integral, named_basis(*basis), fixed)
+        programs[key] = PathProgram(integral, find_basis(*basis), fixed)
     return programs[key]
 
 

@@ -81,7 +81,7 @@ class ClearanceSearch:
         distances = found.radii[:, 0] + self.target
         return columns(self.model.robot.model.njoints - 1, first, found.points, second, found.normals, found.offsets, distances)
 
-    def reversed_planes(self, found: Witnesses) -> Array:
+    def reverse_planes(self, found: Witnesses) -> Array:
         """As `planes`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
         first, second = found.joints.T
         offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
@@ -299,7 +299,7 @@ class DistanceRows(NonlinearRows):
         return LinearRows.of(found.distances, self.changes[owner], found.gradients).jacobian, owner
 
 
-def rejected_rows(
+def find_violated_rows(
     functions: RowFunctions,
     curves: Curves,
     clearance_search: ClearanceSearch,
@@ -316,7 +316,7 @@ def rejected_rows(
     if not len(near):
         return None
     found = clearance_search.model.witnesses(rejected(samples.s[near], FINE), samples.pairs[near])
-    both = np.stack([clearance_search.planes(found), clearance_search.reversed_planes(found)], axis=1)
+    both = np.stack([clearance_search.planes(found), clearance_search.reverse_planes(found)], axis=1)
     planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
     line, changes = curves.at(s)
     q = steps.points(line, changes, z)

@@ -20,14 +20,14 @@ from manipplan.paths.joint import Curve, JointPath
 from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import signatures
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.symbolic.machine_code import BatchFunction
 
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]]:
     """They keep the GIL: to release it would take longer than most calls."""
-    code = needed_code(Path(__file__).with_name("steps.c"), "steps of descents")
+    code = require_code(Path(__file__).with_name("steps.c"), "steps of descents")
     return code.functions(quick=signatures(code.source))
 
 

@@ -194,7 +194,7 @@ BASES = (*SERIES, "bernstein", *SPLINES)
 MOST_PIECES = 32
 
 
-def named_basis(name: str, degree: int, pieces: int = 1) -> Basis:
+def find_basis(name: str, degree: int, pieces: int = 1) -> Basis:
     """The basis with a name from BASES; its pieces have equal width.
 
     Raises:
@@ -366,7 +366,7 @@ class PathShape:
 
     def functions(self) -> Basis:
         """The basis functions."""
-        return named_basis(self.basis, self.degree, self.pieces)
+        return find_basis(self.basis, self.degree, self.pieces)
 
     def ends(self, n: int) -> EndConditions:
         """The fixed derivatives of n joints; raises InvalidInputError where the degree is too low for them."""
@@ -378,5 +378,5 @@ class PathShape:
         ends = EndConditions(
             **{name: None if value is None else finite_array(name, value, (n,)) for name, value in given.items()}
         )
-        ends.check_degree(lambda k: named_basis(self.basis, k, self.pieces), self.degree)
+        ends.check_degree(lambda k: find_basis(self.basis, k, self.pieces), self.degree)
         return ends

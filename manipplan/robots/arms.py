@@ -76,7 +76,7 @@ def one_tool(robot: "Robot", work: str) -> "Robot":
     return robot
 
 
-def disabled_within_arms(
+def find_disabled_within_arms(
     model: pin.Model, tools: Sequence[str], disabled: frozenset[frozenset[str]]
 ) -> frozenset[frozenset[str]]:
     """The disabled pairs of links but for those of two arms, which are checked: arms meet where their SRDF expects it least.

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.support.checks import Array, configurations, number
-from manipplan.support.display import rounded_up
+from manipplan.support.display import round_up
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def to_limits(robot: "Robot", argument: str, q: Array, tolerance: float | None =
     return inside
 
 
-def checked_configuration(robot: "Robot", argument: str, q: ArrayLike, tolerance: float | None) -> Array:
+def check_configuration(robot: "Robot", argument: str, q: ArrayLike, tolerance: float | None) -> Array:
     """One configuration (n,), finite and inside the position limits; see `Robot.configuration`."""
     tolerance = robot.limit_tolerance if tolerance is None else number("tolerance", tolerance, least=0.0)
     q = configurations(argument, q, robot.n)
@@ -132,7 +132,7 @@ def _describe_limits(robot: "Robot", joint: int, value: float) -> str:
     off = max(lower - value, value - upper)
     missed = limits_missed(lower, upper, value, "m" if slides else "rad")
     if off <= LARGEST_TOLERANCE:
-        return f"{missed}; robot.with_limits(limit_tolerance={rounded_up(off, 1):g}) takes it to the limit"
+        return f"{missed}; robot.with_limits(limit_tolerance={round_up(off, 1):g}) takes it to the limit"
     if slides:
         far = off > upper - lower and lower <= value / 1e3 <= upper
         return f"{missed}; {value:g} mm are {value / 1e3:.4g} m" if far else missed

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.formats.urdf_check import check_urdf, joined_links
+from manipplan.robots.formats.urdf_check import check_urdf, find_joined_links
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_visuals
 from manipplan.robots.model_tree import Mimic, plain_angles, read_mimics
@@ -148,7 +148,7 @@ def read_urdf(file: Path, files: UrdfFiles) -> Description:
         model=plain_angles(model),
         geometry=geometry,
         mimics=mimics,
-        unchecked=_adjacent_bodies(model, geometry, joined_links(root)),
+        unchecked=_adjacent_bodies(model, geometry, find_joined_links(root)),
     )
 
 

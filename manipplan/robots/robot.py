@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.robots import attached, description, mjcf, model_tree, subchain
 from manipplan.robots import subchain as parts
-from manipplan.robots.arms import arm_of, carriers, check_tools, disabled_within_arms, known_tool, neutral_arm, supports
+from manipplan.robots.arms import arm_of, carriers, check_tools, find_disabled_within_arms, known_tool, neutral_arm, supports
 from manipplan.robots.attached import AddedFrame, CarriedPart, Solid
-from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, checked_configuration
+from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, check_configuration
 from manipplan.robots.description import RobotSource
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
@@ -226,7 +226,7 @@ class Robot(Pictured):
             limits=base,
             neutral=parts.usual_posture(base, neutral),
             locked=held,
-            disabled_pairs=disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
+            disabled_pairs=find_disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
             unchecked=read.unchecked,
             states=states,
             source=RobotSource.of(read.source.lower(), read.file, given),
@@ -353,7 +353,7 @@ class Robot(Pictured):
 
         Raises InvalidInputError that names `argument`, the joint, its value, its limits, and by how much it misses them.
         """
-        return checked_configuration(self, argument, q, tolerance)
+        return check_configuration(self, argument, q, tolerance)
 
     def random_configuration(self, rng: np.random.Generator, *, size: int | None = None) -> Array:
         """Uniform configurations inside the limits, (n,) or (size, n); continuous joints in [-π, π].
@@ -483,7 +483,7 @@ class Robot(Pictured):
 
     def __getstate__(self) -> dict[str, Any]:
         # Pinocchio writes mimic joints that end the process when they are read
-        model, geometry, followers = subchain.uncoupled(self.model, self.geometry)
+        model, geometry, followers = subchain.uncouple(self.model, self.geometry)
         return state_without_memo(self) | {"model": model, "geometry": geometry, "followers": followers}
 
     def __setstate__(self, state: dict[str, Any]) -> None:

@@ -235,7 +235,7 @@ def reduce(
         held: values of locked joints [rad or m].
         mimics: joints of the model that become followers if they are not locked.
     """
-    model, geometry, followers = uncoupled(model, geometry)
+    model, geometry, followers = uncouple(model, geometry)
     known = set(model.names)
     held = dict(held)
     for name, mimic in followers.items():
@@ -309,7 +309,7 @@ def coupled(
     return together, geometry
 
 
-def uncoupled(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model, pin.GeometryModel, dict[str, Mimic]]:
+def uncouple(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model, pin.GeometryModel, dict[str, Mimic]]:
     """The arm with an independent joint for each follower, and the followers."""
     followers = followers_of(model)
     if not followers:

@@ -23,7 +23,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.sweep import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import Status
@@ -143,7 +143,7 @@ SOURCE = Path(__file__).with_name("restarts.c")
 
 @cache
 def _call() -> Callable[..., int]:
-    code = needed_code(SOURCE, "searches by restarts")
+    code = require_code(SOURCE, "searches by restarts")
     return code.functions()["restarts"]
 
 

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.support.checks import LARGEST, Array, number_array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.support.errors import InvalidInputError
 
 #: The compiled steps.
@@ -32,7 +32,7 @@ SOURCE = Path(__file__).with_name("sweep.c")
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
     """The functions of sweep.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return needed_code(SOURCE, "searches through layers").functions()
+    return require_code(SOURCE, "searches through layers").functions()
 
 
 def _grid(grid: "Grid") -> ctypes.Structure:

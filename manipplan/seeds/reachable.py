@@ -223,7 +223,7 @@ class Ball:
     radius: float
 
 
-def inscribed_ball(item: pin.GeometryObject, around: float = 0.0) -> Ball | None:
+def find_inscribed_ball(item: pin.GeometryObject, around: float = 0.0) -> Ball | None:
     """A large ball inside a convex body; None where none is known.
 
     Args:
@@ -440,7 +440,7 @@ def _balls(task: SeedTask) -> Iterator[_Centres]:
         largest: tuple[int, Ball] | None = None
         for body in range(model.bodies):
             if objects[body].parentJoint == joint and any((body, k) in known for k in still):
-                ball = inscribed_ball(objects[body], model.radii.get(body, 0.0))
+                ball = find_inscribed_ball(objects[body], model.radii.get(body, 0.0))
                 if ball is not None and (largest is None or ball.radius > largest[1].radius):
                     largest = body, ball
         if largest is None:

@@ -40,12 +40,12 @@ def _repr(value: Any) -> str:
     return text if len(text) <= LONGEST else text[: LONGEST - 4] + "...)"
 
 
-def rounded_up(value: float, digits: int) -> float:
+def round_up(value: float, digits: int) -> float:
     """`value` rounded up to a number of significant digits."""
     return float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal_from_float(value))
 
 
-def rounded_down(value: float, digits: int) -> float:
+def round_down(value: float, digits: int) -> float:
     """`value` rounded down to a number of significant digits."""
     return float(Context(prec=digits, rounding=ROUND_FLOOR).create_decimal_from_float(value))
 

@@ -99,14 +99,14 @@ def _fault(error: BaseException, kind: type | None) -> str:
     return str(error) if isinstance(error, TypeError | ValueError) and error.args else format_exception(error, kind)
 
 
-def stored_array(data: Any) -> Array:
+def read_array(data: Any) -> Array:
     """Numbers of a file, possibly with the strings "inf" and "nan", as a read-only array."""
     array = np.array(data, dtype=float)
     array.flags.writeable = False
     return array
 
 
-def packed_array(array: Array) -> dict[str, Any]:
+def pack_array(array: Array) -> dict[str, Any]:
     """Many numbers in little space: compressed, and with 32 bits each where that is exact."""
     import base64
     import zlib
@@ -117,8 +117,8 @@ def packed_array(array: Array) -> dict[str, Any]:
     return {"packed": text, "type": exact.dtype.str, "shape": list(array.shape)}
 
 
-def unpacked_array(data: Mapping[str, Any]) -> Array:
-    """The numbers of `packed_array`; raises ValueError for anything else, before more is unpacked than its shape holds."""
+def unpack_array(data: Mapping[str, Any]) -> Array:
+    """The numbers of `pack_array`; raises ValueError for anything else, before more is unpacked than its shape holds."""
     import base64
     import math
     import zlib
@@ -134,7 +134,7 @@ def unpacked_array(data: Mapping[str, Any]) -> Array:
         raise ValueError(f"packed numbers that cannot be unpacked ({error})") from error
     if len(raw) != size or not unpacking.eof:
         raise ValueError(f"packed numbers that do not fill the shape {shape!r}")
-    return stored_array(np.frombuffer(raw, kind).reshape(shape))
+    return read_array(np.frombuffer(raw, kind).reshape(shape))
 
 
 @cache
@@ -142,7 +142,7 @@ def _converter() -> "Converter":
     from cattrs import Converter
 
     converter = Converter(forbid_extra_keys=True)
-    converter.register_structure_hook_func(_is_array, lambda data, _: stored_array(data))
+    converter.register_structure_hook_func(_is_array, lambda data, _: read_array(data))
     converter.register_structure_hook_func(_is_enum, _member)
     for kind in (str, bool, int):
         converter.register_structure_hook(kind, _check)

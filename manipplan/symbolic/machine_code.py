@@ -31,12 +31,12 @@ def native_flags(source: str) -> tuple[str, ...]:
 
 def compiled(function: ca.Function, subject: str) -> ca.Function:
     """The same function as machine code; raises CompilerError as `load_library`."""
-    return compiled_together([function], subject)[0]
+    return compile_together([function], subject)[0]
 
 
-def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
+def compile_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
     """Several functions as one library of machine code; raises as `compiled`."""
-    source = generated_source(functions)
+    source = generate_source(functions)
 
     def load(file: Path) -> tuple[ca.Function, ...]:
         return tuple(ca.external(function.name(), str(file)) for function in functions)
@@ -44,7 +44,7 @@ def compiled_together(functions: Sequence[ca.Function], subject: str) -> tuple[c
     return load_library(source, load, flags=(*native_flags(source), "-lm"), subject=subject)
 
 
-def generated_source(functions: Sequence[ca.Function]) -> str:
+def generate_source(functions: Sequence[ca.Function]) -> str:
     """C source of CasADi Functions. All names must be identifiers: CasADi writes those of arguments unchanged."""
     generator = ca.CodeGenerator(functions[0].name(), {"casadi_real": "double"})
     for function in functions:
@@ -70,7 +70,7 @@ def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: st
     soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
     if compiled is True or (soon and wants_machine_code(compiled)):
         try:
-            return compiled_together(functions, subject)
+            return compile_together(functions, subject)
         except CompilerError as error:
             do_without(error, compiled)
     return tuple(functions)

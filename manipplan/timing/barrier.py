@@ -15,7 +15,7 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, SquaredSpeed
 
 #: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.
@@ -121,7 +121,7 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]]:
-    return needed_code(SOURCE, "timing with jerk limits").functions()
+    return require_code(SOURCE, "timing with jerk limits").functions()
 
 
 class Centring:

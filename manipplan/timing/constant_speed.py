@@ -18,7 +18,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.arms import lengths_to
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, number
-from manipplan.support.display import one_line, rounded_down
+from manipplan.support.display import one_line, round_down
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.retime import retime
 from manipplan.timing.stops import Segment, ToolSpeed
@@ -269,7 +269,7 @@ def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Tra
 
 def _fastest(keep: Callable[[float], object | None], guess: float, most: float) -> float | None:
     """The fastest constant speed, in three digits, found by bisection up to `most`; None for none."""
-    low, high, speed = 0.0, most, rounded_down(0.999 * guess, 3)
+    low, high, speed = 0.0, most, round_down(0.999 * guess, 3)
     for _ in range(TRIES):
         try:
             kept = keep(speed) is not None
@@ -278,7 +278,7 @@ def _fastest(keep: Callable[[float], object | None], guess: float, most: float) 
         low, high = (speed, high) if kept else (low, speed)
         if high <= CLOSE * low:
             break
-        speed = rounded_down(np.sqrt(low * high) if low else LESS * high, 3)
+        speed = round_down(np.sqrt(low * high) if low else LESS * high, 3)
         if speed <= low:
             break
     return low or None

@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.deadline import building
-from manipplan.support.display import rounded_down
+from manipplan.support.display import round_down
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.dynamics import PathDynamics
 
@@ -107,7 +107,7 @@ def _check_end(
     joint = int(np.argmax(ratio))
     by_joint = most * ratio[joint] / demands.curve.length > 1 - 1e-6
     whose = f"the velocity limit of {names[joint]}" if by_joint else "the tool speed limit of a segment"
-    allowed = f"0 to {rounded_down(most, 6):.6g}: {whose} allows no higher speed {_place(demands, k, given)}"
+    allowed = f"0 to {round_down(most, 6):.6g}: {whose} allows no higher speed {_place(demands, k, given)}"
     raise InvalidInputError(name, speed, allowed)
 
 
@@ -143,4 +143,4 @@ def _most(demands: PathDynamics, given: float, ends: Callable[[float], tuple[flo
     for _ in range(16):
         middle = (low + high) / 2
         low, high = (middle, high) if works(middle) else (low, middle)
-    return rounded_down(low, 4)
+    return round_down(low, 4)

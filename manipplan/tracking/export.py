@@ -18,7 +18,7 @@ from manipplan.support.compiling.compiler import load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.untrusted import identifier
-from manipplan.symbolic.machine_code import generated_source, native_flags
+from manipplan.symbolic.machine_code import generate_source, native_flags
 from manipplan.tracking.step import REPORT, STEP_NAME
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class Sources:
     @classmethod
     def of(cls, function: ca.Function, robot: str, dt: float) -> "Sources":
         """The sources of a step's Function."""
-        step = _going_on(generated_source([function]))
+        step = _going_on(generate_source([function]))
         here = files("manipplan.tracking")
         numbers = {
             "ROBOT": identifier(robot),

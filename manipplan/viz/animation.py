@@ -20,7 +20,7 @@ from manipplan.support.progress import Progress, as_callback
 from manipplan.viz import style
 from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
 from manipplan.viz.figure import finished
-from manipplan.viz.motions import beside, drawn_tools, named_paths, skeleton, tool_ways
+from manipplan.viz.motions import beside, drawn_tools, name_paths, skeleton, tool_ways
 from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 if TYPE_CHECKING:
@@ -183,7 +183,7 @@ def animate(
 def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
     """Draw the static parts; returns the function that shows the plan at a time [s]."""
     robot, trajectory, ours = plan.robot, plan.trajectory, plan.path
-    paths = named_paths(plan)
+    paths = name_paths(plan)
     m = 2 if robot.planar else 3
     figure.set_layout_engine("constrained")
     grid = figure.add_gridspec(1, 2, width_ratios=(1.25, 1))

@@ -17,7 +17,7 @@ from manipplan.support.status import RECORDED
 from manipplan.viz import style
 from manipplan.viz.arm import plot_arm, plot_planar_arm
 from manipplan.viz.curves import POINTS, plot_joints, plot_manipulability
-from manipplan.viz.motions import MovedPart, bare, moved_parts, named_paths
+from manipplan.viz.motions import MovedPart, bare, find_moved_parts, name_paths
 from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def plan_figure(plan: "Plan", figure: Any = None) -> Any:
     PlanningError for a plan without a trajectory.
     """
     finished(plan)
-    paths = named_paths(plan)
+    paths = name_paths(plan)
     seed, names = plan.result.seed if len(paths) > 1 else None, (next(iter(paths)), list(paths)[-1])
     title = f"{plan.robot.name}: {plan.trajectory.duration:.2f} s"
     if plan.report.counts:
@@ -127,7 +127,7 @@ def program_figure(program: "Program", figure: Any = None) -> Any:
         plot(robot, program.trajectory, program.scene, places=POSTURES, ax=space)
         if not robot.planar:
             _write_blends(space, program)
-            for part in moved_parts(program):
+            for part in find_moved_parts(program):
                 _draw_part(space, program, part)
         _plot_measure(program, top)
         draw_marks(program, top, names=True)

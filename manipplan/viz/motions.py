@@ -42,7 +42,7 @@ def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
     return motion
 
 
-def named_paths(plan: "Plan") -> dict[str, JointPath]:
+def name_paths(plan: "Plan") -> dict[str, JointPath]:
     """A plan's path and its initial path, under the names that fit the plan's job; one entry if they are the same."""
     if plan.refinement is not None:
         ours, first = "refined", "best of the samples"
@@ -147,7 +147,7 @@ class MovedPart:
         return next(each for each in self.solids if each is not None)
 
 
-def moved_parts(program: "Program") -> tuple[MovedPart, ...]:
+def find_moved_parts(program: "Program") -> tuple[MovedPart, ...]:
     """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)

@@ -13,7 +13,7 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
-from manipplan.collision.surfaces.shells import merged_corners
+from manipplan.collision.surfaces.shells import merge_corners
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -184,10 +184,10 @@ def _hull(points: Array) -> Surface:
 def _mesh(mesh: coal.BVHModelBase) -> Surface:
     """The triangles of a mesh, and the edges where it bends or ends; corners in one cell of a grid are one if it has many."""
     triangles = mesh_triangles(mesh)
-    corners, faces = merged_corners(triangles)
+    corners, faces = merge_corners(triangles)
     cell = np.ptp(corners, axis=0).max() / 200
     while len(faces) > TRIANGLES:
-        corners, faces = merged_corners((np.rint(corners / cell) * cell)[faces])
+        corners, faces = merge_corners((np.rint(corners / cell) * cell)[faces])
         faces = faces[np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1]]
         cell *= 1.3
     normals = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])

@@ -16,7 +16,7 @@ from manipplan.cost import integral as integrals
 from manipplan.cost import integral as panels
 from manipplan.cost.integral import PathIntegral
 from manipplan.paths import joint as curves
-from manipplan.paths.basis import named_basis
+from manipplan.paths.basis import find_basis
 from manipplan.paths.joint import MOST_DEGREE, Curve, JointPath, bernstein
 from manipplan.support.compiling.native import llvm_code
 
@@ -27,7 +27,7 @@ def by_llvm(module, source):
 
 
 def some_path(rng, pieces, degree, n):
-    basis = named_basis("bspline" if pieces > 1 else "legendre", degree, pieces)
+    basis = find_basis("bspline" if pieces > 1 else "legendre", degree, pieces)
     start, goal = rng.uniform(-2.5, 2.5, (2, n))
     return basis.path(start, goal, rng.uniform(-2, 2, (n, basis.size)))
 

@@ -7,7 +7,7 @@ from numpy.polynomial import Chebyshev, Legendre, Polynomial
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.program import PathProgram
-from manipplan.paths.basis import BASES, SPLINES, named_basis
+from manipplan.paths.basis import BASES, SPLINES, find_basis
 
 START, GOAL = (0.0, 1.5, -2.0), (np.pi, -2.0, 2.0)  # (6.13) in kth2012
 ONE_PIECE = ("legendre", "bernstein", "chebyshev", "monomial")
@@ -22,7 +22,7 @@ CASES = [(name, degree, 1) for name in ONE_PIECE for degree in (2, 6, 9)] + [
 
 @pytest.mark.parametrize(("name", "degree", "pieces"), CASES)
 def test_functions_vanish_at_the_ends_and_have_these_derivatives(name, degree, pieces):
-    basis = named_basis(name, degree, pieces)
+    basis = find_basis(name, degree, pieces)
     assert np.abs(basis.values(np.array([0.0, 1.0]))).max() < 1e-14
     s = np.linspace(0.0, 1.0, 1001)[1:-1]
     s = s[np.abs(s[:, None] - basis.breaks).min(axis=1) > 1e-4]
@@ -34,7 +34,7 @@ def test_functions_vanish_at_the_ends_and_have_these_derivatives(name, degree, p
 
 @pytest.mark.parametrize(("name", "degree", "pieces"), CASES)
 def test_paths_are_the_line_and_the_sum(name, degree, pieces, rng):
-    basis = named_basis(name, degree, pieces)
+    basis = find_basis(name, degree, pieces)
     start, goal, x = rng.normal(size=3), rng.normal(size=3), rng.normal(size=(3, basis.size))
     path, s = basis.path(start, goal, x), np.linspace(0.0, 1.0, 101)
     expected = start + s[:, None] * (goal - start) + basis.values(s) @ x.T
@@ -51,7 +51,7 @@ def test_paths_are_the_line_and_the_sum(name, degree, pieces, rng):
 @pytest.mark.parametrize(("name", "degree", "pieces"), CASES)
 def test_gauss_points_integrate_products_of_slopes(name, degree, pieces):
     """The rule of a solve is exact for them, also across the breaks; compared with a fine sum inside the pieces."""
-    basis = named_basis(name, degree, pieces)
+    basis = find_basis(name, degree, pieces)
     s, weights = basis.gauss(degree)
     slopes = basis.values(s, 1)
     fine = (np.arange(200_000) + 0.5) / 200_000
@@ -64,7 +64,7 @@ def test_gauss_points_integrate_products_of_slopes(name, degree, pieces):
 )
 def test_pieces_join_smoothly_and_no_more(name, degree, rng):
     """One-sided derivatives from the control points of the two pieces that meet."""
-    basis = named_basis(name, degree, 4)
+    basis = find_basis(name, degree, 4)
     path = basis.path(np.zeros(2), np.ones(2), rng.normal(size=(2, basis.size)))
     continuous = degree - 1 if name == "bspline" else 1
     before, after = path.control[:-1], path.control[1:]
@@ -81,8 +81,8 @@ def test_pieces_join_smoothly_and_no_more(name, degree, rng):
 def test_each_holds_the_polynomials_of_its_degree(name, degree, pieces, rng):
     poly = Polynomial(rng.normal(size=degree + 1))
     s = np.linspace(0.0, 1.0, 161)
-    basis = named_basis(name, degree, pieces)
-    control = named_basis("monomial", degree).path(np.array([poly(0.0)]), np.array([poly(1.0)]), poly.coef[None, 2:])
+    basis = find_basis(name, degree, pieces)
+    control = find_basis("monomial", degree).path(np.array([poly(0.0)]), np.array([poly(1.0)]), poly.coef[None, 2:])
     again = basis.path(control.start, control.goal, basis.fit(control, s))
     np.testing.assert_allclose(again(s)[:, 0], poly(s), atol=1e-12)
     np.testing.assert_allclose(again(s, 2)[:, 0], poly.deriv(2)(s), atol=1e-9)
@@ -117,7 +117,7 @@ def test_the_coefficients_of_table_6_3(planar):
         [-2.00, 0.61, 1.05, 0.89, 0.55, 0.44, 0.44],
     ]
     start, goal = np.array(START), np.sum(table, axis=1)
-    printed = named_basis("monomial", 6).path(start, goal, np.array(table)[:, 2:])
+    printed = find_basis("monomial", 6).path(start, goal, np.array(table)[:, 2:])
     np.testing.assert_allclose(printed.coefficients(), table, atol=1e-12)
     result = mp.optimize_path(
         planar, start, goal, shape=mp.PathShape(degree=6, basis="monomial"), objective=mp.PathObjective(power=2)
@@ -268,7 +268,7 @@ def test_a_spline_follows_many_corners(slalom, name, degree, pieces):
 @pytest.mark.parametrize("name", BASES)
 def test_no_small_change_lowers_the_energy(planar, name, rng):
     pieces = 5 if name in SPLINES else 1
-    program = PathProgram(PathIntegral(kinematics=planar.kinematics(), power=2.0), named_basis(name, 4, pieces))
+    program = PathProgram(PathIntegral(kinematics=planar.kinematics(), power=2.0), find_basis(name, 4, pieces))
     start, goal, size = np.array(START), np.array(GOAL), program.basis.size
 
     def energy(path):

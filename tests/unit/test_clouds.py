@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 import manipplan as mp
 from manipplan.collision.formats.cloud_files import _lzf
 from manipplan.jobs.archive import scene_data, scene_of
-from manipplan.support.json_data import json_ready, packed_array, unpacked_array
+from manipplan.support.json_data import json_ready, pack_array, unpack_array
 
 RNG = np.random.default_rng(3)
 CLOUDS = {
@@ -311,9 +311,9 @@ def test_plans_store_points_in_little_space(tmp_path, kind):
 
 
 def test_packed_numbers_that_are_refused():
-    good = packed_array(np.arange(6.0).reshape(2, 3))
-    np.testing.assert_array_equal(unpacked_array(good), np.arange(6.0).reshape(2, 3))
-    bomb = packed_array(np.zeros((1000, 1000)))
+    good = pack_array(np.arange(6.0).reshape(2, 3))
+    np.testing.assert_array_equal(unpack_array(good), np.arange(6.0).reshape(2, 3))
+    bomb = pack_array(np.zeros((1000, 1000)))
     wrong = [
         {**good, "shape": [2, 4]},
         {**good, "shape": [1, 3]},
@@ -325,7 +325,7 @@ def test_packed_numbers_that_are_refused():
     ]
     for data in wrong:
         with pytest.raises((ValueError, zlib.error), match="packed|base64|alphabet|padding"):
-            unpacked_array(data)
+            unpack_array(data)
 
 
 def test_pictures_hold_few_of_many_points(tmp_path):

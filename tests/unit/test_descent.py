@@ -20,7 +20,7 @@ from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.rows import ClearanceSearch
 from manipplan.optimize.steps import BatchDensity
-from manipplan.paths.basis import named_basis
+from manipplan.paths.basis import find_basis
 from manipplan.paths.rounding import with_bits
 
 POST = mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3), name="post")
@@ -32,7 +32,7 @@ CLEARANCE = 0.01
 def around_a_post(panda):
     """The example of docs/start.md, with everything that goes into its last descent."""
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
-    program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
+    program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), find_basis("legendre", 6))
     clearance_search = ClearanceSearch(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
     true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, clearance_search)

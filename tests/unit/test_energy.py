@@ -12,7 +12,7 @@ from manipplan.optimize import clearance as near
 from manipplan.optimize import program as programs
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.rows import FixedRows
-from manipplan.paths.basis import named_basis
+from manipplan.paths.basis import find_basis
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
@@ -25,7 +25,7 @@ NONE = np.zeros((7, 5))
 
 @pytest.fixture(scope="module")
 def program(panda):
-    return PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), named_basis("legendre", 6))
+    return PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), find_basis("legendre", 6))
 
 
 @pytest.fixture(scope="module")

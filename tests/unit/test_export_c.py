@@ -218,11 +218,11 @@ def test_a_folder_that_cannot_be_written_raises(arm, tmp_path):
 
 def test_generated_code_of_the_solver_is_changed_only_where_it_is_known(arm):
     controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False)
-    step = export.generated_source([controller.symbolic])
+    step = export.generate_source([controller.symbolic])
     changed = controller.sources().step
     assert changed.count("d_qp.x[0] = 0.0 / 0.0") == 1 and "0.0 / 0.0" not in step
     for other in (step.replace("casadi_daqp_solve(d, arg", "casadi_daqp_solve(d,  arg"), step.replace("return -1", "return 1")):
         with pytest.raises(mp.ManipplanError, match=r"CasADi .* other code for DAQP"):
             export._going_on(other)
     closed_form = Controller(arm, mp.formulations.Classical(), dt=DT, compiled=False)
-    assert closed_form.sources().step == export.generated_source([closed_form.symbolic])
+    assert closed_form.sources().step == export.generate_source([closed_form.symbolic])

@@ -16,7 +16,7 @@ from broken_files import count_refused
 
 import manipplan as mp
 from manipplan.collision.surfaces.meshes import mesh_parts
-from manipplan.collision.surfaces.shells import merged_corners, shells, winding_number
+from manipplan.collision.surfaces.shells import merge_corners, shells, winding_number
 from manipplan.robots.meshes.collada import read_collada
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.meshes.polygons import split_polygons
@@ -231,7 +231,7 @@ def test_options_that_are_refused(options, message):
 
 def test_up_and_scale():
     mesh = mp.Mesh(triangles=SQUARE * [1000, 2000, 1], scale=0.001, up="y")
-    corners = merged_corners(np.array(mesh.shapes()[0].vertices()).reshape(-1, 1, 3).repeat(3, axis=1))[0]
+    corners = merge_corners(np.array(mesh.shapes()[0].vertices()).reshape(-1, 1, 3).repeat(3, axis=1))[0]
     assert {tuple(corner) for corner in corners.round(9).tolist()} == {(0, 0, 0), (1, 0, 0), (1, 0, 2), (0, 0, 2)}
 
 
@@ -457,8 +457,8 @@ def test_corners_that_nearly_coincide_are_one(rng, jitter):
         triangles = RING @ turn.T + place + rng.uniform(-jitter, jitter, RING.shape)
         [shell] = shells(triangles)
         assert shell.closed
-        corners, faces = merged_corners(triangles)
-        assert len(corners) == len(merged_corners(RING)[0]) and len(faces) == len(RING)
+        corners, faces = merge_corners(triangles)
+        assert len(corners) == len(merge_corners(RING)[0]) and len(faces) == len(RING)
 
 
 def test_geometries_of_dae_without_a_name(tmp_path):
@@ -587,7 +587,7 @@ def test_many_parts_are_quick():
 
 
 def test_a_tree_is_of_all_triangles():
-    tree = triangle_tree(*merged_corners(RING))
+    tree = triangle_tree(*merge_corners(RING))
     assert tree.num_tris == len(RING) and math.isfinite(tree.aabb_radius) and len(mesh_parts("m", RING)) == 1
 
 

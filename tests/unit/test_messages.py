@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.support.display import rounded_down, rounded_up
+from manipplan.support.display import round_down, round_up
 
 QUARTER = "1.57079632679"
 numbers = st.one_of(
@@ -29,7 +29,7 @@ def test_numbers_in_messages_are_plain(value):
 
 @given(st.floats(1e-12, 1e12), st.integers(1, 12))
 def test_bounds_are_rounded_to_the_safe_side(value, digits):
-    low, high = rounded_down(value, digits), rounded_up(value, digits)
+    low, high = round_down(value, digits), round_up(value, digits)
     assert low <= value <= high and high - low < 1.1 * 10.0 ** (1 - digits) * value
     assert float(f"{low:.{digits}g}") == low and float(f"{high:.{digits}g}") == high
 

@@ -10,8 +10,8 @@ import time
 import pytest
 
 from manipplan.support.compiling import compiler, native
-from manipplan.support.compiling.compiler import logged_when_slow
-from manipplan.support.compiling.native import NativeCode, compile_ahead, native_code, needed_code
+from manipplan.support.compiling.compiler import log_when_slow
+from manipplan.support.compiling.native import NativeCode, compile_ahead, native_code, require_code
 from manipplan.support.errors import CompilerError
 
 
@@ -33,10 +33,10 @@ def slow_builds(monkeypatch):
 def test_a_long_build_is_told_about_once(monkeypatch, caplog):
     monkeypatch.setattr(compiler, "PATIENCE", 0.02)
     with caplog.at_level(logging.INFO, logger=compiler.log.name):
-        with logged_when_slow("compiling inverse kinematics"):
+        with log_when_slow("compiling inverse kinematics"):
             time.sleep(0.1)
         monkeypatch.setattr(compiler, "PATIENCE", 10.0)
-        with logged_when_slow("something short"):
+        with log_when_slow("something short"):
             pass
     assert [record.getMessage() for record in caplog.records] == ["... compiling inverse kinematics"]
 
@@ -81,7 +81,7 @@ def test_jobs_name_sources_that_there_are():
 def test_code_that_cannot_be_replaced_is_needed(monkeypatch):
     monkeypatch.setattr(native, "native_code", lambda source, subject: None)
     with pytest.raises(CompilerError, match=r"inverse kinematics.*neither a C compiler nor LLVM can compile inverse\.c"):
-        needed_code(native.PACKAGE / "ik" / "inverse.c", "inverse kinematics")
+        require_code(native.PACKAGE / "ik" / "inverse.c", "inverse kinematics")
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.robots.model_tree import frame_pose
-from manipplan.viz.motions import moved_parts
+from manipplan.viz.motions import find_moved_parts
 
 LEFT, RIGHT = "left_gripper", "right_gripper"
 OFF = np.eye(4)
@@ -49,7 +49,7 @@ def test_the_hand_that_is_named_takes_up_a_part(baxter, tmp_path):
     grip = np.linalg.inv(frame_pose(baxter.model, RIGHT, first)) @ scene.obstacles[0].pose.homogeneous
     np.testing.assert_allclose(placed_ball(made), frame_pose(baxter.model, RIGHT, second) @ grip, atol=1e-8)
     assert made.final_robot is baxter
-    (part,) = moved_parts(made)
+    (part,) = find_moved_parts(made)
     t = made.marks[2].begin + 0.5 * (made.marks[3].begin - made.marks[2].begin)
     q = made.trajectory(t)
     shown = part.at(t, baxter, q).pose.homogeneous

@@ -8,7 +8,7 @@ from program_cell import part_pose, placed_part
 import manipplan as mp
 from manipplan.cli import main
 from manipplan.viz.figure import program_figure
-from manipplan.viz.motions import moved_parts
+from manipplan.viz.motions import find_moved_parts
 from manipplan.viz.viewer import plan_viewer
 
 
@@ -43,7 +43,7 @@ def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
     ball = mp.Sphere(radius=0.02, position=(0, 0, 0.04), name="ball")
     steps = [mp.MoveTo(hand.neutral + 0.1), mp.Attach(ball), mp.MoveTo("default"), mp.Detach("ball")]
     made = mp.sequence(hand, "default", steps)
-    (part,) = moved_parts(made)
+    (part,) = find_moved_parts(made)
     assert part.at(0.0, hand, hand.neutral) is None
     assert part.is_held((made.marks[1].begin + made.duration) / 2) and not part.is_held(made.duration)
     with made.show(port=0, open_browser=False) as page:

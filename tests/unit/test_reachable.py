@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull
 import manipplan as mp
 from manipplan.robots.hulls import convex_hull
 from manipplan.seeds import connect, reachable
-from manipplan.seeds.reachable import Space, find_barrier, inscribed_ball, why_unreachable
+from manipplan.seeds.reachable import Space, find_barrier, find_inscribed_ball, why_unreachable
 from manipplan.seeds.task import SeedTask
 from manipplan.support.deadline import work_time
 
@@ -416,7 +416,7 @@ def test_inscribed_balls_are_inside_and_large(rng):
     for _ in range(20):
         points = rng.normal(size=(30, 3)) * rng.uniform(0.02, 0.2, 3) + rng.normal(size=3)
         place = pin.SE3.Random()
-        ball = inscribed_ball(pin.GeometryObject("hull", 0, 0, place, convex_hull(points).shape()))
+        ball = find_inscribed_ball(pin.GeometryObject("hull", 0, 0, place, convex_hull(points).shape()))
         faces = ConvexHull(points).equations
         inside = -(faces[:, :3] @ place.actInv(ball.centre) + faces[:, 3])
         assert 0 < ball.radius <= inside.min()
@@ -429,6 +429,6 @@ def test_inscribed_balls_are_inside_and_large(rng):
         (coal.Cylinder(0.3, 0.4), 0.2),
         (coal.Box(0.2, 0.4, 0.6), 0.1),
     ):
-        ball = inscribed_ball(pin.GeometryObject("part", 0, 0, pin.SE3.Identity(), shape), 0.01)
+        ball = find_inscribed_ball(pin.GeometryObject("part", 0, 0, pin.SE3.Identity(), shape), 0.01)
         assert ball.radius == pytest.approx(radius + 0.01, abs=1e-5) and not ball.centre.any()
-    assert inscribed_ball(pin.GeometryObject("plane", 0, 0, pin.SE3.Identity(), coal.Halfspace(np.eye(3)[2], 0.0))) is None
+    assert find_inscribed_ball(pin.GeometryObject("plane", 0, 0, pin.SE3.Identity(), coal.Halfspace(np.eye(3)[2], 0.0))) is None

@@ -13,7 +13,7 @@ from manipplan.cost.crossings import describe, find_crossings, least_crossings, 
 from manipplan.cost.density import SAMPLES, SHARE, typical_measure
 from manipplan.kinematics.factors import determinant_factors, sides_of
 from manipplan.optimize.program import PathProgram
-from manipplan.paths.basis import named_basis
+from manipplan.paths.basis import find_basis
 
 UPRIGHT = [0.0, -np.pi / 2, 0.0, -np.pi / 2, 0.0, 0.0]
 
@@ -394,7 +394,7 @@ def test_a_path_along_the_singular_set_is_told(two_links):
 def test_moving_panels_give_exact_derivatives(two_links, floor, rng):
     """The value's panels follow each path; gradient and Hessian are those of the integral all the same."""
     integral = replace(mp.PathObjective(task=mp.Task.planar()).integral(two_links), floor=floor)
-    program = PathProgram(integral, named_basis("legendre", 6))
+    program = PathProgram(integral, find_basis("legendre", 6))
     start, goal = np.array([0.0, -0.9]), np.array([1.0, 1.1])
     true, z = program.descent_program(start, goal, np.zeros((2, program.basis.size)), None, moving=True)
     for _ in range(3):

@@ -25,7 +25,7 @@ from manipplan.support.compiling.compiler import find_compiler, load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
 from manipplan.symbolic import machine_code
-from manipplan.symbolic.machine_code import generated_source
+from manipplan.symbolic.machine_code import generate_source
 from manipplan.tracking import export
 
 #: A C function that creates the file @MARK@ as soon as a library that holds it is loaded.
@@ -207,7 +207,7 @@ def test_a_function_whose_names_are_no_identifiers_is_refused():
     x = ca.SX.sym("x")
     for inputs, outputs in ((['"; int y; "'], ["y"]), (["x"], ["a*/b"]), (["int"], ["y"])):
         with pytest.raises(ManipplanError, match="not an identifier"):
-            generated_source([ca.Function("f", [x], [x], inputs, outputs)])
+            generate_source([ca.Function("f", [x], [x], inputs, outputs)])
 
 
 # ---- the whitelist itself

@@ -14,7 +14,7 @@ import numpy as np
 
 from manipplan.collision.covers.fitting import subdivide
 from manipplan.collision.surfaces.shells import winding_number
-from manipplan.robots.hulls import Hull, convex_hull, find_hull, outer_hull, sorted_rows
+from manipplan.robots.hulls import Hull, convex_hull, find_hull, outer_hull, sort_rows
 from manipplan.support.checks import Array
 
 #: A piece that sticks out of the mesh by no more than this is not cut again [m].
@@ -111,7 +111,7 @@ class _CutPart:
     def __init__(self, mesh: "_WholeMesh", triangles: Array, inner: Array, cuts: tuple[Plane, ...]) -> None:
         self.triangles, self.cuts = triangles, cuts
         points = np.concatenate([triangles.reshape(-1, 3), inner])
-        points = points[sorted_rows(points)]
+        points = points[sort_rows(points)]
         hull = find_hull(points)
         if hull is None:
             box = np.array(np.meshgrid(*[[-THICKNESS / 2, THICKNESS / 2]] * 3)).reshape(3, -1).T

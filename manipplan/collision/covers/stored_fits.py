@@ -21,7 +21,7 @@ from manipplan.collision.world import Primitive, mesh_key, mesh_triangles, outsi
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
-from manipplan.support.compiling.compiler import logged_when_slow
+from manipplan.support.compiling.compiler import log_when_slow
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
@@ -93,7 +93,7 @@ def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIEC
     """
 
     def cut() -> bytes:
-        with logged_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
+        with log_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
             found = pieces.convex_pieces(mesh_triangles(mesh), most)
         return _pack((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
 

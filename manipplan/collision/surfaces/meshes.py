@@ -8,7 +8,7 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.surfaces.shells import Shell, connected_parts, merged_corners, shells
+from manipplan.collision.surfaces.shells import Shell, find_components, merge_corners, shells
 from manipplan.robots.hulls import FARTHEST, Hull, find_hull
 from manipplan.robots.meshes.files import read_mesh, triangle_tree
 from manipplan.support.checks import Array
@@ -93,7 +93,7 @@ def mesh_parts(argument: str, triangles: Array) -> list[MeshPart]:
 def hull_parts(argument: str, triangles: Array) -> list[MeshPart]:
     """Convex hulls of the connected parts of triangles (t, 3, 3) [m]; raises InvalidInputError when one has no volume."""
     hulls = []
-    for part in connected_parts(triangles):
+    for part in find_components(triangles):
         corners = np.unique(part.reshape(-1, 3), axis=0)
         hull = find_hull(corners)
         if hull is None:
@@ -111,7 +111,7 @@ def _part(shell: Shell) -> MeshPart:
     hull = _solid(shell)
     if hull is not None:
         return MeshPart.of_hull(hull)
-    corners, faces = merged_corners(shell.triangles)
+    corners, faces = merge_corners(shell.triangles)
     return MeshPart(corners=corners, faces=faces, closed=shell.closed, convex=False)
 
 
@@ -119,7 +119,7 @@ def _solid(shell: Shell) -> Hull | None:
     """The hull of a closed part that is convex, where coal takes it; otherwise None."""
     if not shell.closed:
         return None
-    corners, _ = merged_corners(shell.triangles)
+    corners, _ = merge_corners(shell.triangles)
     outer = None if _is_clearly_concave(shell.triangles, corners) else find_hull(corners)
     if outer is None or not outer.fits_coal:
         return None

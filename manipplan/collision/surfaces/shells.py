@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from manipplan.robots.meshes.files import first_of_rows
 from manipplan.support.checks import Array
-from manipplan.support.compiling.native import needed_code
+from manipplan.support.compiling.native import require_code
 
 #: Corners nearer to each other than this, along each axis, are one [m].
 MERGED = 1e-9
@@ -51,9 +51,9 @@ class _ConnectedPart:
         return bool(abs(self.volume) > HOLLOW * area * np.ptp(self.triangles.reshape(-1, 3), axis=0).max())
 
 
-def connected_parts(triangles: Array) -> list[Array]:
+def find_components(triangles: Array) -> list[Array]:
     """Triangles (t, 3, 3) in groups that share corners; those without an area are left out."""
-    corners, faces = merged_corners(triangles)
+    corners, faces = merge_corners(triangles)
     parts = [corners[faces[part]] for part in _find_components(faces, len(corners))]
     return [part[_has_area(part)] for part in parts if _has_area(part).any()]
 
@@ -63,7 +63,7 @@ def shells(triangles: Array) -> list[Shell]:
 
     A closed part that is inside out is turned, unless it is a cavity: inside another closed part and opposite to it.
     """
-    corners, faces = merged_corners(triangles)
+    corners, faces = merge_corners(triangles)
     faces = _once(faces)
     groups = _edge_connected(faces)
     parts = [_part(corners, faces[group]) for group in groups if len(group) >= LEAST]
@@ -86,7 +86,7 @@ def shells(triangles: Array) -> list[Shell]:
     return found
 
 
-def merged_corners(triangles: Array) -> tuple[Array, Faces]:
+def merge_corners(triangles: Array) -> tuple[Array, Faces]:
     """Corners (v, 3) without doubles, and the faces (f, 3) that have three different ones."""
     points = triangles.reshape(-1, 3)
     first, index = first_of_rows(points)
@@ -120,7 +120,7 @@ def winding_number(triangles: Array, points: Array) -> Array:
 
 @cache
 def _winding() -> Callable[..., Any]:
-    code = needed_code(Path(__file__).with_name("winding.c"), "insides of meshes")
+    code = require_code(Path(__file__).with_name("winding.c"), "insides of meshes")
     return code.functions()["winding"]
 
 

@@ -15,7 +15,7 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import PoseGoal
-from manipplan.goals.read import named_configuration
+from manipplan.goals.read import read_configuration
 from manipplan.goals.solutions import beyond_links
 from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import angles_between
@@ -165,12 +165,12 @@ class Request:
         if start is not None:
             if posture is not None:
                 raise InvalidInputError("posture", posture, "None with a start, where the joints that stand still are")
-            free = named_configuration("start", start, robot)
+            free = read_configuration("start", start, robot)
             still = begin = scene.collision_model(robot).free_configuration("start", free, clearance)
             taken = taken_to_limits(robot, "start", free)
             _check_start(robot, begin, path, held, own)
         elif posture is not None:
-            given = named_configuration("posture", posture, robot)
+            given = read_configuration("posture", posture, robot)
             still, taken = robot.configuration("posture", given), taken_to_limits(robot, "posture", given)
         return cls(
             robot=robot,

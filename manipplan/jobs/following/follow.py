@@ -13,7 +13,7 @@ from manipplan.cost.crossings import is_singular
 from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
-from manipplan.goals.read import named_configuration
+from manipplan.goals.read import read_configuration
 from manipplan.jobs.following.course import ToolPathPlanner
 from manipplan.jobs.following.motion import Failure, PartsJoiner, find_parts
 from manipplan.jobs.following.transit import TransitPlanner
@@ -201,7 +201,7 @@ def follow(
     epsilon = check_epsilon(epsilon, robot.continuous_joints)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
-    given = None if start is None else named_configuration("start", start, robot)
+    given = None if start is None else read_configuration("start", start, robot)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
     interruptions = whole_number("interruptions", interruptions, least=0)

@@ -14,7 +14,7 @@ from manipplan.constraints.constraint_set import ConstraintFigure, figures, prov
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.measure import measure_plan
-from manipplan.jobs.programs.blend import HULL, Blend, blend_of, is_corner, unblended, with_blends
+from manipplan.jobs.programs.blend import HULL, Blend, blend_of, find_unblended, is_corner, with_blends
 from manipplan.jobs.programs.courses import RawMotion, Stop
 from manipplan.jobs.programs.legs import Leg, State
 from manipplan.jobs.programs.program import Mark, Program
@@ -348,7 +348,7 @@ def _off_paths(
     """Which motions leave their paths of the tool, but for their blends: in order as planned, and over their time."""
     faults = []
     times = np.array(times_of(trajectory, path, [s for each in own for s in each])).reshape(-1, 2)
-    for motion, (low, high), (begin, end) in zip(group, unblended(blends), times, strict=True):
+    for motion, (low, high), (begin, end) in zip(group, find_unblended(blends), times, strict=True):
         if motion.workspace_path is None:
             continue
         assert motion.task is not None and motion.tolerance is not None

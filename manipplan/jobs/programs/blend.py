@@ -178,7 +178,7 @@ def _turn(before: JointPath, after: JointPath) -> float:
     return turn_cosine(before.control[-1], after.control[0])
 
 
-def unblended(blends: list[Blend | None]) -> list[tuple[float, float]]:
+def find_unblended(blends: list[Blend | None]) -> list[tuple[float, float]]:
     """The s between which each of the motions keeps its own path."""
     begins = [0.0, *(0.0 if each is None else each.joins for each in blends)]
     ends = [*(1.0 if each is None else each.leaves for each in blends), 1.0]
@@ -190,7 +190,7 @@ def with_blends(motions: list[RawMotion], blends: list[Blend | None]) -> tuple[J
     pieces: list[JointPath] = []
     kept: list[tuple[float, float]] = []  # in lengths from the start
     length = 0.0
-    for motion, own, blend in zip(motions, unblended(blends), [*blends, None], strict=True):
+    for motion, own, blend in zip(motions, find_unblended(blends), [*blends, None], strict=True):
         pieces.append(cut(motion.path, *own))
         kept.append((length, length + pieces[-1].length))
         length = kept[-1][1]

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
 from manipplan.jobs.archive import (
-    checked_json,
     checksum,
     plan_of,
+    read_checked_json,
     robot_data,
     robot_of,
     scene_data,
@@ -251,7 +251,7 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
     if is_folder(given):
         finish(given)
     path = existing_file("folder", given / NAME if is_folder(given) else given)
-    data = checked_json(path, FORMAT, VERSION)
+    data = read_checked_json(path, FORMAT, VERSION)
     home = path.resolve().parent
     if robot is not None:
         instance("robot", robot, Robot)
@@ -261,7 +261,7 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
         return robot_of(file, stored, home, None if robot is None else with_parts(robot, file, stored, home))
 
     def part_of(file: Path) -> Plan:
-        plan = checked_json(file)
+        plan = read_checked_json(file)
         made = plan_of(file, plan, robot=arm_of(file, plan["robot"]), scene=None, measure=measure)
         if not isinstance(made, Plan):
             raise FileFormatError("folder", str(file), "a part of a program, with a trajectory")

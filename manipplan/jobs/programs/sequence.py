@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import named_configuration
+from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
@@ -93,7 +93,7 @@ def sequence(
     flag("torque", torque)
     notify = as_callback(progress)
     check_timing_limits(robot.limits)
-    given = named_configuration("start", start, robot)
+    given = read_configuration("start", start, robot)
     q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
     legs = read_steps(steps, robot, q_start, blend=blend, turns=seeding.shifts == NEAREST)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)

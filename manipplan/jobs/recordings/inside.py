@@ -30,7 +30,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array
-from manipplan.support.display import rounded_up
+from manipplan.support.display import round_up
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 
@@ -161,7 +161,7 @@ def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | N
             return search.run(first)
         shortest = min(shortest, ratio)
     robot = tube.model.robot.name
-    least = f"{rounded_up(shortest * tube.duration, 4):g}"
+    least = f"{round_up(shortest * tube.duration, 4):g}"
     kept = f"the shortest found in which {robot} keeps its limits and the tolerance"
     if tube.duration == tube.recorded.duration:
         wanted = f"duration={least} or longer, {kept}"
@@ -231,7 +231,7 @@ class _PieceSearch:
             raise InvalidInputError(
                 f"tolerance.{name}",
                 float(self.tube.radii[kind]),
-                f"at least {rounded_up(least, 4):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) "
+                f"at least {round_up(least, 4):g} {unit}: so far is the recorded pose of row {row} ({recorded.t[row]:.4g} s) "
                 "from the smooth motion under the noise",
             )
         index = np.clip(np.searchsorted(u, self.program.u), 0, len(u))

@@ -16,7 +16,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
-from manipplan.robots.formats.xml_files import LARGEST, bounded_xml, numbers, read_xml
+from manipplan.robots.formats.xml_files import LARGEST, numbers, read_bounded_xml, read_xml
 from manipplan.support.errors import FileFormatError, MissingExtraError
 from manipplan.support.processes import commands
 from manipplan.support.untrusted import printable
@@ -122,7 +122,7 @@ def _check_size(file: Path, root: ET.Element) -> None:
             path = (file.parent / element.get("file", "")).absolute()
             if path not in included and path.is_file():  # MuJoCo includes a file once
                 included.add(path)
-                inner += [*bounded_xml("file", path)]
+                inner += [*read_bounded_xml("file", path)]
         name = element.get("name")
         if element.tag == "mesh" and element.get("builtin") and max(_numbers(element.get("params")), default=0) > RESOLUTION:
             raise _fault(file, f"meshes made with at most {RESOLUTION:g} steps; {name} has {element.get('params')}")

@@ -175,7 +175,7 @@ def _one_sided(where: str, joint: ET.Element) -> list[str]:
     return [f"{where}: {'upper' if given == ['lower'] else 'lower'}"] if len(given) == 1 else []
 
 
-def joined_links(root: ET.Element) -> set[tuple[str, str]]:
+def find_joined_links(root: ET.Element) -> set[tuple[str, str]]:
     """Parent and child link of each joint of a URDF, fixed joints included."""
     return {ends_of(joint) for joint in root.findall("joint")}
 

@@ -19,13 +19,13 @@ MOST_BYTES, MOST_ELEMENTS = 100_000_000, 500_000
 
 def read_xml(argument: str, file: Path, root_tag: str, text: str | None = None) -> ET.Element:
     """The root of an XML file in UTF-8, the encoding that Pinocchio assumes for every file; or of the text made from it."""
-    root = bounded_xml(argument, file, text)
+    root = read_bounded_xml(argument, file, text)
     if root.tag != root_tag:
         raise FileFormatError(argument, str(file), f"an XML file whose root is <{root_tag}>, not <{root.tag}>")
     return root
 
 
-def bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Element:
+def read_bounded_xml(argument: str, file: Path, text: str | None = None) -> ET.Element:
     """The root of any XML file in UTF-8, or of the text made from it, whose elements are not nested deeper than `DEEPEST`.
 
     As in ROS's and MuJoCo's parser, a prefix such as that of <gazebo:link> is a part of the name and may lack its xmlns, and

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.robots.formats.xml_files import DEEPEST, bounded_xml
+from manipplan.robots.formats.xml_files import DEEPEST, read_bounded_xml
 from manipplan.robots.meshes.files import numbers
-from manipplan.robots.meshes.polygons import moved_triangles, split_polygons
+from manipplan.robots.meshes.polygons import move_triangles, split_polygons
 from manipplan.support.checks import Array
 
 Indices = NDArray[np.int64]
@@ -29,7 +29,7 @@ def read_collada(argument: str, file: Path) -> tuple[Array, float, str]:
 
     Raises ValueError with the fault, or FileFormatError for XML that cannot be read.
     """
-    root = bounded_xml(argument, file)
+    root = read_bounded_xml(argument, file)
     for element in root.iter():
         element.tag = element.tag.rpartition(":")[2]
         if element.tag in NUMBERS and len(element):
@@ -79,7 +79,7 @@ class _Document:
         for child in node:
             if child.tag == "instance_geometry":
                 mesh = self._mesh(self._find_named(child.get("url"), "geometry"))
-                self.found.append(moved_triangles(mesh, place))
+                self.found.append(move_triangles(mesh, place))
             elif child.tag == "instance_node":
                 self._add(self._find_named(child.get("url"), "node"), place, depth + 1)
             elif child.tag == "node":

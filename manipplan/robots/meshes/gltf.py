@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.robots.meshes.files import check_count
-from manipplan.robots.meshes.polygons import moved_triangles
+from manipplan.robots.meshes.polygons import move_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
 from manipplan.support.json_data import parsed
@@ -35,7 +35,7 @@ def read_gltf(file: Path) -> Array:
     try:
         scene = trimesh.load_scene(file, process=False)
         found = [
-            moved_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
+            move_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
             for transform, mesh in _place_meshes(scene)
         ]
     except Exception as error:  # trimesh raises whatever happens to it on a broken file

@@ -32,7 +32,7 @@ def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[A
 
 
 @np.errstate(over="ignore", invalid="ignore")
-def moved_triangles(triangles: Array, transform: Array) -> Array:
+def move_triangles(triangles: Array, transform: Array) -> Array:
     """Triangles (t, 3, 3) moved by a transform (4, 4); one that mirrors them keeps their outward sides.
 
     Corners that become inf or NaN are refused with the mesh.

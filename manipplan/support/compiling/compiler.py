@@ -37,7 +37,7 @@ from manipplan.support.untrusted import terminal_text
 LEVEL = 3
 
 
-def compiled_by_llvm(text: str) -> Any:
+def compile_by_llvm(text: str) -> Any:
     """An execution engine with the functions of a module in LLVM's language, for the processor of this machine.
 
     Addresses are given by `get_function_address(name)`; the code lives as long as the engine. Raises RuntimeError when LLVM
@@ -69,7 +69,7 @@ PATIENCE = 1.0
 
 
 @contextmanager
-def logged_when_slow(work: str) -> Iterator[None]:
+def log_when_slow(work: str) -> Iterator[None]:
     """Log one line when the block takes longer than `PATIENCE`; `work` says what it does."""
     timer = threading.Timer(PATIENCE, log.info, args=("... %s", work))
     timer.daemon = True
@@ -194,7 +194,7 @@ def load_library(
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
     file = folder / f"{_key(source, compiler.command, flags)}.so"
-    with _announce(subject) if announce else logged_when_slow(f"compiling {subject}"):
+    with _announce(subject) if announce else log_when_slow(f"compiling {subject}"):
         _build(file, source, compiler, flags, language, subject)
     try:
         return load(file)

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from manipplan.support.compiling.compiler import NATIVE, compiled_by_llvm, find_compiler, load_library, logged_when_slow
+from manipplan.support.compiling.compiler import NATIVE, compile_by_llvm, find_compiler, load_library, log_when_slow
 from manipplan.support.compiling.declarations import PREFIX, signatures, source_text
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
@@ -82,7 +82,7 @@ def _compile(source: Path, subject: str) -> NativeCode | None:
     except CompilerError as error:
         log.info("%s: compiled by LLVM in each process: %s", subject, error)
     try:
-        with logged_when_slow(f"compiling {subject}, by LLVM in each process"):
+        with log_when_slow(f"compiling {subject}, by LLVM in each process"):
             return llvm_code(source)
     except RuntimeError as error:
         log.warning("%s: cannot be compiled, so slower code is used: %s", subject, error)
@@ -91,7 +91,7 @@ def _compile(source: Path, subject: str) -> NativeCode | None:
 
 def llvm_code(source: Path) -> NativeCode:
     """The functions of a C source of this package as LLVM compiles them; raises RuntimeError where it cannot."""
-    engine = compiled_by_llvm(llvm_texts()[source.relative_to(PACKAGE).as_posix()][1])
+    engine = compile_by_llvm(llvm_texts()[source.relative_to(PACKAGE).as_posix()][1])
     return NativeCode(address=engine.get_function_address, owner=engine, source=source)
 
 
@@ -118,7 +118,7 @@ def compile_ahead(*sources: str) -> None:
     threading.Thread(target=compile_all, name="compile", daemon=True).start()
 
 
-def needed_code(source: Path, subject: str) -> NativeCode:
+def require_code(source: Path, subject: str) -> NativeCode:
     """The same for a source that nothing can replace; raises CompilerError where it cannot be compiled."""
     code = native_code(source, subject)
     if code is None:

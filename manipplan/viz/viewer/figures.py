@@ -186,7 +186,7 @@ class CheckedFigure:
                 link.visible = not value
 
 
-def checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
+def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
     """The convex bodies that a plan is checked with, and a controller's capsules, by the names of their switches.
 
     Empty for a robot without collision geometry.

@@ -24,8 +24,8 @@ from manipplan.viz.viewer.figures import (
     ChartLine,
     EllipsoidFigure,
     RobotFigure,
-    checked_layers,
     corners,
+    draw_checked_layers,
     ellipsoid_scale,
     put,
 )
@@ -169,7 +169,7 @@ class LiveViewer(Page):
         self.target = self._target
         self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
         self._layers |= surround(self.server, robot, self._first, scene, box)
-        self._layers |= checked_layers(self.server.scene, self.robot)
+        self._layers |= draw_checked_layers(self.server.scene, self.robot)
         self.handle.on_update(self._drag)
 
     def _drag(self, event: Any) -> None:

@@ -16,7 +16,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, MovedPart, bare, beside, drawn_tools, fixed, moved_parts, named_paths
+from manipplan.viz.motions import DrawnTool, MovedPart, bare, beside, drawn_tools, find_moved_parts, fixed, name_paths
 from manipplan.viz.viewer.figures import corners, ellipsoid_scale
 
 #: Number of times at which curves are sampled.
@@ -82,14 +82,14 @@ class ShownMotion:
     def of(cls, shown: "Plan | Program") -> "ShownMotion":
         """The motion of a plan or program; raises PlanningError when it has none."""
         if isinstance(shown, Program):
-            robot, moved = bare(shown.robot), moved_parts(shown)
+            robot, moved = bare(shown.robot), find_moved_parts(shown)
             made = cls._make(robot, fixed(shown.scene, moved), shown.trajectory, shown.parts[0].result, {"motion": None}, "")
             return replace(made, status="A program of moves", marks=shown.marks, moved=moved)
         instance("plan", shown, PartialPlan)
         if not isinstance(shown, Plan):
             raise PlanningError(f"there is no motion to show: {shown.message or shown.status.value}", shown)
         status = shown.status.value[0].upper() + shown.status.value[1:]
-        return cls._make(shown.robot, shown.scene, shown.trajectory, shown.result, named_paths(shown), status)
+        return cls._make(shown.robot, shown.scene, shown.trajectory, shown.result, name_paths(shown), status)
 
     @classmethod
     def _make(

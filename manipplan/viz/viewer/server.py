@@ -38,7 +38,7 @@ def guarded(address: str) -> Iterator[None]:
 
     serve = module.serve
 
-    def guarded_serve(*arguments: Any, process_request: Callable[[Any, Any], Any], **options: Any) -> Any:
+    def serve_guarded(*arguments: Any, process_request: Callable[[Any, Any], Any], **options: Any) -> Any:
         def answer(connection: Any, request: Any) -> Any:
             headers = request.headers
             refused = refusal(headers.get_all("Host"), headers.get_all("Origin"), address)
@@ -49,7 +49,7 @@ def guarded(address: str) -> Iterator[None]:
         return serve(*arguments, process_request=answer, logger=_logger(), **options)
 
     with _starting:
-        module.serve = guarded_serve  # type: ignore[assignment,misc]
+        module.serve = serve_guarded  # type: ignore[assignment,misc]
         try:
             yield
         finally:

@@ -16,7 +16,7 @@ from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.shapes import evenly_chosen
 from manipplan.viz.viewer.bodies import PLANE, triangles_of
-from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, checked_layers, corners, put
+from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, draw_checked_layers, put
 from manipplan.viz.viewer.motion import ShownMotion
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
@@ -168,7 +168,7 @@ class Stage:
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
-        self.layers |= checked_layers(scene, self.robot)
+        self.layers |= draw_checked_layers(scene, self.robot)
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
         self.parts = [PartFigure(scene, f"/parts/{k}", part.solid) for k, part in enumerate(motion.moved)]
