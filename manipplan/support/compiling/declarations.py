@@ -1,6 +1,6 @@
 """What a C source of ours declares, for ctypes: its structs, and the functions that this package calls.
 
-So fields and arguments are written down once, in C. Read is what our own sources contain: structs of numbers, pointers, other
+So fields and arguments are written down once, in C. It reads what our own sources contain: structs of numbers, pointers, other
 structs and arrays of these, and functions whose names begin with `manipplan_`.
 """
 
