@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test quick test-all test-long browser ffmpeg lint types docs links pictures kernel fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg lint types docs links pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -61,19 +61,18 @@ links: $(READY)
 pictures: $(READY)
 	$(BIN)/python docs/make_pictures.py
 
-# The kernels in LLVM's language, for machines without a C compiler; needs clang 16.
-KERNELS := collision/distances collision/surfaces/winding collision/look collision/body_motion paths/curves optimize/steps \
-    cost/panels seeds/connect seeds/star timing/barrier ik/inverse search/sweep search/restarts
-SOURCES := $(KERNELS:%=manipplan/%.c)
-kernel: manipplan/kernels.ll.xz
-manipplan/kernels.ll.xz: $(SOURCES) $(wildcard $(addsuffix *.h,$(sort $(dir $(SOURCES)))))
-	set -e; for kernel in $(KERNELS); do \
-	  cd manipplan/$$(dirname $$kernel); \
-	  echo "; $$kernel.c $$(cat $$(basename $$kernel).c $$(ls *.h 2> /dev/null | LC_ALL=C sort) | sha256sum | cut -d' ' -f1)"; \
-	  clang-16 -O2 -fno-vectorize -fno-slp-vectorize -fno-unroll-loops -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $$(basename $$kernel).c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
+# Builds the kernels again after a change of manipplan/csrc: the library, and their text in LLVM's language for machines without
+# a C compiler, which needs clang 16.
+KERNELS = $(shell $(BIN)/python -c "from manipplan.support.compiling.kernel_library import KERNELS; print(*KERNELS)")
+kernels: $(READY)
+	$(BIN)/python manipplan/support/compiling/kernel_library.py
+	set -e; cd manipplan/csrc; for kernel in $(KERNELS); do \
+	  echo "; $$kernel $$(cat $$kernel.c $$(ls *.h | LC_ALL=C sort) | sha256sum | cut -d' ' -f1)"; \
+	  level="-O2 -fno-unroll-loops"; [ $$kernel != distances ] || level=-O3; \
+	  clang-16 $$level -fno-vectorize -fno-slp-vectorize -ffp-contract=off -fno-math-errno -fno-trapping-math \
+	    -S -emit-llvm -o - $$kernel.c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
 	    -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; \
-	  cd $(CURDIR); done | xz -9e > $@
+	  done | xz -9e > kernels.ll.xz
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.
 fuzz: $(READY)

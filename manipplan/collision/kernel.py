@@ -4,7 +4,6 @@ import ctypes
 import threading
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,8 +13,8 @@ from numpy.typing import NDArray
 from manipplan.collision.world import Numbers, world_arrays
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import PREFIX, struct
-from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.compiling.declarations import struct
+from manipplan.support.compiling.kernels import Kernel, load_kernel
 
 #: As in distances.c.
 FREE, TOUCHING, UNDECIDED = range(3)
@@ -25,19 +24,15 @@ GUESS = 22
 ROOM = 64
 
 
-#: The compiled kernel.
-SOURCE = Path(__file__).with_name("distances.c")
-
-
 @cache
-def _functions(code: NativeCode) -> Mapping[str, Callable[..., Any]]:
+def _functions(code: Kernel) -> Mapping[str, Callable[..., Any]]:
     return code.functions(quick=("check_one",))
 
 
-def find_kernel(
+def kernel_of(
     robot: Robot, objects: Sequence[pin.GeometryObject], pairs: Numbers, radii: Array, closed: Collection[int]
-) -> "DistanceKernel | None":
-    """The kernel for pairs of bodies; None where it cannot be compiled.
+) -> "DistanceKernel":
+    """The kernel for pairs of bodies.
 
     Args:
         robot: the arm.
@@ -46,16 +41,14 @@ def find_kernel(
         radii: (g,) added all around each object [m].
         closed: the objects that are surfaces and solid inside.
     """
-    code = native_code(SOURCE, "collision checks")
-    if code is None:
-        return None
+    code = load_kernel("distances")
     return DistanceKernel(code, world_arrays(_functions(code)["tree"], robot, objects, pairs, radii, closed))
 
 
 class DistanceKernel:
     """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own."""
 
-    def __init__(self, code: NativeCode, arrays: Mapping[str, NDArray[Any]]) -> None:
+    def __init__(self, code: Kernel, arrays: Mapping[str, NDArray[Any]]) -> None:
         self._code, self._call = code, _functions(code)
         joints, self._n, self._bodies = len(arrays["axes"]), int(arrays["leader"].max(initial=-1)) + 1, arrays["pair_bodies"]
         self._arrays = dict(arrays) | {
@@ -76,7 +69,7 @@ class DistanceKernel:
             "top": int(arrays["top"][0]),
         }
         places = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
-        self._world = struct(SOURCE, "World")(**numbers, **places)
+        self._world = struct("distances", "World")(**numbers, **places)
         self._at = ctypes.addressof(self._world)
         self._lock = threading.Lock()
         self._q = np.zeros(self._n)
@@ -99,7 +92,7 @@ class DistanceKernel:
 
     def address(self, name: str) -> int:
         """The address of the function `manipplan_` and a name."""
-        return self._code.address(PREFIX + name)
+        return self._code.address(name)
 
     def bodies(self, pairs: Numbers) -> Numbers:
         """The two bodies (m, 2) of pairs (m,), as `manipplan_pairs` takes them."""

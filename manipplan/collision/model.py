@@ -15,7 +15,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import ArrayLike, NDArray
 
-from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, find_kernel
+from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, kernel_of
 from manipplan.collision.surfaces.shells import find_components, winding_number
 from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
@@ -120,7 +120,7 @@ REACHES = (0.05, 0.2, 0.8, np.inf)
 
 
 class CollisionModel:
-    """Collision checks and distances of one robot with itself and with a scene: by a compiled kernel, otherwise by coal.
+    """Collision checks and distances of one robot with itself and with a scene: by a kernel, and by coal what it cannot decide.
 
     Not safe to share between threads: it holds working data.
 
@@ -214,9 +214,9 @@ class CollisionModel:
         return data
 
     @cached_property
-    def _kernel(self) -> DistanceKernel | None:
+    def _kernel(self) -> DistanceKernel:
         radii = np.array([self.radii.get(k, 0.0) for k in range(len(self.objects))])
-        return find_kernel(self.robot, self.objects, self.pairs, radii, self.solids)
+        return kernel_of(self.robot, self.objects, self.pairs, radii, self.solids)
 
     def copy_of_bodies(self) -> pin.GeometryModel:
         """The objects without pairs, to which others can be added."""
@@ -239,19 +239,17 @@ class CollisionModel:
         copied.__dict__["_kernel"] = self.kernel_copy()
         return copied
 
-    def kernel_copy(self) -> DistanceKernel | None:
-        """A kernel for compiled code, with its own working memory; None where there is none."""
-        return None if self._kernel is None else self._kernel.copy()
+    def kernel_copy(self) -> DistanceKernel:
+        """A kernel for compiled code, with its own working memory."""
+        return self._kernel.copy()
 
     def in_collision(self, q: Array, *, clearance: float = 0.0) -> bool:
         """Whether any pair is nearer than `clearance` [m] at q (n,); 0: whether any pair touches."""
-        verdict = UNDECIDED if self._kernel is None else self._kernel.check(q, clearance)
+        verdict = self._kernel.check(q, clearance)
         return verdict == TOUCHING if verdict != UNDECIDED else self._touches(q, clearance)
 
     def in_collision_rows(self, q: Array, *, clearance: float = 0.0) -> NDArray[np.bool_]:
         """The same for every row of q (m, n); (m,)."""
-        if self._kernel is None:
-            return np.array([self._touches(each, clearance) for each in q], dtype=bool)
         verdicts = self._kernel.check_rows(q, clearance)
         found: NDArray[np.bool_] = verdicts == TOUCHING
         for k in np.flatnonzero(verdicts == UNDECIDED):
@@ -265,9 +263,7 @@ class CollisionModel:
 
     def distance_rows(self, q: Array, *, beyond: float | Array = np.inf) -> Array:
         """Signed distances (m, k) of all pairs at q (m, n) [m], those above `beyond`, a number or (m,), cut off there."""
-        reach, shape = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)), (len(q), len(self.pairs))
-        if self._kernel is None:
-            return np.asarray(np.minimum(np.array([self._all_distances(each) for each in q]).reshape(shape), reach[:, None]))
+        reach = np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),))
         found: Array = self._kernel.distances(q, np.maximum(reach, 0.0))
         if found.size and np.isnan(found.min()):
             for k, pair in zip(*np.nonzero(np.isnan(found)), strict=True):
@@ -278,10 +274,6 @@ class CollisionModel:
         """The pairs nearer than `beyond`, a number or (m,), at q (m, n), with their signed distances [m]."""
         reach = np.array(np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),)))
         shape = (len(q), len(self.pairs))
-        if self._kernel is None:
-            rows = self.distance_rows(q)
-            where = np.flatnonzero(~(rows >= reach[:, None]))  # nan is not far
-            return NearPairs.of(shape, where, rows.ravel()[where])
         where, found = self._kernel.near(q, np.maximum(reach, 0.0))
         for k in np.flatnonzero(np.isnan(found)):
             row, pair = divmod(int(where[k]), shape[1])
@@ -292,10 +284,7 @@ class CollisionModel:
     def pair_distances(self, q: Array, pairs: ArrayLike, *, beyond: float | Array = np.inf) -> Array:
         """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `beyond`; (m,)."""
         chosen, reach = np.asarray(pairs, dtype=np.int64), np.broadcast_to(np.asarray(beyond, dtype=float), (len(q),))
-        if self._kernel is None:
-            found = np.full(len(q), np.nan)
-        else:
-            found = self._kernel.pair_distances(q, chosen, np.maximum(reach, 0.0))
+        found = self._kernel.pair_distances(q, chosen, np.maximum(reach, 0.0))
         for k in np.flatnonzero(np.isnan(found)):
             found[k] = self._distance(q[k], int(chosen[k]))
         return np.asarray(np.minimum(found, reach))
@@ -314,7 +303,7 @@ class CollisionModel:
             The distances, and the bounds [m]; -inf where none is known.
         """
         chosen = np.asarray(pairs, dtype=np.int64)
-        if self._kernel is None or (beyond < 0).any():
+        if (beyond < 0).any():
             return self.pair_distances(q, chosen, beyond=beyond), np.full(len(q), -np.inf)
         found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends)
         for k in np.flatnonzero(np.isnan(found)):
@@ -325,13 +314,12 @@ class CollisionModel:
         """The smallest distance at all q (m, n) [m], its row, and the index of its pair; inf, 0, -1 if nothing is checked."""
         if not len(self.pairs):
             return np.inf, 0, -1
-        if self._kernel is not None:
-            for reach in REACHES:
-                found = self._kernel.least(q, reach, COARSE_STEP)
-                if found is None:
-                    break
-                if found[2] >= 0:
-                    return found
+        for reach in REACHES:
+            found = self._kernel.least(q, reach, COARSE_STEP)
+            if found is None:
+                break
+            if found[2] >= 0:
+                return found
         bound = np.inf
         for reach in REACHES:
             bound = float(self.distance_rows(q[:1], beyond=reach).min())
@@ -345,7 +333,7 @@ class CollisionModel:
     def witnesses(self, q: Array, pairs: ArrayLike) -> Witnesses:
         """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n)."""
         chosen = np.asarray(pairs, dtype=np.int64)
-        found = np.full((len(q), 13 + self.robot.n), np.nan) if self._kernel is None else self._kernel.witnesses(q, chosen)
+        found = self._kernel.witnesses(q, chosen)
         for k in np.flatnonzero(np.isnan(found[:, 0])):
             found[k] = self._witness(q[k], int(chosen[k]))
         distances, normals, opposites, points, others, gradients = np.split(found, (1, 4, 7, 10, 13), axis=1)
@@ -469,14 +457,6 @@ class CollisionModel:
             return True
         return any(self._is_inside(pair) for pair in self._solid_pairs)
 
-    def _all_distances(self, q: Array) -> Array:
-        """Signed distances (k,) of all pairs at q (n,) [m] by coal."""
-        pin.computeDistances(self.robot.model, self._data, self.geometry, self._geometry_data, q)
-        distances: Array = np.array([each.min_distance for each in self._geometry_data.distanceResults]) - self._radii
-        inside = [pair for pair in self._solid_pairs if distances[pair] > 0 and self._is_inside(pair)]
-        distances[inside] *= -1
-        return distances
-
     def _distance(self, q: Array, pair: int) -> float:
         """Signed distance of one pair at q (n,) [m] by coal."""
         pin.updateGeometryPlacements(self.robot.model, self._data, self.geometry, self._geometry_data, q)
@@ -487,7 +467,7 @@ class CollisionModel:
         """Nearest points of a pair at q (n,), where the bodies are placed; a mesh is looked at only where it is nearest."""
         one, other = self.pairs[pair].tolist()
         first, second = self.objects[one], self.objects[other]
-        if self._kernel is None or second.parentJoint > 0 or not isinstance(second.geometry, coal.BVHModelBase):
+        if second.parentJoint > 0 or not isinstance(second.geometry, coal.BVHModelBase):
             return pin.computeDistance(self.geometry, self._geometry_data, pair)
         corners = self._kernel.nearest_triangle(q, pair)
         if corners is None:

@@ -33,7 +33,6 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
@@ -46,7 +45,7 @@ from manipplan.paths.joint import JointPath, split
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import native_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
@@ -57,15 +56,11 @@ MOST_POINTS = 8
 MOST_JOINTS = 64
 
 BodyIndices = NDArray[np.intp]
-#: The compiled bounds.
-SOURCE = Path(__file__).with_name("body_motion.c")
 
 
 @cache
-def _compiled() -> Callable[..., None] | None:
-    """The compiled bounds; None where they cannot be compiled."""
-    code = native_code(SOURCE, "proofs of clearance")
-    return None if code is None else code.functions()["motion"]
+def _compiled() -> Callable[..., None]:
+    return load_kernel("body_motion").functions()["motion_bounds"]
 
 
 @once_per_owner
@@ -118,7 +113,7 @@ class BodyMotion:
     def motion_and_bend(
         self, q: Array, change: Array, rates: tuple[Array, Array], rows: BodyIndices, pairs: BodyIndices
     ) -> tuple[Array, Array]:
-        """The same, and upper bounds (3) on the acceleration of the bodies' points, (e,) each; inf without compiled code.
+        """The same, and upper bounds (3) on the acceleration of the bodies' points, (e,) each; inf above MOST_JOINTS joints.
 
         `rates` are the largest speeds and accelerations (m, n) of the joints.
         """
@@ -128,23 +123,23 @@ class BodyMotion:
     def _by_kernel(
         self, q: Array, change: Array, rates: tuple[Array, Array] | None, rows: BodyIndices, pairs: BodyIndices
     ) -> tuple[Array, Array] | None:
-        """Both bounds by compiled code, the second one only with `rates`; None without it."""
+        """Both bounds by compiled code, the second one only with `rates`; None with more than MOST_JOINTS joints."""
         tree = self._tree
-        call, n, count = _compiled(), len(tree.slides), len(self.radii)
-        if call is None or n > MOST_JOINTS:
+        n, count = len(tree.slides), len(self.radii)
+        if n > MOST_JOINTS:
             return None
         numbers = [
             np.ascontiguousarray(each, dtype=float) for each in (tree.positions(q), *map(tree.sizes, (change, *(rates or ()))))
         ]
         rows, pairs = np.ascontiguousarray(rows, dtype=np.int64), np.ascontiguousarray(pairs, dtype=np.int64)
         work = {"moved": np.empty((count, n + 1)), "lever": np.empty((count, n + 1)), "row": np.empty(count, dtype=np.int64)}
-        arm = struct(SOURCE, "Arm")(
+        arm = struct("body_motion", "Arm")(
             n=n, bodies=count, **{name: array.ctypes.data for name, array in (self._arrays | work).items()}
         )
         motion, bend = np.empty(len(rows)), np.empty(0 if rates is None else len(rows))
         at = [each.ctypes.data for each in numbers] + [None] * (4 - len(numbers))
         ends = motion.ctypes.data, None if rates is None else bend.ctypes.data
-        call(ctypes.addressof(arm), *at, rows.ctypes.data, pairs.ctypes.data, len(rows), *ends)
+        _compiled()(ctypes.addressof(arm), *at, rows.ctypes.data, pairs.ctypes.data, len(rows), *ends)
         return motion, bend
 
     def _motion_by_numpy(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:

@@ -4,19 +4,17 @@ import ctypes
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
-from manipplan.paths.joint import Curve, curve_code
+from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import require_code
-from manipplan.support.errors import CompilerError
+from manipplan.support.compiling.kernels import load_kernel
 
 #: Number of intervals of the grid along the curve. A band around the target is only looked at in every SPACING-th place.
 INTERVALS, SPACING = 160, 4
@@ -37,8 +35,6 @@ ASKING, MORE_ROOM = -1, -2
 #: Initial room for near pairs per place of the grid.
 ROOM = 16
 
-#: The compiled search.
-SOURCE = Path(__file__).with_name("look.c")
 _BRACKET = np.dtype(
     [
         *((name, float) for name in ("low", "middle", "high", "left", "least", "right", "next", "found")),
@@ -52,8 +48,7 @@ Place = tuple[float, int]
 
 @cache
 def _call() -> Callable[..., int]:
-    code = require_code(SOURCE, "distances along paths")
-    return code.functions()["look"]
+    return load_kernel("look").functions()["look"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,14 +91,12 @@ class DistanceSearch:
     """Searches along curves for the places where pairs of bodies are near; for one thread."""
 
     def __init__(self, model: CollisionModel) -> None:
-        """`model` is the arm among its obstacles. Raises CompilerError where no code can be compiled."""
-        kernel, curves = model.kernel_copy(), curve_code()
-        if kernel is None or curves is None:
-            raise CompilerError("distances along paths", "neither a C compiler nor LLVM can compile them")
+        """`model` is the arm among its obstacles."""
+        kernel = model.kernel_copy()
         self.model, self._kernel = model, kernel
-        self._dips = struct(SOURCE, "Dips")(
+        self._dips = struct("look", "Dips")(
             n=kernel.n,
-            curve_at=curves.address("manipplan_curve"),
+            curve_at=load_kernel("curves").address("curve"),
             spacing=FINE,
             world=kernel.world,
             distance=kernel.address("pair"),
@@ -187,7 +180,7 @@ class DistanceSearch:
             "bracket": np.empty(room + known, dtype=_BRACKET),
             "bracket_bodies": np.empty((room + known, 2), dtype=np.int64),
         }
-        return struct(SOURCE, "Look")(
+        return struct("look", "Look")(
             pairs=pairs,
             near=self._kernel.address("near"),
             places=places,

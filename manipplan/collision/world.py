@@ -97,7 +97,7 @@ def world_arrays(
 ) -> dict[str, NDArray[Any]]:
     """The arrays of `World`, and the bodies of each pair, the moving one first.
 
-    The arguments are those of `find_kernel`, and the function that builds trees.
+    The arguments are those of `kernel_of`, and the function that builds trees.
     """
     joint = np.array([item.parentJoint for item in objects], dtype=np.int64)
     arms = robot.tree

@@ -13,18 +13,17 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.paths.joint import MOST_PANELS, JointPath, curve_code
+from manipplan.paths.joint import MOST_PANELS, JointPath
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array, instance, number, number_array, whole_number
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import native_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -64,15 +63,10 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
 #: Initial room for edges.
 ROOM = 4096
 
-#: The compiled integrals.
-SOURCE = Path(__file__).with_name("panels.c")
-
 
 @cache
-def _calls() -> dict[str, Callable[..., Any]] | None:
-    """The compiled functions; None where they cannot be compiled."""
-    code = native_code(SOURCE, "integrals along paths")
-    return None if code is None else code.functions()
+def _calls() -> dict[str, Callable[..., Any]]:
+    return load_kernel("panels").functions()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -92,16 +86,16 @@ class Panels:
     @classmethod
     def of(cls, path: JointPath, kinematics: Kinematics, power: float, floor: float, points: int) -> "Panels | None":
         """The integral of a path with Euclidean speed and `points` Gauss points a panel; None where it is not compiled."""
-        functions, curves, measure = _calls(), curve_code(), kinematics.batch_code("manipulability")
+        curves, measure = load_kernel("curves"), kinematics.batch_code("manipulability")
         curve, slope = path.curve(), path.curve(1)
         compiled = curve.address and slope.address and power in (1, 2)
-        if functions is None or curves is None or measure is None or not compiled:
+        if measure is None or not compiled:
             return None
         nodes, weights = gauss_rule(points)
-        integral = struct(SOURCE, "Integral")(
+        integral = struct("panels", "Integral")(
             path=curve.address,
             slope=slope.address,
-            evaluate=curves.address("manipplan_curve"),
+            evaluate=curves.address("curve"),
             measure=measure,
             n=path.n,
             points=points,
@@ -110,7 +104,7 @@ class Panels:
             floor=floor,
             power=power,
         )
-        return cls(integral=integral, functions=functions, owners=(curve, slope, curves, kinematics, nodes, weights))
+        return cls(integral=integral, functions=_calls(), owners=(curve, slope, curves, kinematics, nodes, weights))
 
     def integrals(self, begin: Array, end: Array) -> Array | None:
         """The integral over each panel from `begin` to `end` (k,); None where the measure cannot be evaluated."""

@@ -17,7 +17,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,7 +27,7 @@ from manipplan.ik.geometry import Screws
 from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.memo import once_per_owner
 
 #: Revolute joints whose limits span more full turns than this are enumerated in one turn, like those without limits.
@@ -327,14 +326,11 @@ def _points_on_axes(robot: Robot, screws: Screws, joints: list[int]) -> Array:
 #: As in spherical.h: arrangement of the axes of the three joints a, b, c that place the point where the others meet.
 A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
 
-#: The compiled closed forms and Newton steps.
-SOURCE = Path(__file__).with_name("inverse.c")
-
 
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
-    """The functions of inverse.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return require_code(SOURCE, "inverse kinematics").functions()
+    """The functions of inverse.c: closed forms and Newton steps."""
+    return load_kernel("inverse").functions()
 
 
 def real(values: Any) -> Array:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import SKEW, SOURCE, arrangement, calls, real, truth, whole
+from manipplan.ik.bridge import SKEW, arrangement, calls, real, truth, whole
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, one_of, texts
@@ -228,7 +228,7 @@ class Enumeration:
             "endless": truth(endless),
             "turning": real(axis if axis is not None else np.zeros(3)),
         }
-        self._form = struct(SOURCE, "Form")(
+        self._form = struct("inverse", "Form")(
             n=screws.n,
             helds=len(form.held),
             frees=len(form.free),
@@ -251,7 +251,7 @@ class Enumeration:
         """
         columns = [*self._order, *range(len(self._order), samples.shape[1])]
         poses, owners, samples = real(poses), whole(owners), real(samples[:, columns])
-        asked = struct(SOURCE, "Samples")(
+        asked = struct("inverse", "Samples")(
             poses=poses.ctypes.data,
             owners=owners.ctypes.data,
             values=samples.ctypes.data,
@@ -262,7 +262,7 @@ class Enumeration:
         work, begin, call = np.empty(6 * self._n), 0, calls()["solutions"]
         while begin < len(samples):
             out, source = np.empty((rows, self._n)), np.empty(rows, dtype=np.int64)
-            found = struct(SOURCE, "Solutions")(out=out.ctypes.data, source=source.ctypes.data, rows=rows)
+            found = struct("inverse", "Solutions")(out=out.ctypes.data, source=source.ctypes.data, rows=rows)
             begin = call(
                 ctypes.addressof(self._form),
                 ctypes.addressof(asked),

@@ -15,7 +15,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import SOURCE, bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
+from manipplan.ik.bridge import bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
 from manipplan.ik.geometry import Screws
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.limits import JointLimits
@@ -33,7 +33,7 @@ class MovingArm:
         self._arrays = {name: real(getattr(screws, name)) for name in ("axes", "points", "home")}
         self._truths = {"slides": truth(screws.slides), "moves": truth(moves)}
         places = {name: array.ctypes.data for name, array in (self._arrays | self._truths).items()}
-        self._screws = struct(SOURCE, "Screws")(n=screws.n, links=len(screws.axes), **places)
+        self._screws = struct("inverse", "Screws")(n=screws.n, links=len(screws.axes), **places)
         if screws.follow is not None:
             leader, ratio, offset = screws.follow
             self._led = whole(leader), real(ratio), real(offset)

@@ -29,7 +29,6 @@ from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, flag, instance, number
-from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
@@ -45,18 +44,6 @@ RESERVE, LEAST_RESERVE = 0.05, 0.05
 SHORTEST_TIME = 1e-3
 #: Duration of a motion that stands still [s].
 STANDING = 1e-3
-#: C sources of this job that are compiled while it prepares collision shapes and generates code, at the first call ever.
-SOURCES = (
-    *(
-        "collision/distances.c",
-        "paths/curves.c",
-        "seeds/connect.c",
-        "cost/panels.c",
-        "collision/look.c",
-        "optimize/steps.c",
-    ),
-    *("collision/body_motion.c", "timing/barrier.c"),
-)
 
 
 @overload
@@ -184,7 +171,6 @@ def plan(
     check_start(kept, q_start)
     check_timing_limits(robot.limits)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
-    compile_ahead(*SOURCES)
 
     def path_to(q: Array, seconds: float, notify: Progress) -> PathResult | NoPath:
         """The path to a configuration, which may be singular."""

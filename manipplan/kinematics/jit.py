@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiling.compiler import compile_by_llvm, log_when_slow
+from manipplan.support.compiling.llvm import compile_by_llvm
 
 #: Code for the sine and cosine of one angle together; all other operations have CasADi's codes.
 SINE_COSINE = -1
@@ -374,8 +374,7 @@ class JitKernel:
     """A kernel, as `manipplan.kinematics.batch.Kernel`, of one Function."""
 
     def __init__(self, function: ca.Function) -> None:
-        with log_when_slow(f"compiling {function.name()}, by LLVM in each process"):
-            self._engine = compile_by_llvm(kernel_text(function))  # the code lives as long
+        self._engine = compile_by_llvm(kernel_text(function), function.name())  # the code lives as long
         address = self._engine.get_function_address("kernel")
         self._call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)(address)
 

@@ -7,7 +7,6 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,15 +19,14 @@ from manipplan.paths.joint import Curve, JointPath
 from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import signatures
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.symbolic.machine_code import BatchFunction
 
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]]:
     """They keep the GIL: to release it would take longer than most calls."""
-    code = require_code(Path(__file__).with_name("steps.c"), "steps of descents")
-    return code.functions(quick=signatures(code.source))
+    return load_kernel("steps").functions(quick=signatures("steps"))
 
 
 #: What a compiled function takes for an array, which has to be contiguous and writable; `array.ctypes` takes much longer.

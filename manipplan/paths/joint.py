@@ -11,7 +11,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from math import comb
-from pathlib import Path
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
@@ -20,7 +19,7 @@ from numpy.typing import ArrayLike
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import COINCIDENT
@@ -28,27 +27,17 @@ from manipplan.support.tolerances import COINCIDENT
 #: Curves of a higher degree are evaluated by NumPy; as in curves.c.
 MOST_DEGREE = 30
 
-#: The compiled evaluation.
-SOURCE = Path(__file__).with_name("curves.c")
-
 
 @cache
-def curve_code() -> NativeCode | None:
-    """The compiled code, for calls from other compiled code by the address of `manipplan_curve`; None without it."""
-    return native_code(SOURCE, "evaluation of paths")
-
-
-@cache
-def _call() -> Callable[..., int] | None:
-    code = curve_code()
-    return None if code is None else code.functions(quick=("curve",))["curve"]
+def _call() -> Callable[..., int]:
+    return load_kernel("curves").functions(quick=("curve",))["curve"]
 
 
 class Curve:
     """Polynomial pieces between breaks (p + 1,), which increase from 0 to 1, with control points (p, k + 1, n), k >= 0.
 
     Attributes:
-        address: of the curve as compiled code knows it, for as long as this object lives; 0 without compiled code.
+        address: of the curve as compiled code knows it, for as long as this object lives; 0 above MOST_DEGREE.
     """
 
     __slots__ = ("_breaks", "_control", "_curve", "address")
@@ -57,8 +46,8 @@ class Curve:
         self._breaks, self._control = np.ascontiguousarray(breaks), np.ascontiguousarray(control)
         pieces, points, n = control.shape
         self._curve, self.address = None, 0
-        if points - 1 <= MOST_DEGREE and _call() is not None:
-            self._curve = struct(SOURCE, "Curve")(
+        if points - 1 <= MOST_DEGREE:
+            self._curve = struct("curves", "Curve")(
                 pieces=pieces, degree=points - 1, n=n, breaks=self._breaks.ctypes.data, control=self._control.ctypes.data
             )
             self.address = ctypes.addressof(self._curve)
@@ -68,12 +57,11 @@ class Curve:
 
     def __call__(self, s: Array, spacing: float = 0.0) -> Array:
         """The curve (..., n) at s (...), to multiples of `spacing` unless that is 0; InvalidInputError outside [0, 1]."""
-        call = _call()
-        if not self.address or call is None:
+        if not self.address:
             return self._by_numpy(s, spacing)
         s = np.ascontiguousarray(s, dtype=float).reshape(s.shape)  # ascontiguousarray makes a number a row
         out = np.empty((*s.shape, self._control.shape[2]))
-        if call(self.address, s.ctypes.data, s.size, spacing, out.ctypes.data):
+        if _call()(self.address, s.ctypes.data, s.size, spacing, out.ctypes.data):
             raise _outside(s)
         return out
 

@@ -14,7 +14,6 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,7 +22,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.sweep import check_epsilon, exclusive, without_jumps
 from manipplan.support.checks import Array, instance, whole_number
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import Status
@@ -137,14 +136,10 @@ def guilamo_search(
 #: Return status of a call of `Restarts`; as in restarts.c.
 UNFINISHED, FOUND, EXHAUSTED, TOO_MANY = 0, 1, 2, 3
 
-#: The compiled search.
-SOURCE = Path(__file__).with_name("restarts.c")
-
 
 @cache
 def _call() -> Callable[..., int]:
-    code = require_code(SOURCE, "searches by restarts")
-    return code.functions()["restarts"]
+    return load_kernel("restarts").functions()["restarts"]
 
 
 class Restarts:
@@ -180,7 +175,7 @@ class Restarts:
         layers = len(offset) - 1
         arrays = {"q": q, "m": m, "offset": offset, "starts": starts, "layer_of": layer_of, "reach": reach, "turns": turns}
         self._arrays = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
-        self._problem = struct(SOURCE, "Problem")(
+        self._problem = struct("restarts", "Problem")(
             n=q.shape[1],
             layers=layers,
             count=len(m),
@@ -192,7 +187,7 @@ class Restarts:
         self.path, self._pointer = np.zeros(layers, dtype=np.int64), np.zeros(layers, dtype=np.int64)
         self._seen = np.zeros(len(m), dtype=np.int64)
         places = {"path": self.path.ctypes.data, "pointer": self._pointer.ctypes.data, "seen": self._seen.ctypes.data}
-        self._state = struct(SOURCE, "State")(**places)
+        self._state = struct("restarts", "State")(**places)
 
     def __call__(self, budget: int) -> int:
         """Continue for about `budget` comparisons of configurations; returns UNFINISHED, FOUND, EXHAUSTED or TOO_MANY."""

@@ -14,7 +14,6 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -22,31 +21,30 @@ from numpy.typing import ArrayLike, NDArray
 
 from manipplan.support.checks import LARGEST, Array, number_array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import InvalidInputError
 
 #: The compiled steps.
-SOURCE = Path(__file__).with_name("sweep.c")
 
 
 @cache
 def calls() -> Mapping[str, Callable[..., Any]]:
     """The functions of sweep.c, by their names without prefix; raises CompilerError where it cannot be compiled."""
-    return require_code(SOURCE, "searches through layers").functions()
+    return load_kernel("sweep").functions()
 
 
 def _grid(grid: "Grid") -> ctypes.Structure:
     """It points to the arrays of the grid, which has to outlive it."""
     names = ("joints", "low", "per", "count", "wraps", "order", "reach", "turns")
-    return struct(SOURCE, "Grid")(n=len(grid.order), **{name: getattr(grid, name).ctypes.data for name in names})
+    return struct("sweep", "Grid")(n=len(grid.order), **{name: getattr(grid, name).ctypes.data for name in names})
 
 
 def _cells(cells: "Cells") -> ctypes.Structure:
-    return struct(SOURCE, "Cells")(**{name: array.ctypes.data for name, array in cells._asdict().items()})
+    return struct("sweep", "Cells")(**{name: array.ctypes.data for name, array in cells._asdict().items()})
 
 
 def _values(value: Array, top: Array) -> ctypes.Structure:
-    return struct(SOURCE, "Values")(value=value.ctypes.data, top=top.ctypes.data)
+    return struct("sweep", "Values")(value=value.ctypes.data, top=top.ctypes.data)
 
 
 def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
@@ -114,7 +112,7 @@ class StepKernel:
         self.source = np.empty(count, dtype=np.int32)
         self._call, self._grid = calls()[name], _grid(grid)
         self._kept = (old, value, top, cells, grid, rank, epsilon)
-        self._step = struct(SOURCE, "Step")(
+        self._step = struct("sweep", "Step")(
             **{"from": _cells(old)},
             grid=ctypes.addressof(self._grid),
             known=_values(value, top),

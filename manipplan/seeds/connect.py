@@ -12,19 +12,18 @@ import ctypes
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.paths.rounding import gauss_rule
-from manipplan.seeds.motions import SIDE, Level, MotionCheck, search_code
+from manipplan.seeds.motions import SIDE, Level, MotionCheck
 from manipplan.seeds.ompl import LEAST, PANEL, POINTS
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.deadline import work_time
 
 #: As in connect.c.
@@ -113,21 +112,9 @@ EXPLORE = 2000
 REACH = 0.5
 
 
-#: The compiled improvement of a path.
-SOURCE = Path(__file__).with_name("star.c")
-
-
-@cache
-def star_code() -> NativeCode | None:
-    """The machine code of star.c; None where it cannot be compiled."""
-    return native_code(SOURCE, "costs of paths")
-
-
 @cache
 def _functions() -> dict[str, Callable[..., Any]]:
-    code = star_code()
-    assert code is not None
-    return code.functions()
+    return load_kernel("star").functions()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -153,8 +140,7 @@ class _Best:
     """Lowers the cost of a first path."""
 
     def __init__(self, run: Run, task: SeedTask, integral: PathIntegral | None) -> None:
-        code, search = star_code(), search_code()
-        assert code is not None and search is not None
+        search = load_kernel("connect")
         self.run, self.task, self.search, self.n = run, task, run.search, run.n
         self.search.level = max(self.search.level, self.search.levels - 2)  # the last level's paths nearly touch
         self.search.levels = self.search.level + 1
@@ -162,7 +148,7 @@ class _Best:
         metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, run.n)
         measure = None if integral is None else _measure(integral, run.check)
         self._kept = nodes, weights, metric, measure
-        self.star = struct(SOURCE, "Star")(
+        self.star = struct("star", "Star")(
             n=run.n,
             low=self.search.low,
             high=self.search.high,
@@ -176,13 +162,13 @@ class _Best:
             nodes=nodes.ctypes.data,
             weights=weights.ctypes.data,
             search=run.check.at,
-            clear=search.address("manipplan_clear"),
-            allowed=search.address("manipplan_allowed"),
+            clear=search.address("clear"),
+            allowed=search.address("allowed"),
             reach=REACH,
             random=task.seed,
         )
         self.at = ctypes.addressof(self.star)
-        self.search.star, self.search.cost_of = self.at, code.address("manipplan_edge_cost")
+        self.search.star, self.search.cost_of = self.at, load_kernel("star").address("edge_cost")
         self.search.rate = 1.0 if integral is None else 0.0  # the largest m of an arm is not known
 
     def lowered(self, way: Array) -> Array:

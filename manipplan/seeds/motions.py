@@ -7,7 +7,6 @@ import ctypes
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import casadi as ca
@@ -22,11 +21,10 @@ from manipplan.kinematics.factors import SingularitySigns
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import NativeCode, native_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.deadline import work_time
 
 #: The compiled search.
-SOURCE = Path(__file__).with_name("connect.c")
 #: Value to which a projection leads a row that is broken [rad or m], since edges between such configurations cut corners; at
 #: most this share of the largest value that the row has at random configurations.
 AIM, SHARE = 0.02, 0.2
@@ -63,7 +61,7 @@ class SearchConstraints:
             tool = kernel.run if kernel is not None else guarded(_tool(constraints))
         if constraints.own is not None:
             others = guarded(_own(n, constraints.own))
-        data = struct(SOURCE, "Constraints")(
+        data = struct("connect", "Constraints")(
             n=n,
             rows=constraints.count,
             of_tool=len(weights),
@@ -131,7 +129,7 @@ ANY = 1 << 40
 SIDE = np.dtype([("positive", np.uint8), ("known", np.uint8), ("changes", np.int64)], align=True)
 _DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.c_double)
 #: Functions that hold the GIL: to release it would take longer than what they do.
-QUICK = ("state", "motion")
+QUICK = ("state", "motion_is_free")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,21 +148,14 @@ class Level:
 
 
 @cache
-def search_code() -> NativeCode | None:
-    """The machine code of connect.c; None where it cannot be compiled."""
-    return native_code(SOURCE, "searches for paths")
-
-
-@cache
-def functions() -> dict[str, Callable[..., Any]] | None:
-    """The functions of connect.c by their names without prefix; None where it cannot be compiled."""
-    code = search_code()
-    return None if code is None else code.functions(quick=QUICK)
+def functions() -> dict[str, Callable[..., Any]]:
+    """The functions of connect.c."""
+    return load_kernel("connect").functions(quick=QUICK)
 
 
 def can_check(model: CollisionModel) -> bool:
-    """Whether the compiled check is there for a robot among its obstacles."""
-    return model.robot.n <= MOST_JOINTS and model.kernel_copy() is not None and functions() is not None
+    """Whether the compiled check serves a robot among its obstacles."""
+    return model.robot.n <= MOST_JOINTS
 
 
 class MotionCheck:
@@ -178,7 +169,6 @@ class MotionCheck:
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
         model, kernel = task.model, task.model.kernel_copy()
         self.call, self._task, self.n = functions(), task, model.robot.n
-        assert self.call is not None and kernel is not None
         self.deadline = task.deadline
         self._failure: BaseException | None = None
         low, high = task.bounds()
@@ -199,7 +189,7 @@ class MotionCheck:
             self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
         self._q: Any = (ctypes.c_double * (2 * self.n))()
         self._kept = vectors, kernel
-        self.data = struct(SOURCE, "Search")(
+        self.data = struct("connect", "Search")(
             n=self.n,
             near=NEAR,
             around=AROUND,
@@ -232,7 +222,6 @@ class MotionCheck:
 
     def configuration(self, q: list[float]) -> bool:
         """Whether a configuration of n joint values [rad or m] is free."""
-        assert self.call is not None
         self._q[: self.n] = q
         found = self.call["state"](self.at, self._places[0])
         self.raise_failure()
@@ -240,9 +229,8 @@ class MotionCheck:
 
     def motion(self, first: list[float], last: list[float]) -> bool:
         """Whether the straight motion from one configuration, which is free, to another is free."""
-        assert self.call is not None
         self._q[: self.n], self._q[self.n :] = first, last
-        found = self.call["motion"](self.at, *self._places)
+        found = self.call["motion_is_free"](self.at, *self._places)
         self.raise_failure()
         return bool(found)
 

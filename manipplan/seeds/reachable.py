@@ -30,7 +30,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.kernel import DistanceKernel, find_kernel
+from manipplan.collision.kernel import DistanceKernel, kernel_of
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import BodyMotion, body_motion
 from manipplan.robots.arms import farthest
@@ -284,7 +284,7 @@ def why_unreachable(task: SeedTask) -> str | None:
     It takes up to about 0.3 s, and depends on nothing but the task.
     """
     kernel = task.model.kernel_copy()
-    if kernel is None or not task.model.pair_names:
+    if not task.model.pair_names:
         return None
     between = body_motion(task.model).joints_between()
     first = [frozenset(range(k)) for k in range(1, min(task.model.robot.n, max(LAST)) + 1)]
@@ -433,8 +433,6 @@ def _balls(task: SeedTask) -> Iterator[_Centres]:
         return
     known = {pair for first, second in model.pairs.tolist() for pair in ((first, second), (second, first))}
     kernel = _point_kernel(model, still)
-    if kernel is None:
-        return
     names = [objects[k].name for k in still]
     for joint in range(model.robot.model.njoints - 1, 0, -1):
         largest: tuple[int, Ball] | None = None
@@ -493,7 +491,7 @@ def _reach(robot: Robot, joint: int, centre: Array) -> tuple[Array, float]:
     return np.array(model.jointPlacements[first].translation), float(np.linalg.norm(centre)) + links + slid + ROUNDING
 
 
-def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel | None:
+def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel:
     """Distances of a point, placed by three sliding joints, to the bodies `still`, one pair each."""
     sliding, joint = pin.Model(), 0
     for name, kind in (("x", pin.JointModelPX), ("y", pin.JointModelPY), ("z", pin.JointModelPZ)):
@@ -507,4 +505,4 @@ def _point_kernel(model: CollisionModel, still: Sequence[int]) -> DistanceKernel
         lower=-endless, upper=endless, velocity=endless, acceleration=endless, jerk=endless, effort=endless, sources={}
     )
     point = Robot(name="point", model=sliding, geometry=pin.GeometryModel(), tool="", limits=limits, neutral=np.zeros(3))
-    return find_kernel(point, objects, pairs, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])
+    return kernel_of(point, objects, pairs, radii, [number for number, k in enumerate(still, start=1) if k in model.solids])

@@ -22,8 +22,8 @@ from manipplan.kinematics.factors import sides_of
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath, rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.connect import StarSearch, TreeSearch, star_code
-from manipplan.seeds.motions import Level, can_check
+from manipplan.seeds.connect import StarSearch, TreeSearch
+from manipplan.seeds.motions import MOST_JOINTS, Level, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
@@ -111,16 +111,18 @@ def seed_path(
     q_start = model.free_configuration("start", start, clearance)
     q_goal = model.free_configuration("goal", goal, clearance)
     check_apart(q_start, q_goal)
-    compiled = can_check(model) and seeding.planner in ("auto", STAR)  # before time counts, since code may have to be compiled
-    if seeding.planner == STAR and not (compiled and star_code()):
-        raise InvalidInputError("seeding.planner", STAR, "another one: here its code cannot be compiled")
+    compiled = can_check(model) and seeding.planner in ("auto", STAR)
+    if seeding.planner == STAR and not compiled:
+        raise InvalidInputError("seeding.planner", STAR, f"another one: it serves at most {MOST_JOINTS} joints")
     kept = ConstraintSet.of(robot, constraints) if constraint_tuple(constraints) else None
     if kept is not None:
         check_ends(kept, q_start, q_goal)
         if seeding.planner != "auto":
             raise InvalidInputError("seeding.planner", seeding.planner, "'auto': the other planners keep no constraints")
         if not compiled:
-            raise InvalidInputError("constraints", constraints, "none: here the search that keeps them cannot be compiled")
+            raise InvalidInputError(
+                "constraints", constraints, f"none: the search that keeps them serves at most {MOST_JOINTS} joints"
+            )
     kinematics = integral.kinematics
     at_goal, _, nearest = model.least_distance(q_goal[None])
     task = SeedTask(

@@ -8,14 +8,13 @@ linearisation of Verscheure and of TOPP3, within one interior-point method). Thi
 import ctypes
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, SquaredSpeed
 
 #: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.
@@ -35,7 +34,6 @@ SUFFICIENT = 1e-2
 BEYOND = {"h": 1.0, "d": 0.0, "w": 0.5, "fastest": np.inf, "most_c": np.inf}
 
 #: The compiled steps.
-SOURCE = Path(__file__).with_name("barrier.c")
 
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
@@ -121,7 +119,7 @@ def _nearer(problem: JerkProblem, z: Array) -> Array | None:
 
 @cache
 def _calls() -> dict[str, Callable[..., Any]]:
-    return require_code(SOURCE, "timing with jerk limits").functions()
+    return load_kernel("barrier").functions()
 
 
 class Centring:
@@ -136,7 +134,7 @@ class Centring:
         lines = {name: getattr(problem, name) for name in ("h", "d", "fastest", "most_c")} | {"w": problem.a_rows[0]}
         self._arrays = {name: _fill(each.T, stride, 0.0) for name, each in rows.items()}
         self._arrays |= {name: _fill(each[None], stride, BEYOND[name]) for name, each in lines.items()}
-        self._motion = struct(SOURCE, "Motion")(
+        self._motion = struct("barrier", "Motion")(
             points=len(problem.fastest),
             rows=problem.constant.shape[1],
             limited=problem.jerk.shape[1],
@@ -155,7 +153,7 @@ class Centring:
         """The fastest motion near z, which is inside the limits; both are free coefficients."""
         z, count = z.copy(), self._problem.count
         rounds = {"begin": FIRST, "heavier": HEAVIER, "gap": GAP, "rough": ROUGH, "centred": CENTRED, "sufficient": SUFFICIENT}
-        how = struct(SOURCE, "Descent")(count=count, steps=STEPS, **rounds)
+        how = struct("barrier", "Descent")(count=count, steps=STEPS, **rounds)
         if not _done(self._functions["descend"](ctypes.addressof(self._motion), ctypes.addressof(how), z.ctypes.data)):
             raise ValueError("z is not inside the limits")
         return z

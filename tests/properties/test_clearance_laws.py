@@ -1,7 +1,6 @@
 """No two bodies of any arm come nearer than the bound on their motion says."""
 
 import functools
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from manipplan.collision import path_clearance
 from manipplan.collision.path_clearance import SLACK, BodyMotion
 from manipplan.collision.path_clearance import _Intervals as Intervals
 from manipplan.paths.joint import split
-from manipplan.support.compiling.native import llvm_code
+from manipplan.support.compiling.kernels import kernel_by_llvm
 
 QUICK = ("panda", "ur5")  # which other tests need, too; most of the time is the fit of primitives
 ARMS = [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in mp.available_robots()]
@@ -88,8 +87,7 @@ def test_motion_is_the_same_by_numpy(arm, rng, monkeypatch, by):
     if reach is None:
         return
     if by == "llvm":
-        code = llvm_code(Path(path_clearance.__file__).with_name("body_motion.c"))
-        call = code.functions()["motion"]
+        call = kernel_by_llvm("body_motion").functions()["motion_bounds"]
         monkeypatch.setattr(path_clearance, "_compiled", lambda: call)
     q, change = arm.random_configuration(rng, size=20), rng.uniform(0.0, 0.3, (20, arm.n))
     rows, pairs = np.sort(rng.integers(0, 20, 300)), rng.integers(0, len(model.pair_names), 300)

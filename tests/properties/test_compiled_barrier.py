@@ -6,9 +6,9 @@ from barrier_oracle import NumpyCentring
 from examples import examples
 from hypothesis import given
 from hypothesis import strategies as st
-from test_compiled_paths import by_llvm
 
 import manipplan as mp
+from manipplan.support.compiling.kernels import kernel_by_llvm
 from manipplan.timing import barrier, piece
 from manipplan.timing.barrier import Centring, fastest_motion, motion_inside
 from manipplan.timing.dynamics import ArcLength, path_dynamics
@@ -17,7 +17,7 @@ from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong, Segment
 
 ARM, HEAVY = mp.planar_arm([1.0, 1.0, 1.0]), mp.load_robot("ur5")
-LLVM = by_llvm(barrier, "barrier.c")
+LLVM = kernel_by_llvm("barrier")
 FUNCTIONS = {"compiler": barrier._calls(), "llvm": LLVM.functions()}
 
 

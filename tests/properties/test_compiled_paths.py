@@ -2,7 +2,6 @@
 
 import copy
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,12 +17,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.paths import joint as curves
 from manipplan.paths.basis import find_basis
 from manipplan.paths.joint import MOST_DEGREE, Curve, JointPath, bernstein
-from manipplan.support.compiling.native import llvm_code
-
-
-def by_llvm(module, source):
-    """The code of a C source beside a module, as LLVM compiles it."""
-    return llvm_code(Path(module.__file__).with_name(source))
+from manipplan.support.compiling.kernels import kernel_by_llvm
 
 
 def some_path(rng, pieces, degree, n):
@@ -35,11 +29,11 @@ def some_path(rng, pieces, degree, n):
 @pytest.fixture(params=["compiler", "llvm"])
 def compiled(request, monkeypatch):
     if request.param == "llvm":
-        found = {curves: by_llvm(curves, "curves.c"), panels: by_llvm(panels, "panels.c")}
-        calls = found[panels].functions()
-        monkeypatch.setattr(curves, "_call", lambda: found[curves].functions(quick=("curve",))["curve"])
+        found = {name: kernel_by_llvm(name) for name in ("curves", "panels")}
+        calls, curve = found["panels"].functions(), found["curves"].functions(quick=("curve",))["curve"]
+        monkeypatch.setattr(curves, "_call", lambda: curve)
         monkeypatch.setattr(panels, "_calls", lambda: calls)
-        monkeypatch.setattr(panels, "curve_code", lambda: found[curves])
+        monkeypatch.setattr(panels, "load_kernel", found.get)
     return request.param
 
 
@@ -87,20 +81,16 @@ def test_powers_are_products():
     np.testing.assert_allclose(bernstein(MOST_DEGREE, u).sum(axis=1), 1.0, rtol=1e-14)
 
 
-def test_curves_of_high_degree_and_without_compiled_code(rng, monkeypatch):
+def test_curves_of_high_degree(rng):
     control = np.repeat(rng.standard_normal((1, 1, 3)), MOST_DEGREE + 2, axis=1)
     curve = Curve(np.array([0.0, 1.0]), control)
     assert curve.address == 0
     np.testing.assert_allclose(curve(rng.random(20)), control[0, :20], rtol=1e-12)
-    monkeypatch.setattr(curves, "_call", lambda: None)
-    assert some_path(rng, 4, 5, 6).curve().address == 0
 
 
-@pytest.mark.parametrize("without", [False, True])
-def test_parameters_outside_the_path_are_refused(rng, monkeypatch, without):
-    if without:
-        monkeypatch.setattr(curves, "_call", lambda: None)
-    path = some_path(rng, 2, 3, 2)
+@pytest.mark.parametrize("degree", [3, MOST_DEGREE + 1])
+def test_parameters_outside_the_path_are_refused(rng, degree):
+    path = some_path(rng, 1, degree, 2)
     for s in (-1e-9, [0.5, 1.0000001], np.array([[0.2, np.nan]]), np.inf):
         with pytest.raises(mp.InvalidInputError, match="s: got"):
             path(s)

@@ -1,6 +1,5 @@
 """The compiled kernel against coal, for arms and scenes of every shape, and the gradient of distances."""
 
-import hashlib
 import os
 import subprocess
 import sys
@@ -11,15 +10,15 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
+from coal_oracle import by_coal
 from examples import examples
 from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision import kernel
 from manipplan.collision.kernel import UNDECIDED, DistanceKernel
 from manipplan.collision.shapes import Part
-from manipplan.support.compiling.native import PACKAGE, llvm_code, llvm_texts
+from manipplan.support.compiling.kernels import kernel_by_llvm
 
 ARMS = ["panda", "ur5", "planar", "two", "eggs"]
 MORE_ARMS = [
@@ -100,13 +99,6 @@ def ring():
     corner[-1], corner[:, -1] = corner[0], corner[:, 0]
     a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
     return np.concatenate([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)]).reshape(-1, 3, 3)
-
-
-def by_coal(model):
-    """A model without the kernel."""
-    slow = model.copy()
-    slow.__dict__["_kernel"] = None
-    return slow
 
 
 def assert_alike(found, expected):
@@ -436,7 +428,7 @@ def by_llvm(model, calls):
 
 @pytest.fixture(scope="session")
 def llvm_calls():
-    return llvm_code(kernel.SOURCE)
+    return kernel_by_llvm("distances")
 
 
 @pytest.mark.slow
@@ -450,15 +442,6 @@ def test_llvm_s_kernel_gives_the_same(arm, wedge, rng, llvm_calls):
         np.testing.assert_array_equal(other.distance_rows(q), model.distance_rows(q))
         np.testing.assert_array_equal(other.in_collision_rows(q), model.in_collision_rows(q))
         np.testing.assert_array_equal([other.in_collision(each) for each in q[:50]], model.in_collision_rows(q[:50]))
-
-
-@pytest.mark.parametrize("name", llvm_texts())
-def test_llvm_s_code_is_made_of_the_source(name):
-    """`make kernel` writes it; the hash is that of the source with the headers of its folder."""
-    source, (digest, text) = PACKAGE / name, llvm_texts()[name]
-    files = [source, *sorted(source.parent.glob("*.h"))]
-    assert digest == hashlib.sha256(b"".join(each.read_bytes() for each in files)).hexdigest()
-    assert "target" not in text and "define" in text
 
 
 @pytest.mark.slow

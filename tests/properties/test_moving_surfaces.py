@@ -4,6 +4,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 import pytest
+from coal_oracle import by_coal
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.surfaces.meshes import triangle_tree
@@ -68,12 +69,6 @@ def model_of(one, two, still=False):
     robot = Robot(name="two", model=model, geometry=geometry, tool="", limits=limits, neutral=np.zeros(model.nq))
     solids = [k for k, name in enumerate((one, two)) if name in SOLID]
     return CollisionModel(robot, geometry, np.array([[0, 1]]), {}, bodies=2, solids=solids)
-
-
-def by_coal(model):
-    slow = model.copy()
-    slow.__dict__["_kernel"] = None
-    return slow
 
 
 def random_q(model, rng, count, wide=1.5):

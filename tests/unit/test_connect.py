@@ -230,8 +230,8 @@ def test_without_a_compiler_the_path_is_the_same(tmp_path):
     np.testing.assert_allclose(found[0], found[1], atol=1e-9)
 
 
-def test_where_it_cannot_be_compiled_ompl_searches(planar, monkeypatch):
-    monkeypatch.setattr(motions, "functions", lambda: None)
+def test_with_too_many_joints_ompl_searches(planar, monkeypatch):
+    monkeypatch.setattr(motions, "MOST_JOINTS", 1)
     assert not can_check(POST.collision_model(planar))
     path = mp.seed_path(planar, START, GOAL, POST)
     np.testing.assert_array_equal(

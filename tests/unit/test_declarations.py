@@ -6,34 +6,34 @@ import subprocess
 
 import pytest
 
-from manipplan.support.compiling import native
+from manipplan.support.compiling import declarations
 from manipplan.support.compiling.compiler import find_compiler
 from manipplan.support.compiling.declarations import TYPES, signatures, source_text, struct
+from manipplan.support.compiling.kernel_library import KERNELS
 from manipplan.support.errors import CompilerError
 
 STRUCTS = {
-    "collision/body_motion.c": ["Arm"],
-    "collision/distances.c": ["World"],
-    "collision/look.c": ["Dips", "Look", "Bracket", "Found"],
-    "cost/panels.c": ["Integral"],
-    "ik/inverse.c": ["Form", "Samples", "Solutions", "Screws", "Vector", "Turns"],
-    "paths/curves.c": ["Curve"],
-    "search/restarts.c": ["Problem", "State"],
-    "search/sweep.c": ["Grid", "Cells", "Values", "Step"],
-    "seeds/connect.c": ["Constraints", "Side", "Search"],
-    "seeds/star.c": ["Star"],
-    "timing/barrier.c": ["Motion", "Descent"],
+    "body_motion": ["Arm"],
+    "distances": ["World"],
+    "look": ["Dips", "Look", "Bracket", "Found"],
+    "panels": ["Integral"],
+    "inverse": ["Form", "Samples", "Solutions", "Screws", "Vector", "Turns"],
+    "curves": ["Curve"],
+    "restarts": ["Problem", "State"],
+    "sweep": ["Grid", "Cells", "Values", "Step"],
+    "connect": ["Constraints", "Side", "Search"],
+    "star": ["Star"],
+    "barrier": ["Motion", "Descent"],
 }
 
 
 @pytest.mark.compiler
 @pytest.mark.parametrize("source", STRUCTS)
 def test_structs_are_laid_out_as_the_compiler_does(source, tmp_path):
-    file = native.PACKAGE / source
-    read = {name: struct(file, name) for name in STRUCTS[source]}
+    read = {name: struct(source, name) for name in STRUCTS[source]}
     lines = [f'printf("%zu\\n", sizeof({name}));' for name in read]
     lines += [f'printf("%zu\\n", offsetof({name}, {field}));' for name, kind in read.items() for field, _ in kind._fields_]
-    text = f"{source_text(file)}\n#include <stddef.h>\n#include <stdio.h>\nint main(void) {{ {' '.join(lines)} return 0; }}\n"
+    text = f"{source_text(source)}\n#include <stddef.h>\n#include <stdio.h>\nint main(void) {{ {' '.join(lines)} return 0; }}\n"
     (tmp_path / "layout.c").write_text(text)
     command = [*find_compiler().command, "layout.c", "-o", "layout", "-lm", "-w"]
     subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
@@ -44,14 +44,14 @@ def test_structs_are_laid_out_as_the_compiler_does(source, tmp_path):
 
 
 def test_every_function_of_the_kernels_is_read():
-    for source in native.llvm_texts():
-        called = re.findall(r"manipplan_(\w+)\(", source_text(native.PACKAGE / source))
-        assert set(signatures(native.PACKAGE / source)) == set(called) and called
+    for source in KERNELS:
+        called = re.findall(r"manipplan_(\w+)\(", source_text(source))
+        assert set(signatures(source)) == set(called) and called
 
 
-def test_odd_declarations(tmp_path):
-    file = tmp_path / "odd.c"
-    file.write_text(
+def test_odd_declarations(tmp_path, monkeypatch):
+    monkeypatch.setattr(declarations, "FOLDER", tmp_path)
+    (tmp_path / "odd.c").write_text(
         "typedef struct { long k; double (*f)(const void *, double); unsigned char c[2][3], *d; } Whole; /* } Whole; */\n"
         "typedef struct { Whole one, *other; const double *const last; } Nested;\n"
         "typedef struct { Unknown one; } Lost;\n"
@@ -59,9 +59,9 @@ def test_odd_declarations(tmp_path):
         "static int manipplan_hidden(long k) { return 0; }\n"
         "unsigned long long manipplan_shown(const Whole *w, long k,\n                                   double const_x) { return 0; }\n"
     )
-    whole = struct(file, "Whole")
+    whole = struct("odd", "Whole")
     assert [name for name, _ in whole._fields_] == ["k", "f", "c", "d"] and whole.c.size == 6
-    assert signatures(file)["shown"] == (TYPES["unsigned long long"], ctypes.c_void_p, ctypes.c_long, ctypes.c_double)
+    assert signatures("odd")["shown"] == (TYPES["unsigned long long"], ctypes.c_void_p, ctypes.c_long, ctypes.c_double)
     for name, said in (("Lost", "Unknown"), ("Bits", "bits"), ("None", "None")):
         with pytest.raises(CompilerError, match=said):
-            struct(file, name)
+            struct("odd", name)

@@ -1,7 +1,5 @@
 """Compiled kernels of inverse kinematics by themselves: roots of quartics, checks of poses and duplicates, Newton steps."""
 
-from pathlib import Path
-
 import mpmath
 import numpy as np
 import pinocchio as pin
@@ -12,13 +10,15 @@ from manipplan.ik import bridge
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import are_poses, distinct, residuals
-from manipplan.support.compiling.native import llvm_code, source_text
+from manipplan.support.compiling import declarations
+from manipplan.support.compiling.declarations import source_text
+from manipplan.support.compiling.kernels import kernel_by_llvm
 from manipplan.support.tolerances import COINCIDENT
 
 
 @pytest.fixture(scope="module")
 def by_llvm():
-    code = llvm_code(Path(bridge.__file__).with_name("inverse.c"))
+    code = kernel_by_llvm("inverse")
     yield code.functions()
 
 
@@ -151,8 +151,9 @@ def test_llvm_and_the_compiler_agree(by_llvm, monkeypatch, rng):
         assert len(usual) > 20
 
 
-def test_headers_stand_in_place_of_their_lines_once(tmp_path):
+def test_headers_stand_in_place_of_their_lines_once(tmp_path, monkeypatch):
+    monkeypatch.setattr(declarations, "FOLDER", tmp_path)
     (tmp_path / "a.c").write_text('#include <math.h>\n#include "b.h"\n#include "c.h"\nint a;\n')
     (tmp_path / "b.h").write_text('#pragma once\n#include "c.h"\nint b;\n')
     (tmp_path / "c.h").write_text("#pragma once\nint c;\n")
-    assert source_text(tmp_path / "a.c") == "#include <math.h>\nint c;\nint b;\nint a;\n"
+    assert source_text("a") == "#include <math.h>\nint c;\nint b;\nint a;\n"

@@ -152,13 +152,6 @@ def test_nothing_is_near_far_from_everything(panda):
     assert len(found.s) == 0 and found.least == NOTHING.least == np.inf
 
 
-def test_without_compiled_code_the_error_says_what_to_install(through_a_post, monkeypatch):
-    search, _ = through_a_post
-    monkeypatch.setattr(type(search.model), "kernel_copy", lambda _: None)
-    with pytest.raises(mp.CompilerError, match="neither a C compiler nor LLVM"):
-        DistanceSearch(search.model)
-
-
 def test_searches_of_one_model_do_not_share_memory(through_a_post):
     search, curve = through_a_post
     other = DistanceSearch(search.model)

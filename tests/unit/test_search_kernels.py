@@ -1,7 +1,6 @@
 """Compiled kernels of the searches by themselves: cells against NumPy, and LLVM's code against the compiler's."""
 
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +8,7 @@ import pytest
 import manipplan as mp
 from manipplan.search import guilamo, sweep
 from manipplan.search.sweep import choose_grid, largest_of_each, sorted_into_cells
-from manipplan.support.compiling.native import llvm_code
+from manipplan.support.compiling.kernels import kernel_by_llvm
 
 TURNS = np.array([False, True, False, True])
 
@@ -44,7 +43,7 @@ def test_candidates_sorted_by_cell(share, rng):
 
 @pytest.fixture
 def by_llvm(monkeypatch):
-    engines = {name: llvm_code(Path(sweep.__file__).with_name(f"{name}.c")) for name in ("sweep", "restarts")}
+    engines = {name: kernel_by_llvm(name) for name in ("sweep", "restarts")}
     calls, restarts = engines["sweep"].functions(), engines["restarts"].functions()["restarts"]
 
     def use():

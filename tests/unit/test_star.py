@@ -67,7 +67,7 @@ def test_an_aspect_is_kept(ur5):
 
 def test_a_cost_is_that_of_the_planners_of_ompl(planar, ur5, rng):
     """The same integral of a motion, by NumPy."""
-    cost = connect.star_code().functions()["edge_cost"]
+    cost = connect._functions()["edge_cost"]
     for robot, objective in ((planar, OBJECTIVES["weighted"]), (planar, OBJECTIVES["g"]), (ur5, mp.PathObjective())):
         start, goal = robot.neutral, robot.neutral + 0.5
         task = motions_task(robot, start, goal)
@@ -90,7 +90,7 @@ def test_too_few_checks_are_told(planar):
         found(planar, POST, (START, GOAL), None, 5)
 
 
-def test_where_it_cannot_be_compiled_it_is_refused(planar, monkeypatch):
-    monkeypatch.setattr(motions, "functions", lambda: None)
+def test_with_too_many_joints_it_is_refused(planar, monkeypatch):
+    monkeypatch.setattr(motions, "MOST_JOINTS", 1)
     with pytest.raises(mp.InvalidInputError, match=r"seeding\.planner: got 'connect-star'; allowed: another one"):
         found(planar, POST, (START, GOAL), None, 1000)

@@ -22,6 +22,7 @@ from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.compiling.compiler import log_when_slow
+from manipplan.support.compiling.kernel_library import FOLDER
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
@@ -140,8 +141,7 @@ def _content(shape: coal.CollisionGeometry) -> object:
 @cache
 def _choice_sources() -> bytes:
     """Digest of the sources that a choice depends on."""
-    folder = Path(__file__).parents[1]
-    files = (folder / "build.py", folder / "distances.c")
+    files = (Path(__file__).parents[1] / "build.py", FOLDER / "distances.c")
     return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 
 from manipplan.robots.meshes.files import first_of_rows
 from manipplan.support.checks import Array
-from manipplan.support.compiling.native import require_code
+from manipplan.support.compiling.kernels import load_kernel
 
 #: Corners nearer to each other than this, along each axis, are one [m].
 MERGED = 1e-9
@@ -120,8 +119,7 @@ def winding_number(triangles: Array, points: Array) -> Array:
 
 @cache
 def _winding() -> Callable[..., Any]:
-    code = require_code(Path(__file__).with_name("winding.c"), "insides of meshes")
-    return code.functions()["winding"]
+    return load_kernel("winding").functions()["winding"]
 
 
 def _find_components(faces: Faces, corners: int) -> list[Faces]:

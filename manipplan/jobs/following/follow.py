@@ -29,7 +29,6 @@ from manipplan.search.max_min import SearchResult
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
-from manipplan.support.compiling.native import compile_ahead
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
@@ -39,8 +38,6 @@ from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import check_tool_speed
 from manipplan.timing.retime import check_timing_limits
 
-#: C sources of this job that are compiled while inverse kinematics is, at the first call ever.
-SOURCES = ("collision/distances.c", "search/sweep.c", "cost/panels.c", "paths/curves.c", "timing/barrier.c")
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
 #: Number of places at which it is looked whether the poses of a path differ.
@@ -209,7 +206,6 @@ def follow(
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
-    compile_ahead(*SOURCES)
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()
     if given is not None:

@@ -46,7 +46,7 @@ def blocked(model: CollisionModel, motion: Trajectory, tolerance: Tolerance, tas
     """
     robot, kernel = model.robot, model.kernel_copy()
     pairs, levers = _pairs_of_tool(model)
-    if kernel is None or not len(pairs) or len(robot.tools) > 1:
+    if not len(pairs) or len(robot.tools) > 1:
         return ""
     position, rotation = held(task)
     if not position or tolerance.position is None or task.relative_to is not None:

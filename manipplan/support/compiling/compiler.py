@@ -16,53 +16,22 @@ import platform
 import shlex
 import shutil
 import subprocess
-import tempfile
 import threading
-import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
+from manipplan.support.compiling.stored import cache_errors, cache_for, is_sound, place_to_build, publish
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError, CompilerWarning
-from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.processes.commands import run
 from manipplan.support.untrusted import terminal_text
 
-#: Level of optimisation.
-LEVEL = 3
-
-
-def compile_by_llvm(text: str) -> Any:
-    """An execution engine with the functions of a module in LLVM's language, for the processor of this machine.
-
-    Addresses are given by `get_function_address(name)`; the code lives as long as the engine. Raises RuntimeError when LLVM
-    does not accept the module.
-    """
-    from llvmlite import binding as llvm
-
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    target = llvm.Target.from_default_triple()
-    features = llvm.get_host_cpu_features().flatten()
-    machine = target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=LEVEL, jit=True)
-    module = llvm.parse_assembly(text)
-    module.triple, module.data_layout = target.triple, str(machine.target_data)
-    module.verify()
-    options = llvm.create_pipeline_tuning_options(speed_level=LEVEL)
-    builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return engine
-
-
-#: The command line shows this log.
-log = logging.getLogger(__name__)
+log = logging.getLogger("manipplan")
 
 #: Time after which the line is logged [s].
 PATIENCE = 1.0
@@ -80,7 +49,6 @@ def log_when_slow(work: str) -> Iterator[None]:
         timer.cancel()
 
 
-log = logging.getLogger("manipplan")
 Loaded = TypeVar("Loaded")
 
 #: Options for functions that only this machine runs. Products and sums are not fused, as in CasADi's virtual machine.
@@ -179,11 +147,10 @@ def load_library(
     Raises:
         CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
     """
-    with _cache_errors(cache_folder(), subject):
-        folder = private_folder()
+    folder = cache_for(subject)
     for command in _commands(language):  # a library that is there needs no compiler that works
         file = folder / f"{_key(source, command, flags)}.so"
-        if _sound(file):
+        if is_sound(file):
             try:
                 return load(file)
             except _UNLOADABLE as error:
@@ -234,14 +201,14 @@ def _give_up(compiler: Compiler, folder: Path, subject: str, reason: str) -> Com
 
 
 def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
-    with _place_to_build(file.parent, subject) as place:
+    with place_to_build(file.parent, subject) as place:
         code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
         log.debug("compiling %s", subject)
         options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
         libraries = [flag for flag in flags if flag not in options]
         named = ["-x", language, str(code), "-x", "none"]  # so that a C++ compiler also treats C as C
         command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
-        with _cache_errors(file.parent, subject):
+        with cache_errors(file.parent, subject):
             code.write_text(source, encoding="utf-8")
         try:
             answer = run(command, limit=BUILD_LIMIT)
@@ -252,37 +219,8 @@ def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], la
             raise CompilerError(subject, f"{shlex.join(command)}\ncannot be run ({error.strerror})") from error
         if answer.returncode != 0 or not library.is_file():
             raise CompilerError(subject, f"{shlex.join(command)}\n{answer.stderr.strip()}")
-        checksum = place / "checksum"
-        # Each rename is atomic. Between the two, and after two concurrent builds, the checksum may not match; then the next
-        # caller rebuilds.
-        with _cache_errors(file.parent, subject):
-            checksum.write_text(_digest(library))
-            library.chmod(0o755)  # whatever the umask: a file that a group can write is not loaded
-            checksum.chmod(0o644)
-            library.replace(file)
-            checksum.replace(file.with_suffix(".sha256"))
-
-
-@contextmanager
-def _cache_errors(folder: Path, subject: str) -> Iterator[None]:
-    """Raise errors of the file system as CompilerError."""
-    try:
-        yield
-    except OSError as error:
-        raise CompilerError(subject, f"the cache folder {folder} cannot be written ({error.strerror})") from error
-
-
-@contextmanager
-def _place_to_build(folder: Path, subject: str) -> Iterator[Path]:
-    """A temporary folder inside the cache folder; removes folders that killed builds left more than a day ago."""
-    with _cache_errors(folder, subject):
-        for left in folder.glob("building-*"):
-            with suppress(FileNotFoundError):  # another process may have removed it
-                if left.stat().st_mtime < time.time() - 86400:
-                    shutil.rmtree(left, ignore_errors=True)
-        place = tempfile.TemporaryDirectory(prefix="building-", dir=folder)
-    with place as name:
-        yield Path(name)
+        with cache_errors(file.parent, subject):
+            publish(library, file)
 
 
 @contextmanager
@@ -294,22 +232,6 @@ def _announce(subject: str) -> Iterator[None]:
         console.print(text)
     with console.status(text):
         yield
-
-
-def _sound(file: Path) -> bool:
-    """Whether a library exists, is complete, and cannot have been written by another user."""
-    checksum = file.with_suffix(".sha256")
-    try:
-        if file.is_symlink() or not (is_private(file) and is_private(checksum)):
-            return False
-        return checksum.read_text() == _digest(file)
-    except (OSError, UnicodeDecodeError):
-        return False
-
-
-def _digest(file: Path) -> str:
-    """Hash of a library and its name, so that no library is mistaken for another."""
-    return hashlib.sha256(file.name.encode() + file.read_bytes()).hexdigest()
 
 
 @cache

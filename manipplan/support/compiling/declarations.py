@@ -7,9 +7,9 @@ structs and arrays of these, and functions whose names begin with `manipplan_`.
 import ctypes
 import re
 from functools import cache
-from pathlib import Path
 from typing import Any
 
+from manipplan.support.compiling.kernel_library import FOLDER
 from manipplan.support.errors import CompilerError
 
 PREFIX = "manipplan_"
@@ -32,30 +32,30 @@ _FIELD = re.compile(r"(?:const )?((?:signed |unsigned )?\w+(?: long)?)\b(.*)", r
 _NAME = re.compile(r"\s*(\**)\s*(\w+)\s*((?:\[\d+\])*)\s*")
 
 
-def source_text(source: Path) -> str:
-    """The C source with the headers of its own folder in place of the lines that include them, each once."""
+def source_text(name: str) -> str:
+    """The source `csrc/<name>.c` with our headers in place of the lines that include them, each once."""
     seen: set[str] = set()
 
-    def expand(file: Path) -> str:
-        text = file.read_text(encoding="utf-8").replace("#pragma once\n", "")
+    def expand(file: str) -> str:
+        text = (FOLDER / file).read_text(encoding="utf-8").replace("#pragma once\n", "")
         return _INCLUDE.sub(lambda line: include(line[1]), text)
 
-    def include(name: str) -> str:
-        if name in seen:
+    def include(header: str) -> str:
+        if header in seen:
             return ""
-        seen.add(name)
-        return expand(source.with_name(name))
+        seen.add(header)
+        return expand(header)
 
-    return expand(source)
+    return expand(f"{name}.c")
 
 
 @cache
-def _code(source: Path) -> str:
+def _code(source: str) -> str:
     return _COMMENT.sub("", source_text(source))
 
 
 @cache
-def signatures(source: Path) -> dict[str, tuple[Any, ...]]:
+def signatures(source: str) -> dict[str, tuple[Any, ...]]:
     """The types of result and arguments of each function, by its name without prefix. Pointers are addresses."""
     return {
         name: (_type(source, result, star), *(_type(source, *_argument(each)) for each in arguments.split(",")))
@@ -69,7 +69,7 @@ def _argument(text: str) -> tuple[str, str]:
     return (kind, "*") if "*" in text else (kind.rpartition(" ")[0], "")
 
 
-def _type(source: Path, kind: str, star: str) -> Any:
+def _type(source: str, kind: str, star: str) -> Any:
     if star:
         return ctypes.c_void_p
     kind = kind.removeprefix("const ").strip()
@@ -77,16 +77,16 @@ def _type(source: Path, kind: str, star: str) -> Any:
 
 
 @cache
-def struct(source: Path, name: str) -> type[ctypes.Structure]:
+def struct(source: str, name: str) -> type[ctypes.Structure]:
     """The struct of that name; raises CompilerError where the source has none that can be read."""
     found = re.search(rf"typedef struct {{([^{{}}]*)}} {name};", _code(source))
     if found is None:
-        raise CompilerError(f"the struct {name}", f"{source.name} declares none that can be read")
+        raise CompilerError(f"the struct {name}", f"{source}.c declares none that can be read")
     fields = [field for line in found[1].split(";") if line.strip() for field in _fields(source, line.strip())]
-    return type(name, (ctypes.Structure,), {"_fields_": fields, "__doc__": f"`{name}` of {source.name}."})
+    return type(name, (ctypes.Structure,), {"_fields_": fields, "__doc__": f"`{name}` of {source}.c."})
 
 
-def _fields(source: Path, declaration: str) -> list[tuple[str, Any]]:
+def _fields(source: str, declaration: str) -> list[tuple[str, Any]]:
     """Names and types of what one declaration of a struct declares."""
     if pointer := _POINTER_TO_FUNCTION.fullmatch(declaration):
         return [(pointer[1], ctypes.c_void_p)]
@@ -95,7 +95,7 @@ def _fields(source: Path, declaration: str) -> list[tuple[str, Any]]:
     for declarator in kind[2].split(",") if kind else [""]:
         found = _NAME.fullmatch(declarator)
         if kind is None or found is None:
-            raise CompilerError(f"the field {declaration!r}", f"{source.name} declares it in a way that cannot be read")
+            raise CompilerError(f"the field {declaration!r}", f"{source}.c declares it in a way that cannot be read")
         field = _type(source, kind[1], found[1])
         for length in reversed(re.findall(r"\d+", found[3])):
             field = field * int(length)

@@ -158,7 +158,7 @@ int manipplan_state(Search *s, const double *q) {
 
 /* Whether the straight motion from a, for which `manipplan_state` holds, to b is free; where singularities count, it changes no
    more sides, from those of the start on, than a path may. */
-int manipplan_motion(Search *s, const double *a, const double *b) {
+int manipplan_motion_is_free(Search *s, const double *a, const double *b) {
     narrow(s);
     Side side = s->side[0][0];
     if (s->sides && !carry(s, a, b, &side, s->side[1])) { s->checks++; return 0; }

@@ -107,7 +107,7 @@ static double acceleration(const Arm *arm, const long *way, long count, const do
 /* Upper bounds (e) on the motion of the two bodies of pairs (e) towards each other, for joints that move at most change (m, n)
    from q (m, n); rows (e) say from which. Rows that follow each other and are equal share their work. With speeds and
    accelerations (m, n) of the joints also upper bounds (e) on the accelerations of the bodies' points; both may be 0. */
-void manipplan_motion(const Arm *arm, const double *q, const double *change, const double *speeds, const double *accelerations,
+void manipplan_motion_bounds(const Arm *arm, const double *q, const double *change, const double *speeds, const double *accelerations,
                       const long *rows, const long *pairs, long e, double *out, double *bends) {
     double frame[MOST_JOINTS + 1][12], axis[MOST_JOINTS + 1][3], point[CORE_POINTS][3];
     long n = arm->n, here = -1, way[MOST_JOINTS], own;

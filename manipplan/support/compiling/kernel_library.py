@@ -1,0 +1,78 @@
+"""The library of all kernels, `manipplan/csrc/*.c`, which is built when the package is installed.
+
+The installation runs this file on its own, without this package: it imports the standard library only.
+"""
+
+import hashlib
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+#: The kernels and their headers.
+FOLDER = Path(__file__).parents[2] / "csrc"
+#: Each is a source, and a module in LLVM's language in `kernels.ll.xz`.
+KERNELS = (
+    *("barrier", "body_motion", "connect", "curves", "distances", "inverse", "look", "panels"),
+    *("restarts", "star", "steps", "sweep", "winding"),
+)
+#: Products and sums are not fused, so that every machine computes the same numbers.
+FLAGS = ("-O3", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-w")
+#: Compilers that are tried, unless $CC names one; an empty $CC means none.
+USUAL = ("cc", "gcc", "clang")
+
+
+def find_library() -> Path | None:
+    """The library of these sources that this processor can run; None where it was not built."""
+    file = library_file()
+    return file if file.is_file() else None
+
+
+def build_library() -> Path:
+    """Build the library unless it is there; raises OSError where that fails."""
+    file = library_file()
+    if file.is_file():
+        return file
+    command = _compiler()
+    new = file.with_suffix(f".{os.getpid()}")
+    sources = [str(FOLDER / f"{name}.c") for name in KERNELS]
+    command = [*command, *FLAGS, *_processor_flags(), *sources, "-o", str(new), "-lm"]
+    try:
+        subprocess.run(command, check=True, stderr=subprocess.PIPE, text=True)
+    except subprocess.CalledProcessError as error:
+        raise OSError(f"{shlex.join(command)}\n{error.stderr.strip()}") from error
+    new.replace(file)
+    return file
+
+
+def library_file() -> Path:
+    """Where the library is or would be: its name has a hash of all that it is built from."""
+    parts = [each.read_bytes() for each in sorted((*FOLDER.glob("*.c"), *FOLDER.glob("*.h")))]
+    parts += [" ".join((*KERNELS, *FLAGS, *_processor_flags(), platform.system(), platform.machine())).encode()]
+    return FOLDER / f"kernels-{hashlib.sha256(b''.join(parts)).hexdigest()[:16]}.so"
+
+
+def digest_of(name: str) -> str:
+    """Hash of a kernel's source with all headers."""
+    files = [FOLDER / f"{name}.c", *sorted(FOLDER.glob("*.h"))]
+    return hashlib.sha256(b"".join(each.read_bytes() for each in files)).hexdigest()
+
+
+def _processor_flags() -> tuple[str, ...]:
+    """Options for this processor: vectors of four numbers where an x86 processor has them."""
+    listing = Path("/proc/cpuinfo")
+    return ("-mavx2",) if platform.machine() == "x86_64" and listing.is_file() and " avx2" in listing.read_text() else ()
+
+
+def _compiler() -> list[str]:
+    commands = [shlex.split(os.environ["CC"])] if "CC" in os.environ else [[name] for name in USUAL]
+    for command in commands:
+        if command and shutil.which(command[0]):
+            return command
+    raise OSError("there is no C compiler")
+
+
+if __name__ == "__main__":
+    build_library()
