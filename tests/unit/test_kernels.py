@@ -1,6 +1,7 @@
 """The kernels: one library that is built with the package, and LLVM's code of the same sources where there is none."""
 
 import ctypes
+import gc
 import logging
 import os
 import runpy
@@ -10,6 +11,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import manipplan as mp
@@ -104,6 +106,14 @@ def test_a_kernel_is_loaded_once():
     assert load_kernel("curves") is load_kernel("curves")
 
 
+def test_the_code_lives_as_long_as_its_functions():
+    call = kernel_by_llvm("winding").functions()["winding"]
+    gc.collect()
+    found, points = np.empty(1), np.zeros((1, 3))
+    call(None, 0, points.ctypes.data, 1, found.ctypes.data)
+    assert found == 0
+
+
 def answer(engine):
     return ctypes.CFUNCTYPE(ctypes.c_int)(engine.get_function_address("answer"))()
 
@@ -154,10 +164,10 @@ def test_a_build_hook_makes_wheels_with_and_without_the_library(tmp_path):
     for name in ("pyproject.toml", "hatch_build.py", "README.md", "LICENSE"):
         shutil.copy(root / name, source)
     names = []
-    for change in ({}, {"CC": ""}, {"MANIPPLAN_PURE": "1"}):
+    for change in ({"CC": ""}, {"MANIPPLAN_PURE": "1"}, {}):
         out = tmp_path / str(len(names))
         command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "-w", str(out), "."]
         subprocess.run(command, cwd=source, env=os.environ | change, check=True, timeout=300)
         names += [each.name for each in out.iterdir()]
     pure = [name.endswith("py3-none-any.whl") for name in names]
-    assert pure == [compiler.find_compiler() is None, True, True] or "CC" in os.environ
+    assert pure == [True, True, compiler.find_compiler() is None]

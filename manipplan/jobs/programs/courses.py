@@ -216,20 +216,22 @@ def _along(
 ) -> RawMotion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
     epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
-    failure = LegFailure(message="")
+    failures: list[LegFailure] = []
     for closer in (False, True) if has_closer(step) else (False,):
         finder = finders.along(number, step, path, state, closer=closer)
         if isinstance(finder, LegFailure):
-            return finder
+            failures.append(finder)
+            break
         made = motion_from(finder, q, state.robot, epsilon)
         if not isinstance(made, str):
             return _motion(number, step, finder.path, made, state)
-        failure = LegFailure(message=made)
+        failures.append(LegFailure(message=made))
         if isinstance(step.path, CartesianPath) and has_several_parameters(finder):
             near = motion_from(finders.made(step, path, state, closer=closer, near=q), q, state.robot, epsilon)
             if not isinstance(near, str):
                 return _motion(number, step, finder.path, near, state)
-    return failure
+    messages = dict.fromkeys(each.message for each in failures)
+    return replace(failures[0], message="; with positions half as far apart: ".join(messages))
 
 
 def has_several_parameters(finder: ToolPathPlanner) -> bool:
@@ -404,11 +406,13 @@ def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
     try:
         finder = finders.made(along, along.path, state)
         first = max_min_search(finder.layers, EPSILON, throw=False)
-        if not first.connected and has_closer(along):
-            finder = finders.made(along, along.path, state, closer=True)
-            first = max_min_search(finder.layers, EPSILON, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
+    if not first.connected and has_closer(along):
+        with suppress(InvalidInputError):  # about positions that were not asked for; the search that failed says why
+            closer = finders.made(along, along.path, state, closer=True)
+            again = max_min_search(closer.layers, EPSILON, throw=False)
+            finder, first = (closer, again) if again.connected else (finder, first)
     if not first.connected:
         raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
     configurations = FirstConfigurations(finder=finder, best=first)

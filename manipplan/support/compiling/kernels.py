@@ -1,6 +1,7 @@
 """The kernels, `manipplan/csrc/*.c`: from the library that was built with the package, or by LLVM where there is none."""
 
 import ctypes
+import logging
 import lzma
 import re
 from collections.abc import Callable, Collection
@@ -13,6 +14,7 @@ from manipplan.support.compiling.llvm import compile_by_llvm
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
 
+log = logging.getLogger("manipplan")
 #: All kernels in LLVM's language, which `make kernels` writes: of each a line with its name and hash, and its text.
 LLVM_TEXTS = FOLDER / "kernels.ll.xz"
 
@@ -38,10 +40,13 @@ class Kernel:
 
         They release the GIL, but for the `quick` ones: to release it would take longer than what these do.
         """
-        return {
+        found = {
             name: (ctypes.PYFUNCTYPE if name in quick else ctypes.CFUNCTYPE)(*types)(self.address(name))
             for name, types in signatures(self.name).items()
         }
+        for each in found.values():
+            each.owner = self._owner  # the code lives as long as its functions
+        return found
 
 
 @cache
@@ -54,7 +59,10 @@ def load_kernel(name: str) -> Kernel:
 @cache
 def _library() -> ctypes.CDLL | None:
     file = find_library()
-    return None if file is None else ctypes.CDLL(str(file))
+    if file is None:
+        log.info("the library of kernels was not built with the package: LLVM compiles them, which are up to a fifth slower")
+        return None
+    return ctypes.CDLL(str(file))
 
 
 def _addresses(library: ctypes.CDLL) -> Callable[[str], int]:
