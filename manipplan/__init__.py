@@ -23,9 +23,9 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.ik.solutions import Completeness, SolutionSet, inverse_kinematics
-from manipplan.jobs.carrying.carry import carry
+from manipplan.jobs.carry import carry
 from manipplan.jobs.check import check
-from manipplan.jobs.following.follow import follow
+from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import Problem, plan_many

@@ -8,7 +8,7 @@ from tyro.conf import Positional
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, WithRobotOptions, configuration_of, task_of
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.following.follow import follow as follow_job
+from manipplan.jobs.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.files import place_for

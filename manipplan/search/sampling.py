@@ -293,11 +293,12 @@ class CandidateSampler:
         for some in _blocks(values):
             q = self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q
             reached += len(q)
-            blocks.append(q[self._free(q)])
+            blocks.append(q[self.free(q)])
         _, q = self.solver.with_turns(np.concatenate(blocks))  # full turns change no collisions
         return q, self.kinematics.manipulability(q), reached
 
-    def _free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+    def free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        """Which rows of q (k, n) keep the clearance, (k,)."""
         if self.collision is None:
             return np.ones(len(q), dtype=np.bool_)
         if not hasattr(self._own, "model"):

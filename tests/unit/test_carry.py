@@ -5,8 +5,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.jobs.carrying.request import tool_poses
-from manipplan.jobs.carrying.together import _count, lone_robot
+from manipplan.jobs.carry import _count, lone_robot
+from manipplan.jobs.carry_request import tool_poses
 from manipplan.paths.cartesian import Offset
 from manipplan.robots.arms import own_joints, shared_joints
 

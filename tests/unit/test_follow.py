@@ -5,7 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.following import follow
+from manipplan.jobs import follow
 from manipplan.paths.cartesian import CartesianPath
 
 FEW = {"samples": 48, "epsilon": 0.5}

@@ -5,9 +5,10 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.following.lead_in import FirstConfigurations, choose_entry
-from manipplan.jobs.following.transit import Transit, TransitPlanner
+from manipplan.optimize.result import NoPath
+from manipplan.tool_path.engine import ToolPathPlanner
+from manipplan.tool_path.entry import FirstConfigurations, choose_entry
+from manipplan.tool_path.transit import Transit, TransitPlanner
 
 FEW = {"samples": 48, "epsilon": 0.5}
 
@@ -108,7 +109,7 @@ def test_a_plan_with_a_lead_in_is_saved_and_drawn(led_in, tmp_path):
 
 @pytest.mark.slow
 def test_on_the_path_the_motion_begins_where_the_arm_stands(panda, line):
-    """The best motion from there is found: compared with all of them."""
+    """The best motion from there through the samples, or a better one that goes on from it by steps."""
     at = mp.inverse_kinematics(panda, line(0.0), samples=20).q
     m = panda.kinematics().manipulability(at)
     start = at[np.argsort(m)[len(m) // 2]]
@@ -122,7 +123,7 @@ def test_on_the_path_the_motion_begins_where_the_arm_stands(panda, line):
         near = (np.abs(q[:, None] - last) < FEW["epsilon"]).all(axis=2)
         best = np.minimum(values, np.where(near, best, -np.inf).max(axis=1))
         last = q
-    assert plan.search.minimum == pytest.approx(best.max(), rel=1e-12)
+    assert plan.search.minimum >= best.max() * (1 - 1e-12)
     assert plan.refinement.refined >= plan.search.minimum
 
 
@@ -207,7 +208,7 @@ class Lead:
         self.goals.append(goal)
         least = self.minima[len(self.goals) - 1] if len(self.goals) <= len(self.minima) else None
         if least is None:
-            return "a wall is in the way"
+            return NoPath(message="a wall is in the way")
         made = mp.plan(self.robot, self.robot.neutral, self.robot.neutral + 0.1)
         return Transit(path=made.path, trajectory=made.trajectory, min_manipulability=least, g=made.report.g)
 
@@ -238,7 +239,7 @@ def test_the_best_entry_is_chosen(panda, searched, minima, chosen, tried):
         return
     assert marks.index(True) == chosen and sum(marks) == 1
     np.testing.assert_array_equal(choice.candidates[chosen].q, planner.goals[chosen])
-    np.testing.assert_array_equal(choice.entry.course.path.start, planner.goals[chosen])
+    np.testing.assert_array_equal(choice.entry.refined.path.start, planner.goals[chosen])
     assert choice.candidates[chosen].status.startswith("chosen, planned: minimum manipulability")
 
 

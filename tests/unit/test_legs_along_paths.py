@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.programs import courses
 from manipplan.jobs.programs.courses import Finders, LegFailure, _along, _on_path
+from manipplan.optimize.result import NoPath
 from manipplan.search.sampling import sample_layers
 
 
@@ -32,9 +32,9 @@ def finder_that_fails_with_closer(planner):
 
 def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state, monkeypatch):
     """That a position in between is out of reach does not rule out other configurations in which the path begins."""
-    planner = SimpleNamespace(layers=SimpleNamespace(sampler=None), path=step.path)
+    failure = NoPath(message="positions 3 and 4 are not connected")
+    planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
     monkeypatch.setattr(Finders, "along", finder_that_fails_with_closer(planner))
-    monkeypatch.setattr(courses, "motion_from", lambda *_: "positions 3 and 4 are not connected")
     finders = Finders(objective=mp.PathObjective(), clearance=0.0)
     failure = _along(1, step, step.path, planar.neutral, state, finders)
     expected = "positions 3 and 4 are not connected; with positions half as far apart: path is not reached at s = 0.25"
@@ -42,9 +42,9 @@ def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state
 
 
 def test_a_reason_that_is_the_same_twice_is_said_once(planar, step, state, monkeypatch):
-    planner = SimpleNamespace(layers=SimpleNamespace(sampler=None), path=step.path)
+    failure = NoPath(message="not connected")
+    planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
     monkeypatch.setattr(Finders, "along", lambda *_, **__: planner)
-    monkeypatch.setattr(courses, "motion_from", lambda *_: "not connected")
     finders = Finders(objective=mp.PathObjective(), clearance=0.0)
     assert _along(1, step, step.path, planar.neutral, state, finders).message == "not connected"
 

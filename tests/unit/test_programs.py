@@ -11,7 +11,6 @@ import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
-from manipplan.jobs.following.transit import STRAIGHT_EPSILON, motion_from, straight_finder, straight_on
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
 from manipplan.jobs.programs.courses import RawMotion
@@ -19,6 +18,8 @@ from manipplan.jobs.programs.legs import State, read_steps
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
 from manipplan.timing.constant_speed import check_corners, most_acceleration
+from manipplan.tool_path.engine import outside_limits
+from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_finder, straight_on
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
@@ -437,10 +438,10 @@ def test_a_straight_way_stays_inside_the_limits(hand):
     q, way = hand.neutral, np.array([0.0, 0.0, -0.1])
     path = straight_on(hand.kinematics().pose(q), way)
     finder = straight_finder(hand, mp.Scene(), path, measure=None, clearance=0.0)
-    made = motion_from(finder, q, hand, STRAIGHT_EPSILON)
+    made = finder.best_from(q, STRAIGHT_EPSILON)
     assert isinstance(made, mp.JointPath)
     narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
-    assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", motion_from(finder, q, narrow, STRAIGHT_EPSILON))
+    assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", outside_limits(made, narrow))
     blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
     with pytest.raises(mp.InvalidInputError, match="lid"):
         straight_finder(hand, blocked, path, measure=None, clearance=0.0)

@@ -13,15 +13,6 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import find_candidates
 from manipplan.goals.read import Target
-from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.following.lead_in import FirstConfigurations
-from manipplan.jobs.following.transit import (
-    STRAIGHT_EPSILON,
-    motion_from,
-    outside_limits,
-    straight_finder,
-    straight_on,
-)
 from manipplan.jobs.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
@@ -35,6 +26,9 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import silent
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
+from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
+from manipplan.tool_path.entry import FirstConfigurations
+from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_finder, straight_on
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
@@ -222,21 +216,16 @@ def _along(
         if isinstance(finder, LegFailure):
             failures.append(finder)
             break
-        made = motion_from(finder, q, state.robot, epsilon)
-        if not isinstance(made, str):
+        made = finder.best_from(q, epsilon)
+        if isinstance(made, JointPath):
             return _motion(number, step, finder.path, made, state)
-        failures.append(LegFailure(message=made))
-        if isinstance(step.path, CartesianPath) and has_several_parameters(finder):
-            near = motion_from(finders.made(step, path, state, closer=closer, near=q), q, state.robot, epsilon)
-            if not isinstance(near, str):
+        failures.append(LegFailure(message=made.message))
+        if isinstance(step.path, CartesianPath) and finder.has_several_parameters:
+            near = finders.made(step, path, state, closer=closer, near=q).best_from(q, epsilon)
+            if isinstance(near, JointPath):
                 return _motion(number, step, finder.path, near, state)
     messages = dict.fromkeys(each.message for each in failures)
     return replace(failures[0], message="; with positions half as far apart: ".join(messages))
-
-
-def has_several_parameters(finder: ToolPathPlanner) -> bool:
-    """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
-    return finder.layers.sampler is not None and len(finder.layers.sampler.solver.names) > 1
 
 
 def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:

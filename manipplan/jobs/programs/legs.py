@@ -19,7 +19,6 @@ from manipplan.collision.shapes import Obstacle
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.goals.read import Target, read_goals
-from manipplan.jobs.following.transit import moved_by
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import with_defaults
@@ -32,6 +31,7 @@ from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.timing.constant_speed import check_corners, check_tool_speed
+from manipplan.tool_path.transit import moved_by
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -40,7 +40,7 @@ class Kernel:
 
         They release the GIL, but for the `quick` ones: to release it would take longer than what these do.
         """
-        found = {
+        found: dict[str, Any] = {
             name: (ctypes.PYFUNCTYPE if name in quick else ctypes.CFUNCTYPE)(*types)(self.address(name))
             for name, types in signatures(self.name).items()
         }

@@ -14,13 +14,16 @@ from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.goals.read import read_configuration
-from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.following.motion import Failure, PartsJoiner, find_parts
-from manipplan.jobs.following.transit import TransitPlanner
+from manipplan.jobs.measure import tool_distances
+from manipplan.jobs.plan import plan
 from manipplan.jobs.recordings.comparison import VANISHING
-from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed
+from manipplan.jobs.report import PathPart
+from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
@@ -28,6 +31,7 @@ from manipplan.search.layers import SPARE_CLEARANCE, STRIDE, choose_positions
 from manipplan.search.max_min import SearchResult
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.search.sweep import check_epsilon
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
@@ -35,8 +39,11 @@ from manipplan.support.progress import Progress, as_callback, interruptible, par
 from manipplan.support.status import ALONG, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
-from manipplan.timing.constant_speed import check_tool_speed
-from manipplan.timing.retime import check_timing_limits
+from manipplan.timing.constant_speed import check_tool_speed, measure_speed, retime_steady
+from manipplan.timing.retime import check_timing_limits, retime
+from manipplan.tool_path.engine import ToolPathPlanner, nearest_pair
+from manipplan.tool_path.parts import S_SAMPLES, Failure, FollowingMotion, PartsJoiner, find_parts
+from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
@@ -261,14 +268,31 @@ def follow(
         whole = finder if begin is None else finder.starting_at(begin)
         told = "from the start, which is at the first pose of the path, " if stands else ""
         return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
+    free_objective = replace(objective, task=kinematics.task)
+
+    def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | NoPath:
+        made = plan(
+            robot,
+            begin,
+            goal,
+            scene,
+            objective=free_objective,
+            seeding=Seeding(seed=seed, time_limit=seconds),
+            clearance=clearance,
+            torque=torque,
+            throw=False,
+            progress=notify,
+        )
+        return (made.path, made.trajectory) if isinstance(made, Plan) and made.status.has_path else NoPath(message=made.message)
+
     transits = TransitPlanner(
         robot=robot,
         scene=scene,
         integral=integral,
-        objective=replace(objective, task=kinematics.task),
+        objective=free_objective,
         clearance=clearance,
         torque=torque,
-        seed=seed,
+        plan_free=plan_free,
     )
     joiner = PartsJoiner(
         start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
@@ -277,22 +301,22 @@ def follow(
     draft = replace(draft, candidates=motion.candidates)
     if isinstance(motion, Failure):
         return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
-    still = all(each.course.path.length < COINCIDENT for each in motion.parts)
+    still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
     if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.measured(integral, scene, clearance)
-    least = min((each.course for each in motion.parts), key=lambda course: course.refinement.refined)
+    least = min((each.refined for each in motion.parts), key=lambda refined: refined.refinement.refined)
     draft = replace(
         draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result
     )
     notify(0.95, "timing the motion")
     try:
-        trajectory, along = motion.timed(robot, integral, tool_speed, torque=torque)
+        trajectory, along = _time(motion, robot, integral, tool_speed, torque=torque)
     except PlanningError as error:
         return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
     notify(0.97, "checking the result")
-    made, fault = motion.checked(draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
+    made, fault = _check(motion, draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
     made = replace(made, report=replace(made.report, taken_to_limits=taken))
     if made.status not in ALONG:
         return failed(made, throw, fault)
@@ -302,6 +326,80 @@ def follow(
         made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR))
     notify(1.0, "done")
     return made
+
+
+def _time(
+    followed: FollowingMotion, robot: Robot, integral: PathIntegral, tool_speed: float | None, *, torque: bool
+) -> tuple[Trajectory, tuple[PathPart, ...]]:
+    """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
+    pieces: list[Trajectory] = []
+    along: list[PathPart] = []
+    clock = 0.0
+    for each in followed.parts:
+        if each.transit is not None:
+            pieces.append(each.transit.trajectory)
+            clock += each.transit.trajectory.duration
+        path, speed = each.refined.path, None
+        if tool_speed is None:
+            motion = retime(path, robot, torque=torque)
+        else:
+            motion = retime_steady(path, robot, tool_speed, torque=torque)
+            found = measure_speed(motion, robot, tool_speed)
+            speed = replace(found, begin=clock + found.begin, end=clock + found.end)
+        pieces.append(motion)
+        along.append(
+            PathPart(
+                begin=clock,
+                end=clock + motion.duration,
+                s_begin=each.part.s_begin,
+                s_end=each.part.s_end,
+                min_manipulability=integral.cost(motion.path()).min_manipulability,
+                tool_speed=speed,
+            )
+        )
+        clock += motion.duration
+    if followed.back is not None:
+        pieces.append(followed.back.trajectory)
+    return joined(pieces), tuple(along)
+
+
+def _check(
+    followed: FollowingMotion,
+    draft: PartialPlan,
+    result: PathResult,
+    trajectory: Trajectory,
+    along: tuple[PathPart, ...],
+    integral: PathIntegral,
+    *,
+    clearance: float,
+    torque: bool,
+) -> tuple[Plan, str]:
+    """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults of any kind of plan."""
+    path, tolerance = draft.workspace_path, draft.tolerance
+    assert path is not None and tolerance is not None
+    model = draft.scene.collision_model(draft.robot)
+    deviation, _ = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
+    made = finish(
+        replace(draft, deviation=deviation),
+        result.path,
+        trajectory,
+        result,
+        model,
+        result.path.goal,
+        clearance=clearance,
+        torque=torque,
+        jerk=True,
+        throw=False,
+    )
+    made = replace(made, report=replace(made.report, along=along))
+    if made.status not in ALONG:
+        near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(S_SAMPLES))}; take more positions"
+        return made, f"{made.report}{near}"
+    faults = [deviation.excess(tolerance, "time"), *(each.missed(integral.kinematics, tolerance) for each in followed.parts)]
+    if any(faults):
+        return made, f"{next(filter(None, faults))}. Take more positions"
+    speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
+    return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
 
 
 def _retreat(value: float | ArrayLike) -> Array:

@@ -1,7 +1,8 @@
 """carry: two tools of a robot hold an object, such as a tray, and move it along a path."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import permutations
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -9,20 +10,27 @@ from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.carrying.request import Request, held_errors, tool_poses
-from manipplan.jobs.carrying.together import motion_of_both
+from manipplan.ik.solver import Solver
+from manipplan.jobs.carry_request import Request, held_errors, tool_poses
 from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
-from manipplan.optimize.result import make_result
+from manipplan.optimize.result import NoPath, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
+from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.paths.tolerance import Tolerance
+from manipplan.robots.arms import arm_of, own_joints
+from manipplan.robots.attached import without_bodies
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import flag
-from manipplan.support.errors import PlanningError
+from manipplan.search.layers import SPARE_CLEARANCE, STRIDE
+from manipplan.search.sampling import default_samples, sample_layers
+from manipplan.seeds.task import CHECK_STEP
+from manipplan.support.checks import Array, flag
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
 from manipplan.timing.retime import retime
+from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
 
 #: Number of times at which the tools are compared with each other and with the path.
 TIMES = 4001
@@ -152,7 +160,7 @@ def carry(
     first = request.way(next(iter(held)))
     draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
     try:
-        joint, seed_path = motion_of_both(request, part(notify, 0.0, 0.9))
+        joint, seed_path = _motion_of_both(request, part(notify, 0.0, 0.9))
     except PlanningError as error:
         return failed(draft, throw, str(error))
     notify(0.9, "timing the motion")
@@ -213,3 +221,135 @@ def _excess(errors: Mapping[str, tuple[float, float]], allowed: Tolerance) -> st
                 f"allowed: {1e3 * allowed.position:.3g} mm and {1e3 * allowed.rotation:.3g} mrad"
             )
     return ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LoneArm:
+    """The joints that move one tool alone, and the candidates along the path of this tool, without the other arms.
+
+    Attributes:
+        joints: indices of the joints among those of the robot.
+        planner: along the path; candidates in collision with what stands still or moves with this tool are left out.
+    """
+
+    joints: list[int]
+    planner: ToolPathPlanner
+
+    @property
+    def tool(self) -> str:
+        """The tool frame."""
+        assert self.planner.layers.sampler is not None
+        return self.planner.layers.sampler.spec.robot.tool
+
+    def best(self, request: Request) -> RefinedToolPath:
+        """The best motion through the candidates; raises PlanningError where none is continuous."""
+        found = self.planner.best(request.epsilon[self.joints], hold_start=request.start is not None)
+        if isinstance(found, NoPath):
+            raise PlanningError(f"{self.tool}: {found.message}")
+        return found
+
+
+def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Robot:
+    """The arm of some joints of one tool, with the others locked at `posture` (n,) and without the bodies of other arms."""
+    others = {i for i in range(robot.n) if i not in robot.joints_of(tool)}
+    away = [item.name for item in robot.geometry.geometryObjects if robot.model.joints[item.parentJoint].idx_q in others]
+    arm = arm_of(robot, tool, joints, posture)
+    return replace(arm, geometry=without_bodies(arm.geometry, away), source=None)
+
+
+#: Number of places at which the nearest bodies are looked for.
+PROXIMITY_SAMPLES = 401
+#: How many times as many samples are taken where those of the default do not connect.
+FINER = 4
+
+
+def _motion_of_both(request: Request, notify: Progress) -> tuple[JointPath, JointPath]:
+    """The joint path of the whole robot, and the same as searched; where nothing connects, with closer positions and samples.
+
+    Raises PlanningError with the reason, and InvalidInputError for a position that a tool cannot reach.
+    """
+    if request.positions is not None and request.samples is not None:
+        return _tried(request, notify, finer=False)
+    try:
+        return _tried(request, part(notify, 0.0, 0.5), finer=False)
+    except PlanningError as first:
+        try:
+            return _tried(request, part(notify, 0.5, 1.0), finer=True)
+        except InvalidInputError as error:  # the positions and samples are not the caller's
+            raise first from error
+        except PlanningError as error:
+            if str(error) == str(first):
+                raise
+            raise PlanningError(f"{first}; with closer positions and finer samples: {error}") from error
+
+
+def _tried(request: Request, notify: Progress, *, finer: bool) -> tuple[JointPath, JointPath]:
+    """The same with the default positions and samples, or finer ones."""
+    arms = _arms(request, part(notify, 0.0, 0.8), finer=finer)
+    notify(0.8, "searching for motions of the arms")
+    return _motion(request, arms)
+
+
+def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
+    """Both arms with all their configurations at the positions."""
+    arms, robot = [], request.robot
+    s = request.at(STRIDE / 2 if finer else STRIDE)
+    for k, tool in enumerate(request.grasps):
+        joints = own_joints(robot, tool)
+        lone = lone_robot(robot, tool, joints, request.still)
+        try:
+            layers = sample_layers(
+                lone,
+                request.way(tool),
+                s,
+                measure=request.integral.kinematics.measure.of_one_tool(),
+                task=request.integral.kinematics.task,
+                samples=request.samples if request.samples is not None else _count(lone) * (FINER if finer else 1),
+                scene=request.scene,
+                clearance=request.clearance,
+                spare=SPARE_CLEARANCE,
+                seed=request.seed,
+                progress=part(notify, k / len(request.grasps), (k + 1) / len(request.grasps)),
+            )
+        except InvalidInputError as error:
+            argument = error.argument if error.argument == "samples" else f"{tool}: {error.argument}"
+            raise InvalidInputError(argument, error.value, error.allowed) from error
+        planner = ToolPathPlanner(path=request.way(tool), layers=layers.inside(lone.limits), allowed=request.own_tolerance)
+        planner = planner if request.start is None else planner.starting_at(request.start[joints])
+        arms.append(LoneArm(joints=joints, planner=planner))
+    return arms
+
+
+def _count(lone: Robot) -> int:
+    """Default number of samples per parameter of redundancy."""
+    solver = Solver.of(lone, task=None, held=None, method="auto", seed=0)
+    usual = default_samples(solver)
+    return usual[min(max(len(solver.names), 1), len(usual)) - 1]
+
+
+def _motion(request: Request, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:
+    """The motion of the first order of the arms that gives one; raises PlanningError with the reasons where none does."""
+    reasons = []
+    for lead, follow in permutations(arms):
+        try:
+            return _in_order(request, lead, follow)
+        except PlanningError as error:
+            reasons.append(f"{lead.tool} leads: {error}")
+    raise PlanningError("; ".join(reasons))
+
+
+def _in_order(request: Request, lead: LoneArm, follow: LoneArm) -> tuple[JointPath, JointPath]:
+    model, s, still = request.scene.collision_model(request.robot), lead.planner.layers.s, request.still
+    assert s is not None
+    first = lead.best(request)
+    q = np.tile(still, (len(s), 1))
+    q[:, lead.joints] = first.path(s)
+    beside = follow.planner.beside(model, follow.joints, q, request.clearance + SPARE_CLEARANCE)
+    second = replace(follow, planner=beside).best(request)
+    seed = side_by_side([(first.seed, lead.joints), (second.seed, follow.joints)], still)
+    for own in (second.path, second.seed):  # what is refined knows nothing of the other arm
+        joint = side_by_side([(first.path, lead.joints), (own, follow.joints)], still)
+        if model.path_is_free(joint, CHECK_STEP, request.clearance):
+            return joint, seed
+    bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PROXIMITY_SAMPLES)))
+    raise PlanningError(f"between the positions {bodies}; take more positions")

@@ -12,24 +12,21 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solver import Solver
-from manipplan.jobs.following.course import ToolPathPlanner
-from manipplan.jobs.plan import plan
-from manipplan.jobs.result import Plan
 from manipplan.measures.measure import Measure
+from manipplan.optimize.result import NoPath
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.robot import Robot
-from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import default_samples, sample_layers
-from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.progress import Progress, silent
+from manipplan.support.progress import Progress
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
+from manipplan.tool_path.engine import ToolPathPlanner
 
 #: Maximum step of a joint between neighbouring positions of a straight way [rad or m].
 STRAIGHT_EPSILON = 0.4
@@ -68,23 +65,6 @@ def straight_finder(
     return ToolPathPlanner(path=path, layers=layers, tolerance=tolerance)
 
 
-def motion_from(finder: ToolPathPlanner, q: Array, robot: Robot, epsilon: float) -> JointPath | str:
-    """The best motion along a path that begins at q (n,) and stays inside the limits, or why there is none."""
-    beginning = finder.starting_at(q)
-    found = max_min_search(beginning.layers, epsilon, explain=False, throw=False)
-    if not found.connected:
-        return found.message
-    path = beginning.along(found, silent, hold_start=True).path
-    return outside_limits(path, robot) or path
-
-
-def outside_limits(path: JointPath, robot: Robot) -> str:
-    """Which joint of a path leaves its limits between the positions that were searched; "" where none does."""
-    outside = robot.limits.outside(np.array(path.bounds())).max(axis=0)
-    joint = int(outside.argmax())
-    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Transit:
     """A motion from where the arm stands to where the tool comes onto the path.
@@ -100,8 +80,10 @@ class Transit:
     g: float
 
 
-#: Plans a transit to a configuration (n,) within a time [s]; a text tells why there is none.
-PlanTransit = Callable[[Array, float, Progress], Transit | str]
+#: Plans a free motion from one configuration (n,) to another within a time [s].
+PlanFree = Callable[[Array, Array, float, Progress], tuple[JointPath, Trajectory] | NoPath]
+#: Plans a transit to a configuration (n,) within a time [s]; NoPath tells why there is none.
+PlanTransit = Callable[[Array, float, Progress], Transit | NoPath]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -114,7 +96,7 @@ class TransitPlanner:
         objective: the same as an objective.
         clearance: distance to keep [m].
         torque: whether the joints' effort limits are kept.
-        seed: of the planner of free motions.
+        plan_free: plans free motions.
     """
 
     robot: Robot
@@ -123,18 +105,18 @@ class TransitPlanner:
     objective: PathObjective
     clearance: float
     torque: bool
-    seed: int
+    plan_free: PlanFree
 
     def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""
 
-        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | str:
-            made = self._free(start, goal, seconds, notify)
-            return made if isinstance(made, str) else self._of([made.path], [made.trajectory])
+        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
+            made = self.plan_free(start, goal, seconds, notify)
+            return made if isinstance(made, NoPath) else self._of([made[0]], [made[1]])
 
         return planned
 
-    def between(self, begin: Array, way: Array) -> PlanTransit | str:
+    def between(self, begin: Array, way: Array) -> PlanTransit | NoPath:
         """The planner of motions off the path and onto it again, from a configuration (n,) on the path; or why there is none.
 
         The tool leaves the path and comes back along the straight `way` (3,) in its frame [m]; zeros: freely.
@@ -142,26 +124,26 @@ class TransitPlanner:
         if not way.any():
             return self.lead_in(begin)
         off = self._straight(begin, way)
-        if isinstance(off, str):
-            return f"no straight retreat from the path: {off}"
+        if isinstance(off, NoPath):
+            return NoPath(message=f"no straight retreat from the path: {off.message}")
 
-        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | str:
+        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
             on = self._straight(goal, way)
-            if isinstance(on, str):
-                return f"no straight way back onto the path: {on}"
+            if isinstance(on, NoPath):
+                return NoPath(message=f"no straight way back onto the path: {on.message}")
             back = on.backwards()
-            middle = self._free(off.goal, back.start, seconds, notify)
-            if isinstance(middle, str):
+            middle = self.plan_free(off.goal, back.start, seconds, notify)
+            if isinstance(middle, NoPath):
                 return middle
             try:
                 timed = [retime(each, self.robot, torque=self.torque) for each in (off, back)]
             except PlanningError as error:
-                return f"the straight way cannot be timed: {error}"
-            return self._of([off, middle.path, back], [timed[0], middle.trajectory, timed[1]])
+                return NoPath(message=f"the straight way cannot be timed: {error}")
+            return self._of([off, middle[0], back], [timed[0], middle[1], timed[1]])
 
         return planned
 
-    def _straight(self, q: Array, way: Array) -> JointPath | str:
+    def _straight(self, q: Array, way: Array) -> JointPath | NoPath:
         """The best motion from q (n,) on which the tool moves straight by `way` (3,) in its frame, or why there is none.
 
         The tool keeps its orientation; that of an arm with too few joints for that keeps what counts on the path.
@@ -177,23 +159,8 @@ class TransitPlanner:
                 task=self.objective.task if has_few_joints(self.robot) else None,
             )
         except InvalidInputError as error:
-            return f"{error.argument} is not {error.allowed}"
-        return motion_from(finder, q, self.robot, STRAIGHT_EPSILON)
-
-    def _free(self, begin: Array, goal: Array, seconds: float, notify: Progress) -> Plan | str:
-        made = plan(
-            self.robot,
-            begin,
-            goal,
-            self.scene,
-            objective=self.objective,
-            seeding=Seeding(seed=self.seed, time_limit=seconds),
-            clearance=self.clearance,
-            torque=self.torque,
-            throw=False,
-            progress=notify,
-        )
-        return made if isinstance(made, Plan) and made.status.has_path else made.message
+            return NoPath(message=f"{error.argument} is not {error.allowed}")
+        return finder.best_from(q, STRAIGHT_EPSILON)
 
     def _of(self, paths: list[JointPath], motions: list[Trajectory]) -> Transit:
         path, trajectory = JointPath.joined(paths), joined(motions)

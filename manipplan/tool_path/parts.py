@@ -1,4 +1,4 @@
-"""FollowingMotion: courses along the parts of a workspace path with the transits between them, as one timed motion, checked.
+"""FollowingMotion: paths along the parts of a workspace path, and the free motions to and between them.
 
 The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest.
 """
@@ -13,27 +13,20 @@ from numpy.typing import ArrayLike
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import GoalCandidate
-from manipplan.jobs.following.course import RefinedToolPath, ToolPathPlanner, nearest_pair
-from manipplan.jobs.following.lead_in import SECONDS, choose_entry
-from manipplan.jobs.following.transit import Transit, TransitPlanner
-from manipplan.jobs.measure import tool_distances
-from manipplan.jobs.report import PathPart
-from manipplan.jobs.result import PartialPlan, Plan, finish
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize.result import PathResult, make_result
+from manipplan.optimize.result import NoPath, PathResult, make_result
 from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.paths.trajectory import Trajectory, joined
-from manipplan.robots.robot import Robot
 from manipplan.search.interruptions import fewest_interruptions, fewest_parts
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
-from manipplan.support.status import ALONG, Status
-from manipplan.timing.constant_speed import measure_speed, retime_steady
-from manipplan.timing.retime import retime
+from manipplan.support.status import Status
+from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.entry import SECONDS, choose_entry
+from manipplan.tool_path.transit import Transit, TransitPlanner
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,7 +35,7 @@ class FoundPart:
 
     Attributes:
         s_begin, s_end: where on the path it begins and ends; beyond 1 where it goes on around a closed one.
-        finder: of courses along it.
+        finder: of motions along it.
         found: the best motion through its positions.
     """
 
@@ -67,11 +60,11 @@ def find_parts(
     Where no motion through the samples is continuous, finer ones are tried before the path is cut.
 
     Args:
-        finder: of courses along the whole path.
+        finder: of motions along the whole path.
         finer: see Finer.
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
-        tell: called with the share done.
+        notify: called with the share done.
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
     """
@@ -131,17 +124,17 @@ S_SAMPLES = np.linspace(0.0, 1.0, 1500)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FollowedPart:
-    """A part of the path, the course along it, and the transit to its beginning; None where the motion begins there."""
+    """A part of the path, the joint path along it, and the transit to its beginning; None where the motion begins there."""
 
     part: FoundPart
-    course: RefinedToolPath
+    refined: RefinedToolPath
     transit: Transit | None
 
     def missed(self, kinematics: Kinematics, tolerance: Tolerance) -> str:
-        """By how much the course misses poses of the path, the given ones among them, in their order; "" for none."""
+        """By how much the joint path misses poses of the path, the given ones among them, in their order; "" for none."""
         path = self.part.finder.path
         s = np.union1d(S_SAMPLES, path.knots)
-        return deviation_at(path, s, kinematics.pose(self.course.path(s)), kinematics.free_motion).excess(tolerance, "path")
+        return deviation_at(path, s, kinematics.pose(self.refined.path(s)), kinematics.free_motion).excess(tolerance, "path")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -170,12 +163,12 @@ class FollowingMotion:
         for k, each in enumerate(self.parts):
             if each.transit is not None:
                 pairs.append((each.transit.path, each.transit.path))
-            control, path = each.course.seed.control.copy(), each.course.path
+            control, path = each.refined.seed.control.copy(), each.refined.path
             if transits[k] is not None:  # the seed begins and ends where transits do
                 control[0, 0] = path.start
             if transits[k + 1] is not None:
                 control[-1, -1] = path.goal
-            pairs.append((path, JointPath(breaks=each.course.seed.breaks, control=control)))
+            pairs.append((path, JointPath(breaks=each.refined.seed.breaks, control=control)))
         if self.back is not None:
             pairs.append((self.back.path, self.back.path))
         path, seed = (each[0] if len(each) == 1 else JointPath.joined(each) for each in zip(*pairs, strict=True))
@@ -189,80 +182,6 @@ class FollowingMotion:
             clearance=clearance,
             status=self.status,
         )
-
-    def timed(
-        self, robot: Robot, integral: PathIntegral, tool_speed: float | None, *, torque: bool
-    ) -> tuple[Trajectory, tuple[PathPart, ...]]:
-        """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
-        pieces: list[Trajectory] = []
-        along: list[PathPart] = []
-        clock = 0.0
-        for each in self.parts:
-            if each.transit is not None:
-                pieces.append(each.transit.trajectory)
-                clock += each.transit.trajectory.duration
-            path, speed = each.course.path, None
-            if tool_speed is None:
-                motion = retime(path, robot, torque=torque)
-            else:
-                motion = retime_steady(path, robot, tool_speed, torque=torque)
-                found = measure_speed(motion, robot, tool_speed)
-                speed = replace(found, begin=clock + found.begin, end=clock + found.end)
-            pieces.append(motion)
-            along.append(
-                PathPart(
-                    begin=clock,
-                    end=clock + motion.duration,
-                    s_begin=each.part.s_begin,
-                    s_end=each.part.s_end,
-                    min_manipulability=integral.cost(motion.path()).min_manipulability,
-                    tool_speed=speed,
-                )
-            )
-            clock += motion.duration
-        if self.back is not None:
-            pieces.append(self.back.trajectory)
-        return joined(pieces), tuple(along)
-
-    def checked(
-        self,
-        draft: PartialPlan,
-        result: PathResult,
-        trajectory: Trajectory,
-        along: tuple[PathPart, ...],
-        integral: PathIntegral,
-        *,
-        clearance: float,
-        torque: bool,
-    ) -> tuple[Plan, str]:
-        """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults of any kind of plan."""
-        path, tolerance = draft.workspace_path, draft.tolerance
-        assert path is not None and tolerance is not None
-        model = draft.scene.collision_model(draft.robot)
-        deviation, _ = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
-        made = finish(
-            replace(draft, deviation=deviation),
-            result.path,
-            trajectory,
-            result,
-            model,
-            result.path.goal,
-            clearance=clearance,
-            torque=torque,
-            jerk=True,
-            throw=False,
-        )
-        made = replace(made, report=replace(made.report, along=along))
-        if made.status not in ALONG:
-            near = (
-                "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(S_SAMPLES))}; take more positions"
-            )
-            return made, f"{made.report}{near}"
-        faults = [deviation.excess(tolerance, "time"), *(each.missed(integral.kinematics, tolerance) for each in self.parts)]
-        if any(faults):
-            return made, f"{next(filter(None, faults))}. Take more positions"
-        speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
-        return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -292,7 +211,7 @@ class PartsJoiner:
         closed: whether the motion ends in the configuration in which the path begins.
         way: (3,) by which the tool leaves the path between parts, in its frame [m].
         transits: plans motions between parts.
-        tell: called with the share done.
+        notify: called with the share done.
     """
 
     start: Array | None
@@ -324,27 +243,27 @@ class PartsJoiner:
         returns = self.closed and not parts[0].finder.layers.closed
         for k, each in enumerate(parts):
             share = part(notify, k / len(parts), (k + 1) / len(parts))
-            begin = pieces[-1].course.path.goal if pieces else self.start
+            begin = pieces[-1].refined.path.goal if pieces else self.start
             # an interrupted motion around a closed path begins where that takes the fewest interruptions
             if begin is None or (not pieces and self.hold_start and not returns):
-                course = each.finder.along(each.found, share, hold_start=begin is not None)
-                pieces.append(FollowedPart(part=each, course=course, transit=None))
+                refined = each.finder.along(each.found, share, hold_start=begin is not None)
+                pieces.append(FollowedPart(part=each, refined=refined, transit=None))
                 continue
             plan_transit = self.transits.between(begin, self.way) if pieces else self.transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
-            if isinstance(plan_transit, str):
-                return Failure(reason=where + plan_transit, search=search, candidates=candidates, at_cut=bool(pieces))
+            if isinstance(plan_transit, NoPath):
+                return Failure(reason=where + plan_transit.message, search=search, candidates=candidates, at_cut=bool(pieces))
             choice = choose_entry(each.finder, each.found, begin, self.transits.integral, plan_transit, share)
             if not pieces:
                 candidates = choice.candidates
             if choice.entry is None:
                 return Failure(reason=where + choice.failure, search=search, candidates=candidates, at_cut=bool(pieces))
-            pieces.append(FollowedPart(part=each, course=choice.entry.course, transit=choice.entry.lead_in))
+            pieces.append(FollowedPart(part=each, refined=choice.entry.refined, transit=choice.entry.lead_in))
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
-        plan_transit = self.transits.between(pieces[-1].course.path.goal, self.way)
-        back = plan_transit if isinstance(plan_transit, str) else plan_transit(pieces[0].course.path.start, SECONDS, silent)
-        if isinstance(back, str):
-            reason = f"no way back to the configuration in which the path began: {back}"
+        plan_transit = self.transits.between(pieces[-1].refined.path.goal, self.way)
+        back = plan_transit if isinstance(plan_transit, NoPath) else plan_transit(pieces[0].refined.path.start, SECONDS, silent)
+        if isinstance(back, NoPath):
+            reason = f"no way back to the configuration in which the path began: {back.message}"
             return Failure(reason=reason, search=search, candidates=candidates, at_cut=True)
         return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)

@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import APART, GoalCandidate, measured, straight_lines
-from manipplan.jobs.following.course import RefinedToolPath, ToolPathPlanner
-from manipplan.jobs.following.transit import PlanTransit, Transit
 from manipplan.kinematics.factors import sides_of
+from manipplan.optimize.result import NoPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
@@ -26,6 +25,8 @@ from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
 from manipplan.support.tolerances import COINCIDENT
+from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.transit import PlanTransit, Transit
 
 #: Gain in the minimum manipulability below which another first configuration is not tried, nor taken.
 GAIN = 0.01
@@ -211,10 +212,10 @@ SECONDS, SHARE = 10.0, 0.75
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Entry:
-    """A way into the path: the lead-in, the course along the path, and the minimum manipulability of both."""
+    """A way into the path: the lead-in, the path along it, and the minimum manipulability of both."""
 
     lead_in: Transit
-    course: RefinedToolPath
+    refined: RefinedToolPath
     minimum: float
 
 
@@ -235,7 +236,7 @@ def choose_entry(
     plan_transit: PlanTransit,
     notify: Progress,
 ) -> EntryChoice:
-    """The entry with the largest minimum manipulability of lead-in and course together.
+    """The entry with the largest minimum manipulability of lead-in and path together.
 
     What the start and the best path from a first configuration allow bounds this minimum; it is 0 in another aspect than the
     start. Configurations in the aspect of the start come first, those with the largest minimum on the straight line and the
@@ -243,7 +244,7 @@ def choose_entry(
     reached.
 
     Args:
-        finder: of courses through the layers.
+        finder: of motions through the layers.
         first: the best path of all through them.
         start: (n,).
         integral: of the g and the manipulability that count.
@@ -273,23 +274,23 @@ def choose_entry(
             continue
         left = 0.5**tried  # of the share of the work
         tried += 1
-        course = finder.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        refined = finder.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
-        lead_in = plan_transit(course.path.start, max(SHARE * seconds, SHARE), part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
+        lead_in = plan_transit(refined.path.start, max(SHARE * seconds, SHARE), part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= work_time() - began
-        row = replace(row, q=course.path.start)
-        if isinstance(lead_in, str):
-            failure = failure or lead_in
-            done.append(replace(row, status=f"left out: no lead-in: {lead_in}"))
+        row = replace(row, q=refined.path.start)
+        if isinstance(lead_in, NoPath):
+            failure = failure or lead_in.message
+            done.append(replace(row, status=f"left out: no lead-in: {lead_in.message}"))
             continue
         planned += 1
-        least = min(lead_in.min_manipulability, integral.cost(course.path).min_manipulability)
+        least = min(lead_in.min_manipulability, integral.cost(refined.path).min_manipulability)
         status = f"planned: minimum manipulability {least:.4g}"
         done.append(replace(row, min_manipulability=least, g=lead_in.g, status=status))
         if best is None or least > best.minimum * (1 + GAIN):
             done = [replace(each, chosen=False) for each in done]
             done[-1] = replace(done[-1], chosen=True)
-            best = Entry(lead_in=lead_in, course=course, minimum=least)
+            best = Entry(lead_in=lead_in, refined=refined, minimum=least)
     if best is None:
         failure = f"no lead-in to any of the {tried} first configurations of the path that were tried; the first: {failure}"
     rows = [*done, *(row for row, _ in waiting)]

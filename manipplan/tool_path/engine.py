@@ -1,0 +1,228 @@
+"""ToolPathPlanner: the best joint path along a workspace path, searched, refined, and joined between its positions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from manipplan.collision.model import CollisionModel
+from manipplan.ik.newton import MovingArm
+from manipplan.optimize.result import NoPath
+from manipplan.paths.cartesian import CartesianPath
+from manipplan.paths.joint import JointPath
+from manipplan.paths.tolerance import BETWEEN, Tolerance
+from manipplan.robots.robot import Robot
+from manipplan.search.layers import Layers
+from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.program import PoseRows, joint_path
+from manipplan.search.refine import Refinement, refine
+from manipplan.search.sampling import CandidateSampler, sample_layers
+from manipplan.search.sweep import full_turns
+from manipplan.support.checks import Array
+from manipplan.support.errors import PlanningError
+from manipplan.support.progress import Progress, silent
+
+#: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
+AT_POSITIONS, IN_TUBE = 0.9, 0.97
+#: The latter if no tolerance is given.
+AT_KNOTS = 0.5
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RefinedToolPath:
+    """A joint path along a workspace path, over the same s.
+
+    Attributes:
+        search: the path found among the candidates.
+        refinement: that path, refined.
+        path: the spline through its configurations.
+        seed: the same for the path that the search found.
+    """
+
+    search: SearchResult
+    refinement: Refinement
+    path: JointPath
+    seed: JointPath
+
+
+#: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
+STEPS, EXACT = 100, 1e-10
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ToolPathPlanner:
+    """The candidates along one workspace path, and how near to it the tool stays.
+
+    Attributes:
+        path: the workspace path.
+        layers: candidates at its positions, with their sampler.
+        tolerance: what was asked for, of which the refinement makes use; None: the default.
+        samples: number of grid points of the redundancy, as in `sample_layers`.
+        allowed: largest error between the positions, which are met exactly, where no refinement makes use of it; None: see
+            `tolerance`.
+    """
+
+    path: CartesianPath
+    layers: Layers
+    tolerance: Tolerance | None = None
+    samples: int | Sequence[int] | None = None
+    allowed: Tolerance | None = None
+
+    @property
+    def _sampler(self) -> CandidateSampler:
+        assert self.layers.sampler is not None
+        return self.layers.sampler
+
+    @property
+    def has_several_parameters(self) -> bool:
+        """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
+        return len(self._sampler.solver.names) > 1
+
+    def is_at_start(self, q: Array) -> bool:
+        """Whether the tool stands at the first pose at q (n,): near enough for a spline that goes on inside the tolerance."""
+        rows = PoseRows(self._sampler.kinematics)
+        wide = AT_KNOTS * rows.box(BETWEEN)
+        if self.tolerance is not None:
+            wide = np.maximum(wide, rows.box(self.tolerance.scaled(AT_POSITIONS)))
+        return bool((np.abs(rows.errors(q[None], self.path(np.zeros(1)))) <= AT_POSITIONS * wide).all())
+
+    def starting_at(self, q: Array) -> "ToolPathPlanner":
+        """The same with q (n,) as only candidate at the first position, at the pose that it reaches.
+
+        Where steps from one position to the next lead from it is added to the candidates of the others.
+        """
+        assert self.layers.poses is not None
+        kinematics, poses = self._sampler.kinematics, self.layers.poses.copy()
+        poses[0] = kinematics.pose(q)
+        onwards = self._onwards(q)
+        steps = {int(k) + 1: onwards[k] for k in np.flatnonzero(self._sampler.free(onwards))}
+        configurations, m = [np.array(q[None])], [np.array([float(kinematics.manipulability(q))])]
+        for k, (candidates, values) in enumerate(zip(self.layers.q[1:], self.layers.m[1:], strict=True), start=1):
+            more = steps.get(k)
+            configurations.append(candidates if more is None else np.vstack([candidates, more]))
+            m.append(values if more is None else np.append(values, kinematics.manipulability(more)))
+        return replace(self, layers=replace(self.layers, q=tuple(configurations), m=tuple(m), poses=poses))
+
+    def _onwards(self, q: Array) -> Array:
+        """Configurations (j, n) at the positions after the first, the first by steps from q, each other from the one before."""
+        assert self.layers.poses is not None
+        solver, limits = self._sampler.solver, self._sampler.spec.robot.limits
+        arm, found = MovingArm(solver.screws, np.ones(len(q), dtype=np.bool_)), [np.zeros((0, len(q)))]
+        for pose in self.layers.poses[1:]:
+            target = solver.free.nearest(solver.kinematics.pose(q[None]), pose[None])[0]
+            moved, miss = arm.search(q[None], target, limits.lower, limits.upper, steps=STEPS, tolerance=EXACT)
+            if miss[0] > EXACT:
+                break
+            q = moved[0]
+            found.append(moved)
+        return np.concatenate(found)
+
+    def beside(self, model: CollisionModel, joints: Sequence[int], q: Array, clearance: float) -> "ToolPathPlanner":
+        """The same with only the candidates, of `joints` of a robot, that are free where its others are as in q (L, n).
+
+        Raises PlanningError, which names the position, where there is none.
+        """
+        free_q, free_m = [], []
+        for k, (own, values) in enumerate(zip(self.layers.q, self.layers.m, strict=True)):
+            whole = np.repeat(q[k : k + 1], len(own), axis=0)
+            whole[:, joints] = own
+            free = ~model.in_collision_rows(whole, clearance=clearance)
+            if not free.any():
+                bodies, _ = model.nearest_bodies(whole)
+                tool = self._sampler.spec.robot.tool
+                wanted = f"at position {k} of {len(q)} every configuration of {tool} is in the way of the other arms"
+                raise PlanningError(f"{wanted}: {bodies}")
+            free_q.append(np.ascontiguousarray(own[free]))
+            free_m.append(values[free])
+        return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)))
+
+    def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | NoPath:
+        """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
+        found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
+        return self.along(found, silent, hold_start=hold_start) if found.connected else NoPath(message=found.message)
+
+    def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | NoPath:
+        """The same from q (n,), inside the limits also between the positions."""
+        found = self.starting_at(q).best(epsilon, hold_start=True, explain=False)
+        if isinstance(found, NoPath):
+            return found
+        outside = outside_limits(found.path, self._sampler.spec.robot)
+        return NoPath(message=outside) if outside else found.path
+
+    def between(self, first: int, last: int) -> "ToolPathPlanner":
+        """The same for the part of the path from one position to another, which may be beyond the last one of a closed path."""
+        layers = self.layers
+        assert layers.s is not None and layers.poses is not None
+        turned = np.arange(first, last + 1)
+        k, s = turned % len(layers.q), layers.s[turned % len(layers.q)] + turned // len(layers.q)
+        begin, end = float(s[0]), float(s[-1])
+        some = replace(
+            layers,
+            q=tuple(layers.q[i] for i in k),
+            m=tuple(layers.m[i] for i in k),
+            closed=False,
+            s=np.concatenate([[0.0], (s[1:-1] - begin) / (end - begin), [1.0]]),
+            poses=layers.poses[k],
+        )
+        return replace(self, path=self.path.part(begin, end), layers=some)
+
+    def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
+        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
+        inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
+        refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
+        path, seed = self._joined(refined.q, self.tolerance), self._joined(found.q, None)
+        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed)
+
+    def in_the_way(self, found: SearchResult) -> str:
+        """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""
+        sampler = self._sampler
+        assert self.layers.s is not None
+        if sampler.collision is None:
+            return ""
+        spec = sampler.spec
+        through = sample_layers(
+            spec.robot,
+            self.path,
+            self.layers.s,
+            task=spec.task,
+            measure=spec.measure,
+            samples=self.samples,
+            collisions=False,
+            closed=self.layers.closed,
+            seed=spec.seed,
+        )
+        if len(self.layers.q[0]) == 1:
+            through = replace(self, layers=through).starting_at(self.layers.q[0][0]).layers
+        free = max_min_search(through, found.epsilon, strict=found.strict, explain=False, throw=False)
+        if not free.connected:
+            return ""
+        needed = f", and {1e3 * spec.clearance:.4g} mm are needed" if spec.clearance else ""
+        return f"; without bodies in the way there is a motion, on which {nearest_pair(sampler.collision, free.q)}{needed}"
+
+    def _joined(self, q: Array, tolerance: Tolerance | None) -> JointPath:
+        """The joint path through q (L, n). With a tolerance they are joined as they are while their spline stays inside it."""
+        layers = self.layers
+        assert layers.s is not None
+        rows, s = PoseRows(self._sampler.kinematics), layers.s
+        allowed = AT_KNOTS * rows.box(BETWEEN) if self.allowed is None else rows.box(self.allowed)
+        tube = None
+        if tolerance is not None:
+            allowed = np.maximum(allowed, IN_TUBE * rows.box(tolerance))
+            tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3))  # inside the box of the rows
+        if layers.closed:
+            s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
+        return joint_path(self._sampler.solver, rows, self.path, s, q, closed=layers.closed, allowed=allowed, tube=tube)
+
+
+def outside_limits(path: JointPath, robot: Robot) -> str:
+    """Which joint of a path leaves its limits between the positions that were searched; "" where none does."""
+    outside = robot.limits.outside(np.array(path.bounds())).max(axis=0)
+    joint = int(outside.argmax())
+    return f"{robot.joint_names[joint]} is {outside[joint]:.2g} outside its limits" if outside[joint] > 0 else ""
+
+
+def nearest_pair(model: CollisionModel, q: Array) -> str:
+    """The nearest two bodies at configurations (k, n) along a path, and at which share of it."""
+    bodies, row = model.nearest_bodies(q)
+    return f"{bodies} at {row / max(len(q) - 1, 1):.2f} of the path"
