@@ -6,6 +6,8 @@ the Panda and of the UR5 by `mp.plan`, tool paths by `mp.follow`, and programs b
 problems. Of several repetitions of a problem the shortest counts. Writes docs/benchmarks/against_revision.md.
 """
 
+from __future__ import annotations  # an older version lacks mp.results
+
 import argparse
 import contextlib
 import json
@@ -24,7 +26,7 @@ import motionbenchmaker
 import numpy as np
 import programs
 import tool_paths
-from convergence import ROOT, Row, Worker, speaker, table
+from convergence import ROOT, ManipplanError, Row, Worker, speaker, table
 from outside import problems
 from outside import tool_paths as outside_paths
 from rich.progress import track
@@ -75,7 +77,7 @@ def program_rows(count: int) -> list[Row]:
     return rows
 
 
-def _program(name: str, place: str, seed: list[int], of_part: bool) -> tuple[list[mp.ProgramStep], mp.Scene]:
+def _program(name: str, place: str, seed: list[int], of_part: bool) -> tuple[list[mp.results.ProgramStep], mp.Scene]:
     return programs.problem(program_arm(name), name, place, np.random.default_rng(seed), of_part)
 
 
@@ -140,7 +142,7 @@ def answer(given: Row) -> Row:
     try:
         made = run()
         status = made.status.name if isinstance(made, mp.Plan) else "SOLVED"
-    except mp.ManipplanError as error:
+    except ManipplanError as error:
         status = type(error).__name__
     return {"status": status, "cpu": time.process_time() - began}
 

@@ -107,7 +107,7 @@ def measured(robot: mp.Robot, kind: str, q: Array, rng: np.random.Generator) -> 
     asked, steps = float(rng.uniform(*RADII)), moves(kind, robot, q, rng)
     try:
         sharp, made = (mp.sequence(robot, q, steps, blend=radius) for radius in (0.0, asked))
-    except (mp.PlanningError, mp.InvalidInputError) as error:
+    except (mp.errors.PlanningError, mp.errors.InvalidInputError) as error:
         return Corner(message=" ".join(str(error).split())[:120])
     used = made.marks[0].blend
     if not used:

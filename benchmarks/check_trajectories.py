@@ -183,7 +183,7 @@ SPOILS = {
 }
 
 
-def judged(case: Case) -> tuple[mp.Report, float]:
+def judged(case: Case) -> tuple[mp.results.Report, float]:
     """The report of `mp.check`, and its time [s]."""
     began = time.perf_counter()
     asked = {"start": case.start, "goal": case.goal, "path": case.path, "tolerance": case.tolerance}
@@ -191,7 +191,7 @@ def judged(case: Case) -> tuple[mp.Report, float]:
     return report, time.perf_counter() - began
 
 
-def table(cases: Sequence[Case], reports: Sequence[tuple[mp.Report, float]]) -> tuple[list[str], int]:
+def table(cases: Sequence[Case], reports: Sequence[tuple[mp.results.Report, float]]) -> tuple[list[str], int]:
     """The lines of the table, and the number of disagreements."""
     lines = [
         "| respect | spoilt in it | judged | exceeded, by the other judge | same verdict | within the margin | disagreements |",

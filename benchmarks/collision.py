@@ -232,7 +232,7 @@ def pairs_among(scene: mp.Scene, robot: mp.Robot, count: int) -> list[tuple[np.n
             continue
         try:
             mp.seed_path(robot, start, goal, scene, seeding=mp.Seeding(time_limit=3.0))
-        except mp.PlanningError:
+        except getattr(mp, "errors", mp).PlanningError:  # version 0.1 has it at the top
             continue
         found.append((start, goal))
     return found

@@ -35,6 +35,7 @@ from rich.progress import Progress
 import manipplan as mp
 
 ROOT = Path(__file__).resolve().parents[1]
+ManipplanError = getattr(mp, "errors", mp).ManipplanError  # an older version has it at the top
 OUT = ROOT / "docs" / "benchmarks" / "convergence.md"
 #: The environment variables that hold every worker to one thread. OpenBLAS prints the kernels it uses.
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OPENBLAS_VERBOSE": "2"}
@@ -166,7 +167,7 @@ def work() -> None:
             scene = scenes[key]
         try:
             row = JOBS[given["job"]](robot, scene, given)
-        except mp.ManipplanError as error:
+        except ManipplanError as error:
             row = {"status": type(error).__name__, "g": np.inf, "first g": np.inf, "error": str(error)}
         say(row)
 

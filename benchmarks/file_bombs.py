@@ -38,7 +38,7 @@ READERS = {
     "npz=mp.Trajectory.from_npz)[file.rsplit('.')[-1]](file)",
     "poses": "mp.CartesianPath.from_csv(file)",
     "plan": "mp.Plan.load(file)",
-    "report": "mp.Report.from_json(file)",
+    "report": "mp.results.Report.from_json(file)",
 }
 CHILD = """
 import sys, resource, warnings
@@ -57,7 +57,7 @@ file, began = sys.argv[1], spent()[0]
 try:
     {read}
     said = "read"
-except mp.ManipplanError as error:
+except mp.errors.ManipplanError as error:
     said = "refused: " + str(error)[:2000]
 except BaseException as error:
     said = "FAULT: " + type(error).__name__ + ": " + str(error)[:200]

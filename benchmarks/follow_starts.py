@@ -119,7 +119,7 @@ def lines_of_speeds(case: Case) -> list[str]:
         speed, named = asked, ""
         try:
             kept = case.follow(tool_speed=asked).report.along[0].tool_speed
-        except mp.InvalidInputError as error:
+        except mp.errors.InvalidInputError as error:
             most = re.search(r"at most ([\d.]+) m/s", str(error))
             if most is None:
                 lines.append(f"| {case.name} | {1e3 * asked:g} | none | | | |")

@@ -76,7 +76,7 @@ def read(loader: Loader, file: Path) -> tuple[str, str]:
     """The outcome of reading a file, and the text of a fault."""
     try:
         loader.load(file)
-    except mp.ManipplanError as error:
+    except mp.errors.ManipplanError as error:
         if len(str(error)) > 3000:
             return FAULT, f"a message of {len(str(error))} characters: {str(error)[:300]}"
         return REFUSED, ""

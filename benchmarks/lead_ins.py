@@ -114,7 +114,7 @@ def lines(robot: mp.Robot, reach: tuple[float, float], count: int, rng: np.rando
         path = mp.CartesianPath.line(*ends)
         try:
             plan = mp.follow(robot, path, throw=False)
-        except mp.InvalidInputError:
+        except mp.errors.InvalidInputError:
             continue
         if plan.report is not None and plan.report.passed:
             found.append(path)
@@ -163,7 +163,7 @@ def ways(robot: mp.Robot, path: mp.CartesianPath, judge: Judge) -> list[Way]:
     for q in distinct:
         try:
             plan = mp.follow(robot, path, start=q, throw=False)
-        except mp.InvalidInputError:
+        except mp.errors.InvalidInputError:
             continue
         if plan.report is not None and plan.report.passed:
             crossings = judge.crossings(plan.trajectory)
@@ -199,7 +199,7 @@ def composed(robot: mp.Robot, start: Array, path: mp.CartesianPath, judge: Judge
     began = time.process_time()
     try:
         program = mp.sequence(robot, start, [mp.MoveAlong(path)])
-    except mp.PlanningError as error:
+    except mp.errors.PlanningError as error:
         return str(error)
     (mark,) = program.marks
     return _entry(program.trajectory, mark.path_begin or 0.0, time.process_time() - began, judge)

@@ -76,12 +76,12 @@ def tilt_excess(robot: mp.Robot, trajectory: mp.Trajectory, limit: mp.TiltLimit)
 
 def planned(
     robot: mp.Robot, start: NDArray[np.float64], goal: object, scene: mp.Scene, constraints: Sequence[mp.Constraint]
-) -> tuple[mp.PartialPlan | None, float]:
+) -> tuple[mp.results.PartialPlan | None, float]:
     """A plan, None where no goal can be used, and its CPU time [s]."""
     began = time.process_time()
     try:
         plan = mp.plan(robot, start, goal, scene, constraints=constraints, throw=False)
-    except mp.InvalidInputError:
+    except mp.errors.InvalidInputError:
         plan = None
     return plan, time.process_time() - began
 

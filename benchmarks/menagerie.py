@@ -271,7 +271,7 @@ def measure(folder: Path, file: str, options: dict[str, Any], postures: int, pla
     began = time.perf_counter()
     try:
         robot = mp.load_robot(folder / file, velocity=2.0, **options)
-    except mp.ManipplanError as error:
+    except mp.errors.ManipplanError as error:
         row.fault = f"{type(error).__name__}: {str(error).partition('allowed: ')[2][:160]}"
         return row
     mp.Scene().collision_model(robot)
@@ -339,7 +339,7 @@ def plan(row: Row, robot: mp.Robot, judge: Judge, rng: np.random.Generator, seed
         return
     try:
         made = mp.plan(robot, start, goal, seeding=mp.Seeding(seed=seed, time_limit=time_limit), throw=False)
-    except mp.ManipplanError as error:
+    except mp.errors.ManipplanError as error:
         row.statuses[type(error).__name__] += 1
         row.notes.append(f"plan: {error}")
         return

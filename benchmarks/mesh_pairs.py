@@ -248,7 +248,7 @@ def measure(name: str, plans: int, lines: int) -> Outcome:
             path = mp.CartesianPath.through(robot.kinematics().pose(np.linspace(q / 2, q / 2 + MOTION, POSES)))
             try:
                 followed.run(lambda path=path: mp.follow(robot, path, throw=False))  # type: ignore[misc]
-            except mp.InvalidInputError:  # gaps of less than the 3 mm that the search along a tool path keeps
+            except mp.errors.InvalidInputError:  # gaps of less than the 3 mm that the search along a tool path keeps
                 followed.statuses.append("refused")
     return Outcome(
         name=name, triangles=triangles, same_side=same_side, allowed=allowed, plans=planned, lines=followed, model=first

@@ -298,7 +298,7 @@ def _cut_off(rng: np.random.Generator, kind: str, folder: Path, file: Path, data
     file.write_bytes(data[: int(rng.integers(len(data)))])
     try:
         corners, triangles = body_of(folder)
-    except mp.ManipplanError:
+    except mp.errors.ManipplanError:
         return "refused"
     if np.array_equal(corners, ours[0]) and np.array_equal(triangles, ours[1]):
         return "the same body"

@@ -29,7 +29,7 @@ def pairs(problem):
             continue
         try:
             mp.seed_path(problem.robot, start, goal, problem.scene, seeding=mp.Seeding(time_limit=3.0))
-        except mp.PlanningError:
+        except mp.errors.PlanningError:
             continue
         found += 1
         yield start, goal

@@ -63,7 +63,7 @@ def among_obstacles(number: int) -> list[mp.Problem]:
 KINDS = {"without obstacles": without_obstacles, "among obstacles": among_obstacles}
 
 
-def digest(plan: mp.PartialPlan) -> str:
+def digest(plan: mp.results.PartialPlan) -> str:
     numbers = b"" if plan.trajectory is None else plan.trajectory.t.tobytes() + plan.trajectory.q.tobytes()
     return hashlib.sha256(plan.status.name.encode() + numbers).hexdigest()
 

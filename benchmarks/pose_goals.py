@@ -83,7 +83,7 @@ def planned(robot: mp.Robot, start: NDArray[np.float64], goal: object, scene: mp
     began = time.process_time()
     try:
         plan = mp.plan(robot, start, goal, scene, throw=False)
-    except mp.InvalidInputError:  # no candidate is free
+    except mp.errors.InvalidInputError:  # no candidate is free
         return np.nan, time.process_time() - began, np.nan
     seconds = time.process_time() - began
     passed = plan.report is not None and plan.report.passed

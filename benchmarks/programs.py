@@ -8,6 +8,8 @@ the grasp determines how the arm can put it down. Move by move is the same plann
 follows it by itself, so that it takes the grasp that is best for picking. Times are CPU times of whole calls of `mp.sequence`.
 """
 
+from __future__ import annotations  # an older version lacks mp.results
+
 import argparse
 import os
 import platform
@@ -108,7 +110,7 @@ def grasps(middle: NDArray[np.float64], above: float, tilt: float = 0.0) -> list
 
 def problem(
     robot: mp.Robot, name: str, place: str, rng: np.random.Generator, of_part: bool
-) -> tuple[list[mp.ProgramStep], mp.Scene]:
+) -> tuple[list[mp.results.ProgramStep], mp.Scene]:
     """The steps of a program, and its scene; `of_part`: its place is a pose of the part."""
     reach, above = ARMS[name]
     height = rng.uniform(0.0, 0.15)
@@ -137,7 +139,7 @@ def problem(
         pose[:3, :3] = Rotation.from_euler("z", rng.uniform(-np.pi, np.pi)).as_matrix()
         pose[:3, 3] = end + up
         places = [mp.PoseGoal(pose, of="part")]
-    steps: list[mp.ProgramStep] = [
+    steps: list[mp.results.ProgramStep] = [
         mp.MoveTo(look),
         mp.MoveTo(picks, approach=WAY),
         mp.Attach("part"),
@@ -150,20 +152,20 @@ def problem(
     return steps, scene
 
 
-def together(robot: mp.Robot, steps: Sequence[mp.ProgramStep], scene: mp.Scene) -> tuple[mp.Program | None, float, str]:
+def together(robot: mp.Robot, steps: Sequence[mp.results.ProgramStep], scene: mp.Scene) -> tuple[mp.Program | None, float, str]:
     """The program as a whole, its CPU time [s], and why there is none."""
     began = time.process_time()
     try:
         program, message = mp.sequence(robot, robot.neutral, steps, scene, blend=BLEND), ""
-    except (mp.PlanningError, mp.InvalidInputError) as error:
+    except (mp.errors.PlanningError, mp.errors.InvalidInputError) as error:
         program, message = None, str(error)
     return program, time.process_time() - began, message
 
 
-def by_moves(robot: mp.Robot, steps: Sequence[mp.ProgramStep], scene: mp.Scene) -> tuple[float, float]:
+def by_moves(robot: mp.Robot, steps: Sequence[mp.results.ProgramStep], scene: mp.Scene) -> tuple[float, float]:
     """Minimum manipulability and CPU time [s] where each free motion with what follows is a program of its own."""
     began, least, q = time.process_time(), np.inf, robot.neutral
-    groups: list[list[mp.ProgramStep]] = []
+    groups: list[list[mp.results.ProgramStep]] = []
     for step in steps:
         groups += [[]] if isinstance(step, mp.MoveTo) else []
         groups[-1].append(step)
@@ -172,7 +174,7 @@ def by_moves(robot: mp.Robot, steps: Sequence[mp.ProgramStep], scene: mp.Scene) 
             made = mp.sequence(robot, q, group, scene, blend=BLEND)
             least = min(least, made.min_manipulability)
             robot, scene, q = made.final_state
-    except (mp.PlanningError, mp.InvalidInputError):
+    except (mp.errors.PlanningError, mp.errors.InvalidInputError):
         least = np.nan
     return least, time.process_time() - began
 

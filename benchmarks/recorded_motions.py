@@ -153,7 +153,7 @@ def judged(recording: Recording) -> Outcome:
     began = time.process_time()
     try:
         plan = mp.improve(robot, before, scene, tolerance=TUBE)
-    except (mp.InvalidInputError, mp.PlanningError) as error:
+    except (mp.errors.InvalidInputError, mp.errors.PlanningError) as error:
         return Outcome(recording=recording, status=f"{type(error).__name__}: {error}")
     seconds, after = time.process_time() - began, plan.trajectory
     report = mp.check(robot, after, scene, start=before.q[0], goal=before.q[-1])

@@ -74,13 +74,13 @@ class Judge:
         return float(max(np.linalg.norm(pose.translation - target.translation), turned))
 
 
-def end_of(robot: mp.Robot, judge: Judge, run: mp.Rollout, target: pin.SE3) -> str:
+def end_of(robot: mp.Robot, judge: Judge, run: mp.results.Rollout, target: pin.SE3) -> str:
     """One of COLUMNS."""
     q = run.q[-1]
     away = judge.distance(q, target)
     if away < NEAR:
         return "at the target"
-    if run["status"][-1] == mp.StepStatus.STALLED:
+    if run["status"][-1] == mp.results.StepStatus.STALLED:
         room = np.minimum(q - robot.limits.lower, robot.limits.upper - q).min()
         if room < AT_LIMIT:
             return "stalled at a joint limit"

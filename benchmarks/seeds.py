@@ -82,7 +82,7 @@ def outcome(robot: mp.Robot, problem: problems.Problem, planner: str, clock: Clo
     clock.seconds.clear()
     began, found, path = time.thread_time(), {}, None
     seeding = mp.Seeding(planner=planner)
-    with suppress(mp.PlanningError):
+    with suppress(mp.errors.PlanningError):
         path = mp.seed_path(robot, problem.start, problem.goal, problem.scene, fewest_crossings=True, seeding=seeding)
     seconds, parts = time.thread_time() - began, dict(clock.seconds)
     if path is not None:
@@ -109,7 +109,7 @@ def lowered(robot: mp.Robot, problem: problems.Problem, planner: str) -> float:
     try:
         seeding = mp.Seeding(planner=planner, time_limit=SECONDS)
         path = mp.seed_path(robot, *ends, seeding=seeding, objective=objective, checks=CHECKS)
-    except mp.PlanningError:
+    except mp.errors.PlanningError:
         return np.nan
     return integral.cost(path).g / first
 

@@ -174,13 +174,13 @@ def compared(folder: Path, name: str, count: int) -> str:
             beside = pose.copy()
             beside[:3, 3] += [0.01, 0.0, 0.0]
             mp.follow(robot, mp.CartesianPath.line(pose, beside), positions=[0.0, 1.0])
-        except mp.OutOfReachError as error:
+        except mp.errors.OutOfReachError as error:
             seconds += time.perf_counter() - began
             target = pose if "position 0 " in error.argument else beside
             ours = float(np.hypot(error.nearest.position, error.nearest.rotation))
             own = float(np.linalg.norm(judge.error(error.nearest.q, target)))
             ratios.append(max(ours, own) / judge.nearest(target, rng))
-        except mp.ManipplanError:
+        except mp.errors.ManipplanError:
             continue  # within reach
     worst = max(ratios)
     farther = sum(ratio > 1.01 for ratio in ratios)

@@ -168,7 +168,7 @@ def one(robot: mp.Robot, seed: int, count: Count) -> tuple[str, str]:
             try:
                 trajectory = mp.retime(path, robot, limits=limits, torque=model is not None, **options)
                 break
-            except mp.InvalidInputError as error:
+            except mp.errors.InvalidInputError as error:
                 if error.argument not in ("start_speed", "end_speed") or attempt == 11:
                     raise
                 count.refused += attempt == 0

@@ -143,7 +143,7 @@ def on_finer_grid(case: Case) -> int:
     )
     try:
         return mp.fewest_interruptions(layers, STEP).parts
-    except mp.PlanningError:
+    except mp.errors.PlanningError:
         return 0
 
 
@@ -182,7 +182,7 @@ def made(count: int) -> list[Case]:
         try:
             mp.sample_layers(robot, path, 40, task=task, samples=180, scene=case.scene, spare=0.003)
             mp.sample_layers(robot, path, path.knots, task=task, scene=case.scene, spare=0.003)
-        except mp.InvalidInputError:
+        except mp.errors.InvalidInputError:
             continue  # out of reach, or no room
         cases.append(case)
     return cases

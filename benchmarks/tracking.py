@@ -129,7 +129,7 @@ def ours(robot: mp.Robot, judge: Judge, poses: np.ndarray, allowed: float) -> Qu
     for weight, stiffness, tolerance in product(WEIGHTS, STIFFNESSES, (tube, None)):
         controller = mp.Controller(robot, mp.formulations.LogDrive(weight), dt=DT, tolerance=tolerance, stiffness=stiffness)
         motion = controller.rollout(START, poses)
-        failed = sum(mp.StepStatus(int(status)).brakes for status in motion["status"])
+        failed = sum(mp.results.StepStatus(int(status)).brakes for status in motion["status"])
         found.append(judge.quality(poses, motion.q[1:], failed))
     inside = [quality for quality in found if quality.deviation <= 1.01 * allowed]
     if not inside:

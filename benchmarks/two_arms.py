@@ -121,7 +121,7 @@ def outcome(case: Case, plans: Callable[[], Sequence[mp.Plan]]) -> Outcome:
     began = time.process_time()
     try:
         made = plans()
-    except (mp.InvalidInputError, mp.PlanningError):
+    except (mp.errors.InvalidInputError, mp.errors.PlanningError):
         return Outcome(seconds=time.process_time() - began, minimum=np.nan, duration=np.nan)
     seconds = time.process_time() - began
     judge = TwoArmJudge(case.robot, case.scene)
@@ -148,7 +148,7 @@ def one_after_the_other(case: Case) -> Sequence[mp.Plan]:
             for tool in order:
                 made.append(mp.plan(case.robot, start, {tool: case.goal[tool]}, case.scene))
                 start = made[-1].trajectory.q[-1]
-        except (mp.InvalidInputError, mp.PlanningError):
+        except (mp.errors.InvalidInputError, mp.errors.PlanningError):
             if k == 1:
                 raise
             continue

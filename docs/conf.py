@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import a11y_pygments  # noqa: F401  # it prints the INFO of every library; taken back below
+from sphinx.util.nodes import make_refnode
 
 import manipplan
 
@@ -67,7 +68,9 @@ suppress_warnings = ["config.cache"]
 linkcheck_timeout = 20
 linkcheck_ignore = [r"\.\./"]  # inside the site: check_site.py
 #: Links that are written by hand must have a target; types that autodoc finds in signatures need none.
-nitpick_ignore_regex = [("py:(class|obj|exc|data|attr)", r"(?!manipplan\.(planar\.|viz\.|formulations\.)?\w+$).*")]
+nitpick_ignore_regex = [
+    ("py:(class|obj|exc|data|attr)", r"(?!manipplan\.((errors|formulations|measures|planar|results|viz)\.)?\w+$).*")
+]
 
 KEYS = set(re.findall(r"^@\w+\{(\w+),", (Path(__file__).parent / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
 CITED = re.compile(r"\[(\w+)((?:, [^\]]+)?)\]")
@@ -88,6 +91,15 @@ def _docstring(_app, what, _name, _obj, _options, lines):
         lines.insert(0, "\\")  # an escaped end of line: nothing in reStructuredText, but no colon for napoleon
 
 
+def _public_name(app, env, node, contnode):
+    """What a docstring names without its namespace leads there, too."""
+    for space in ("manipplan", *(f"manipplan.{name}" for name in ("errors", "formulations", "measures", "results"))):
+        name = f"{space}.{node['reftarget']}"
+        if node["refdomain"] == "py" and (found := env.domains["py"].objects.get(name)):
+            return make_refnode(app.builder, node["refdoc"], found.docname, found.node_id, contnode, name)
+    return None
+
+
 def _caption_levels(_app, _page, _template, context, _doctree):
     """Sphinx calls the captions of the navigation headings and leaves their level out, which screen readers need."""
     tree = context.get("furo_navigation_tree", "")
@@ -97,4 +109,5 @@ def _caption_levels(_app, _page, _template, context, _doctree):
 def setup(app):
     """Run before napoleon and after furo, whose priority is 500."""
     app.connect("autodoc-process-docstring", _docstring, priority=400)
+    app.connect("missing-reference", _public_name)
     app.connect("html-page-context", _caption_levels, priority=600)

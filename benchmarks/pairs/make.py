@@ -125,7 +125,7 @@ def pairs(arm: str, name: str, count: int, rng: np.random.Generator) -> Iterator
             start, goal = goal, start
         try:
             mp.seed_path(robot, start, goal, placed, clearance=CLEARANCE, seeding=mp.Seeding(time_limit=TIME_LIMIT))
-        except mp.PlanningError:
+        except mp.errors.PlanningError:
             continue
         yield start, goal
         count -= 1

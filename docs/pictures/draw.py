@@ -108,7 +108,7 @@ def ellipsoids():
     figure, panels = plt.subplots(1, 4, figsize=(9.2, 2.7), sharex=True, sharey=True, layout="constrained")
     for ax, (name, q) in zip(panels, postures.items(), strict=True):
         points = skeleton(arm, np.asarray(q))[1:, :2]
-        ellipsoid = mp.velocity_ellipsoid(kin.jacobian(q))
+        ellipsoid = mp.measures.velocity_ellipsoid(kin.jacobian(q))
         axes, radii = np.asarray(ellipsoid.axes), np.asarray(ellipsoid.radii)
         angle = np.degrees(np.arctan2(axes[1, 0], axes[0, 0]))
         ax.add_patch(

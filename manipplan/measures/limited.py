@@ -32,7 +32,7 @@ class JointLimitPenalised(Measure):
 
     def __post_init__(self) -> None:
         if not isinstance(self.measure, Measure):
-            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.Yoshikawa()")
+            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
         if not self.measure.larger_is_better:
             raise InvalidInputError("measure", self.measure.name, "a measure that is at least 0 and better when larger")
         number("k", self.k, above=0.0)

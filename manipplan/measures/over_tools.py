@@ -42,7 +42,7 @@ class OverTools(Measure):
 
     def __post_init__(self) -> None:
         if not isinstance(self.measure, Measure):
-            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.Yoshikawa()")
+            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
         if self.measure.over_tools or not self.measure.larger_is_better:
             raise InvalidInputError(
                 "measure", self.measure.name, "a measure of one tool that is at least 0 and better when larger"

@@ -46,7 +46,7 @@ class Run:
     targets: Array
     deviation: Array
     rotation: Array
-    rollout: mp.Rollout
+    rollout: mp.results.Rollout
     steps: int
 
     @property

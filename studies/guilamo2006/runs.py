@@ -47,7 +47,7 @@ class Searched:
 
     sampled: Sampled
     epsilon: float
-    found: mp.SearchResult
+    found: mp.results.SearchResult
     seconds: float
 
 
@@ -77,7 +77,7 @@ class Refined:
     """A refined path, and the computation time [s]."""
 
     searched: Searched
-    refinement: mp.Refinement
+    refinement: mp.results.Refinement
     seconds: float
 
 

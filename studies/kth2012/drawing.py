@@ -44,7 +44,13 @@ def draw_arm(ax: Any, q: ArrayLike, arm: PlanarArm = config.ARM, *, colour: str 
 
 
 def draw_ellipse(
-    ax: Any, ellipse: mp.Ellipsoid, centre: Array, *, colour: str, scale: float = config.ELLIPSE_SCALE, axes: bool = False
+    ax: Any,
+    ellipse: mp.measures.Ellipsoid,
+    centre: Array,
+    *,
+    colour: str,
+    scale: float = config.ELLIPSE_SCALE,
+    axes: bool = False,
 ) -> None:
     """Draw a scaled ellipse; an infinite radius is cut off outside every figure."""
     radii = np.minimum(ellipse.radii * scale, 20.0)

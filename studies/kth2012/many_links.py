@@ -27,7 +27,7 @@ class ManyLinks:
     q: Array
     manipulability: float
     proven: bool
-    path: mp.PathResult
+    path: mp.results.PathResult
 
 
 def many_links(n: int) -> ManyLinks:

@@ -63,10 +63,10 @@ class Results:
         limits = {"lower": -config.QUARTER, "upper": config.QUARTER} if limited else {}
         return self.once(("posture", radius, limited), lambda: stationary_postures(ARM, radius=radius, **limits))
 
-    def path(self, example: Example, degree: int, power: float = config.TABLE_POWER) -> mp.PathResult:
+    def path(self, example: Example, degree: int, power: float = config.TABLE_POWER) -> mp.results.PathResult:
         """The optimal path of a degree, by the general optimiser."""
 
-        def run() -> mp.PathResult:
+        def run() -> mp.results.PathResult:
             return mp.optimize_path(
                 self.robot,
                 example.start,
@@ -157,10 +157,10 @@ class Results:
 
         return self.once("two links", run)
 
-    def shifted(self, example: Example) -> mp.PathResult:
+    def shifted(self, example: Example) -> mp.results.PathResult:
         """The best path over goals that differ by full turns, by the general optimiser, with its rivals."""
 
-        def run() -> mp.PathResult:
+        def run() -> mp.results.PathResult:
             return mp.optimize_path(
                 self.robot,
                 example.start,
@@ -172,10 +172,10 @@ class Results:
 
         return self.once(("shifted", example), run)
 
-    def among(self, example: Example, posts: tuple[tuple[float, float], ...]) -> mp.PathResult:
+    def among(self, example: Example, posts: tuple[tuple[float, float], ...]) -> mp.results.PathResult:
         """The best path found among posts."""
 
-        def run() -> mp.PathResult:
+        def run() -> mp.results.PathResult:
             post = [mp.Cylinder(radius=config.POST_RADIUS, length=1.0, position=(x, y, 0.0)) for x, y in posts]
             return mp.optimize_path(
                 self.robot,

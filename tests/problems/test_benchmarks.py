@@ -54,7 +54,7 @@ def test_refused_problems_are_those_that_plan_refuses(panda):
     found = [(problem, motionbenchmaker.refusal(panda, problem)) for problem in every]
     refused = [problem for problem, outcome in found if outcome is not None]
     assert all(outcome.result == motionbenchmaker.BEYOND for _, outcome in found if outcome is not None)
-    with pytest.raises(mp.InvalidInputError, match=r"^(start|goal)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^(start|goal)"):
         mp.plan(panda, refused[0].start, refused[0].goal, refused[0].scene)
     model = [problem.scene.collision_model(panda) for problem, outcome in found if outcome is None]
     accepted = [problem for problem, outcome in found if outcome is None]

@@ -37,7 +37,7 @@ def test_files_depend_on_seed_and_number_alone():
 
 def test_errors_of_the_package_are_no_faults(tmp_path):
     def refuse(file):
-        raise mp.InvalidInputError("a", 1, "2")
+        raise mp.errors.InvalidInputError("a", 1, "2")
 
     def crash(file):
         raise KeyError("a")

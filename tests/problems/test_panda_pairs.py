@@ -17,7 +17,7 @@ def free_pairs(problem, count):
             continue
         try:
             seed = mp.seed_path(robot, start, goal, scene, seeding=mp.Seeding(time_limit=3.0))
-        except mp.PlanningError:
+        except mp.errors.PlanningError:
             continue
         yield start, goal, seed
         count -= 1

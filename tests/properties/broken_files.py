@@ -25,7 +25,7 @@ def count_refused(file, data, read):
         file.write_bytes(copy)
         try:
             shape = read(file)
-        except mp.FileFormatError as error:
+        except mp.errors.FileFormatError as error:
             refused += 1
             assert file.name in str(error)
         else:

@@ -157,7 +157,7 @@ def outcome(call: Call, name: str, value: Any) -> str:
     try:
         with at_most(LONGEST):
             call.function(**{**call.arguments, name: value})
-    except mp.ManipplanError as error:
+    except mp.errors.ManipplanError as error:
         return "refused" if str(error) else "an error without a text"
     except TooSlow:
         return f"more than {LONGEST} s"
@@ -271,18 +271,18 @@ def calls(folder: Path) -> dict[str, Call]:
         "CartesianPath.__call__": C(line, {"s": np.array([0.0, 0.5])}),
         "CartesianPath.part": C(line.part, {"begin": 0.1, "end": 0.5}),
         "CartesianPath.sample": C(line.sample, {"n": 5}),
-        "ConditionNumber": C(mp.ConditionNumber()),
-        "DynamicManipulability": C(mp.DynamicManipulability, {"regularisation": 1e-6}),
-        "Isotropy": C(mp.Isotropy, {"regularisation": 1e-6}),
-        "LogDet": C(mp.LogDet, {"regularisation": 1e-6}),
-        "Yoshikawa": C(mp.Yoshikawa, {"regularisation": 1e-6}),
-        "ForceTransmission": C(mp.ForceTransmission, {"direction": (1.0, 0.0)}),
-        "VelocityTransmission": C(mp.VelocityTransmission, {"direction": (1.0, 0.0), "regularisation": 1e-6}),
-        "FrobeniusNorm": C(mp.FrobeniusNorm, {"weights": (1.0, 2.0, 1.0)}),
-        "JointLimitPenalised": C(mp.JointLimitPenalised, {"measure": mp.Yoshikawa(), "k": 1.0}),
-        "OverTools": C(mp.OverTools, {"measure": mp.Yoshikawa(), "weights": {"a": 1.0}}),
+        "ConditionNumber": C(mp.measures.ConditionNumber()),
+        "DynamicManipulability": C(mp.measures.DynamicManipulability, {"regularisation": 1e-6}),
+        "Isotropy": C(mp.measures.Isotropy, {"regularisation": 1e-6}),
+        "LogDet": C(mp.measures.LogDet, {"regularisation": 1e-6}),
+        "Yoshikawa": C(mp.measures.Yoshikawa, {"regularisation": 1e-6}),
+        "ForceTransmission": C(mp.measures.ForceTransmission, {"direction": (1.0, 0.0)}),
+        "VelocityTransmission": C(mp.measures.VelocityTransmission, {"direction": (1.0, 0.0), "regularisation": 1e-6}),
+        "FrobeniusNorm": C(mp.measures.FrobeniusNorm, {"weights": (1.0, 2.0, 1.0)}),
+        "JointLimitPenalised": C(mp.measures.JointLimitPenalised, {"measure": mp.measures.Yoshikawa(), "k": 1.0}),
+        "OverTools": C(mp.measures.OverTools, {"measure": mp.measures.Yoshikawa(), "weights": {"a": 1.0}}),
         **{
-            f"{name}.__call__": C(getattr(mp, name)(**options), {"jacobian": jacobian})
+            f"{name}.__call__": C(getattr(mp.measures, name)(**options), {"jacobian": jacobian})
             for name, options in _OF_MATRICES.items()
         },
         "Controller": C(
@@ -302,7 +302,7 @@ def calls(folder: Path) -> dict[str, Call]:
             },
         ),
         "Deviation.excess": C(
-            mp.Deviation(position=0.1, position_at=0.0, rotation=0.1, rotation_at=0.0).excess,
+            mp.results.Deviation(position=0.1, position_at=0.0, rotation=0.1, rotation_at=0.0).excess,
             {"tolerance": mp.Tolerance(position=0.01), "of": "a"},
             free=("of",),
         ),
@@ -364,7 +364,7 @@ def calls(folder: Path) -> dict[str, Call]:
             {**ends, "objective": objective, "shape": shape, "seeding": seeding, "clearance": 0.0, "torque": False},
             free=("robot", "start", "goal", "scene", "objective", "shape", "seeding", "clearance", "torque"),
         ),
-        "Report.from_json": C(mp.Report.from_json, {"file": str(folder / "report.json")}),
+        "Report.from_json": C(mp.results.Report.from_json, {"file": str(folder / "report.json")}),
         "Report.to_json": C(plan.report.to_json, {"file": str(folder / "r.json")}),
         "Plan.load": C(mp.Plan.load, {"file": str(folder / "saved")}),
         "Plan.save": C(plan.save, {"folder": str(folder / "plan")}, heavy=True),
@@ -509,9 +509,9 @@ def calls(folder: Path) -> dict[str, Call]:
             },
             heavy=True,
         ),
-        "dynamic_ellipsoid": C(mp.dynamic_ellipsoid, {"jacobian": jacobian, "mass_matrix": np.eye(3)}),
-        "force_ellipsoid": C(mp.force_ellipsoid, {"jacobian": jacobian}),
-        "velocity_ellipsoid": C(mp.velocity_ellipsoid, {"jacobian": jacobian}),
+        "dynamic_ellipsoid": C(mp.measures.dynamic_ellipsoid, {"jacobian": jacobian, "mass_matrix": np.eye(3)}),
+        "force_ellipsoid": C(mp.measures.force_ellipsoid, {"jacobian": jacobian}),
+        "velocity_ellipsoid": C(mp.measures.velocity_ellipsoid, {"jacobian": jacobian}),
         "fewest_interruptions": C(mp.fewest_interruptions, {"layers": layers, "epsilon": 0.5, "strict": True}),
         "guilamo_search": C(
             mp.guilamo_search, {"layers": layers, "epsilon": 0.5, "memoised": True, "strict": True, "most_branches": 1000}

@@ -142,9 +142,11 @@ def test_speeds_and_efforts_without_a_motion_are_refused_alike(monkeypatch, comp
     robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=[1.0, 2.0], acceleration=2.0, jerk=1.0)
     path = mp.JointPath.line([0.0, 0.0], [0.01, 0.0])
     for name in ("start_speed", "end_speed"):
-        with pytest.raises(mp.InvalidInputError, match=rf"{name}: got 0.19; allowed: a lower speed; no motion within the jerk"):
+        with pytest.raises(
+            mp.errors.InvalidInputError, match=rf"{name}: got 0.19; allowed: a lower speed; no motion within the jerk"
+        ):
             mp.retime(path, robot, **{name: 0.19})
-    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 0.5; allowed: 0 to 0.199.* slow down in time"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"start_speed: got 0.5; allowed: 0 to 0.199.* slow down in time"):
         mp.retime(path, robot, start_speed=0.5)
 
 
@@ -153,12 +155,12 @@ def test_a_motion_that_is_never_within_the_limits_is_refused_with_the_reason(mon
     path = mp.JointPath(breaks=[0.0, 1.0], control=[[[0.0, 0.0, 0.0], [0.0, 1.0, 0.5], [1.0, 1.0, 1.0]]])
     arm = ARM.with_limits(velocity=1.0, acceleration=2.0, jerk=20.0)
     monkeypatch.setattr(piece, "fastest_motion", lambda *_: None)
-    with pytest.raises(mp.PlanningError, match="no motion within the jerk limits was found"):
+    with pytest.raises(mp.errors.PlanningError, match="no motion within the jerk limits was found"):
         mp.retime(path, arm)
 
     def no_speeds(*_):
-        raise mp.PlanningError("the effort limit of joint2 allows no motion")
+        raise mp.errors.PlanningError("the effort limit of joint2 allows no motion")
 
     monkeypatch.setattr(piece, "fastest_speeds", no_speeds)
-    with pytest.raises(mp.PlanningError, match="the effort limit of joint2 allows no motion"):
+    with pytest.raises(mp.errors.PlanningError, match="the effort limit of joint2 allows no motion"):
         mp.retime(path, arm)

@@ -92,10 +92,10 @@ def test_curves_of_high_degree(rng):
 def test_parameters_outside_the_path_are_refused(rng, degree):
     path = some_path(rng, 1, degree, 2)
     for s in (-1e-9, [0.5, 1.0000001], np.array([[0.2, np.nan]]), np.inf):
-        with pytest.raises(mp.InvalidInputError, match="s: got"):
+        with pytest.raises(mp.errors.InvalidInputError, match="s: got"):
             path(s)
     for order in (-1, 1.5, True, "1"):
-        with pytest.raises(mp.InvalidInputError, match="order"):
+        with pytest.raises(mp.errors.InvalidInputError, match="order"):
             path(0.5, order)
     assert path(np.empty((0, 3))).shape == (0, 3, 2)
 

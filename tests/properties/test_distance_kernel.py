@@ -411,11 +411,11 @@ def test_inside_a_solid_the_way_leads_out(tmp_path, shape):
 
 def test_parts_of_own_obstacles_are_checked(panda):
     for radius in (np.nan, -1.0, "x"):
-        with pytest.raises(mp.InvalidInputError, match="radius"):
+        with pytest.raises(mp.errors.InvalidInputError, match="radius"):
             Part(shape=coal.Box(1, 1, 1), radius=radius)
-    with pytest.raises(mp.InvalidInputError, match="shape: got .*; allowed: a shape of coal"):
+    with pytest.raises(mp.errors.InvalidInputError, match="shape: got .*; allowed: a shape of coal"):
         Part(shape=mp.Box(size=(1, 1, 1)))
-    with pytest.raises(mp.InvalidInputError, match="without a distance around it"):
+    with pytest.raises(mp.errors.InvalidInputError, match="without a distance around it"):
         panda.attach(FatBox(size=(0.1, 0.1, 0.1)), name="part")
 
 

@@ -78,9 +78,9 @@ def test_refusals_of_follow_and_plan_have_the_configuration(panda):
     begin = panda.kinematics().pose(panda.neutral)
     far = begin.copy()
     far[:3, 3] *= 4
-    with pytest.raises(mp.OutOfReachError, match=r"the arm stays [\d.]+ mm and [\d.]+° away") as told:
+    with pytest.raises(mp.errors.OutOfReachError, match=r"the arm stays [\d.]+ mm and [\d.]+° away") as told:
         mp.follow(panda, mp.CartesianPath.line(begin, far), positions=[0.0, 1.0])
-    with pytest.raises(mp.OutOfReachError, match="out of reach") as planned:
+    with pytest.raises(mp.errors.OutOfReachError, match="out of reach") as planned:
         mp.plan(panda, panda.neutral, far)
     norms = []
     for error in (told.value, planned.value):

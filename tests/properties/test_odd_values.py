@@ -137,10 +137,10 @@ def own_folder(tmp_path, monkeypatch):
 
 def public_functions():
     """Names of all public functions, classes and methods that take arguments."""
-    places = [("", mp, mp.__all__), ("planar.", planar, planar.__all__), ("viz.", viz, viz.__all__)]
-    places.append(("formulations.", formulations, ["Classical", "Equality", "General", "LogDrive", "Objective"]))
-    for prefix, place, names in places:
-        for name in names:
+    spaces = [("", mp), ("", mp.measures), ("", mp.results)]
+    spaces += [("planar.", planar), ("viz.", viz), ("formulations.", formulations)]
+    for prefix, place in spaces:
+        for name in place.__all__:
             value = getattr(place, name)
             if not callable(value) or not getattr(value, "__module__", "").startswith("manipplan"):
                 continue
@@ -214,10 +214,10 @@ def test_a_step_with_nan_brakes_and_says_so(calls):
     controller = calls["Controller.step"].function.__self__
     q, target = np.array([0.1, 0.6, 0.8]), controller.robot.kinematics().pose([0.2, 0.6, 0.8])
     controller.step(q, np.zeros(3), np.full((4, 4), np.nan))
-    assert controller.report.status is mp.StepStatus.BAD_TARGET
+    assert controller.report.status is mp.results.StepStatus.BAD_TARGET
     controller.step(np.full(3, np.nan), np.zeros(3), target)
-    assert controller.report.status not in (mp.StepStatus.SOLVED, mp.StepStatus.BAD_TARGET)
-    with pytest.raises(mp.InvalidInputError, match="target"):
+    assert controller.report.status not in (mp.results.StepStatus.SOLVED, mp.results.StepStatus.BAD_TARGET)
+    with pytest.raises(mp.errors.InvalidInputError, match="target"):
         controller.step(q, np.zeros(3), np.ma.array(target))
 
 
@@ -242,7 +242,7 @@ PUSHED = mp.planar_arm([1.0, 1.0, 1.0])
     ],
 )
 def test_odd_calls_of_the_reviews(call, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         call()
 
 
@@ -250,13 +250,13 @@ def test_odd_figures_of_the_reviews(calls):
     motion = calls["torque_use"].arguments["trajectory"]
     path, kinematics = calls["path_cost"].arguments["path"], PUSHED.kinematics()
     for options in ({"effort": np.full(3, np.nan)}, {"effort": -np.ones(3)}, {"effort": np.ones(3), "inside": -1}):
-        with pytest.raises(mp.InvalidInputError, match="effort|inside"):
+        with pytest.raises(mp.errors.InvalidInputError, match="effort|inside"):
             mp.torque_use(motion, PUSHED.model, **options)
     for power, panels in ((np.nan, 40), (-1.0, 40), (1.0, np.nan), (1.0, -1), (1.0, 0)):
-        with pytest.raises(mp.InvalidInputError, match="power|panels"):
+        with pytest.raises(mp.errors.InvalidInputError, match="power|panels"):
             mp.path_cost(path, kinematics, power, panels=panels)
-    with pytest.raises(mp.InvalidInputError, match="order: .*at most 100"):
+    with pytest.raises(mp.errors.InvalidInputError, match="order: .*at most 100"):
         motion(0.1, 10**400)
     for step in (-1, 1e-8, np.nan):
-        with pytest.raises(mp.InvalidInputError, match="step"):
+        with pytest.raises(mp.errors.InvalidInputError, match="step"):
             path.fine_samples(step)

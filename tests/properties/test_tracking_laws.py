@@ -218,7 +218,9 @@ def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_its_measure(pl
         target, found = robot.kinematics().pose(q), {}
         for scale in (1.0, 2.0):
             for formulation in (mp.formulations.LogDrive(regularisation=0.5 * scale), mp.formulations.Equality(alpha=1e3)):
-                of = Controller(robot, formulation, dt=0.01, measure=mp.FrobeniusNorm(weights=scale**2), compiled=False)
+                of = Controller(
+                    robot, formulation, dt=0.01, measure=mp.measures.FrobeniusNorm(weights=scale**2), compiled=False
+                )
                 found[type(formulation), scale] = of.step(q, np.zeros(3), target, stiffness=10.0)
         log, equality = mp.formulations.LogDrive, mp.formulations.Equality
         assert np.abs(found[log, 1.0]).max() > 1e-3

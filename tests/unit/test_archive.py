@@ -129,7 +129,7 @@ def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_
     if other == "shape":  # of the same bounding box
         place = np.linalg.inv(changed_plan.robot.added_frames[1].pose)
         robot = robot.attach(mp.Mesh(triangles=DIAMOND, name="block").at(place))
-    with pytest.raises(mp.FileFormatError, match="it is another robot"):
+    with pytest.raises(mp.errors.FileFormatError, match="it is another robot"):
         mp.Plan.load(tmp_path, robot=robot)
 
 
@@ -152,7 +152,7 @@ def test_a_part_of_an_unknown_class_needs_the_robot(planar, tmp_path):
         robot = planar.attach(part)
         made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])).save(tmp_path)
         with pytest.raises(
-            mp.FileFormatError, match=r"with its robot, but it has the part '(part|own)'.*(Cube|Own).*give robot="
+            mp.errors.FileFormatError, match=r"with its robot, but it has the part '(part|own)'.*(Cube|Own).*give robot="
         ):
             mp.Plan.load(tmp_path)
         assert mp.Plan.load(tmp_path, robot=robot).robot is robot
@@ -187,7 +187,12 @@ def test_the_loaded_robot_moves_and_collides_as_the_first(demo_plan, tmp_path, r
     lengths=st.lists(st.floats(0.2, 2.0), min_size=2, max_size=4),
     power=st.floats(0.3, 3.0),
     measure=st.sampled_from(
-        [None, "frobenius", mp.JointLimitPenalised(measure=mp.Isotropy(), k=3.0), mp.LogDet(regularisation=0.3)]
+        [
+            None,
+            "frobenius",
+            mp.measures.JointLimitPenalised(measure=mp.measures.Isotropy(), k=3.0),
+            mp.measures.LogDet(regularisation=0.3),
+        ]
     ),
     size=st.floats(0.01, 0.3),
     turn=st.floats(-1.0, 1.0),
@@ -207,7 +212,7 @@ def test_every_number_survives(tmp_path, lengths, power, measure, size, turn, we
     metric = np.diag(np.linspace(1.0, 2.0 + size, n)) if weighed else None
     workspace = mp.CartesianPath.circle(pin.SE3.Identity(), (0.1, size, 0.0), (0.0, 0.0, 1.0), 1.0 + turn / 2, turning=weighed)
     if measure is not None and measure != "frobenius" and not measure.larger_is_better:
-        measure = mp.ForceTransmission(direction=[1.0, turn])
+        measure = mp.measures.ForceTransmission(direction=[1.0, turn])
     plan = made_plan(arm, path, scene=scene, measure=measure, power=power, metric=metric, workspace_path=workspace)
     plan.save(tmp_path)
     assert_same(plan, mp.Plan.load(tmp_path))
@@ -217,11 +222,11 @@ def test_every_number_survives(tmp_path, lengths, power, measure, size, turn, we
 def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
     poses = planar.kinematics(mp.Task.planar(), compiled=False).pose(small_plan.path(np.linspace(0, 1, 4)))
     for workspace in (mp.CartesianPath.through(list(poses)), mp.CartesianPath.line(poses[0], poses[-1])):
-        refined = mp.Refinement(
+        refined = mp.results.Refinement(
             q=small_plan.path(np.linspace(0, 1, 4)), manipulability=np.arange(4.0), discrete=0.1, resampled=0.2, refined=0.3,
             bound=0.4, length=1.0, history=(0.1, 0.3),
         )  # fmt: skip
-        deviation = mp.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
+        deviation = mp.results.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
         followed = {"workspace_path": workspace, "refinement": refined, "deviation": deviation}
         plan = replace(small_plan, **followed, tolerance=mp.Tolerance(position=0.01), message="for a test")
         plan.save(tmp_path)
@@ -271,29 +276,31 @@ def test_a_robot_file_that_is_gone_or_changed(two_link_urdf, tmp_path, caplog):
     made_plan(arm, mp.JointPath.line([0.1, 0.1], [0.6, 0.3]), task=mp.Task.direction((1.0, 0.0, 0.0))).save(tmp_path / "result")
     text = urdf.read_text()
     urdf.write_text(text.replace('xyz="0.5 0 0.2"', 'xyz="0.5 0 0.21"'))
-    with pytest.raises(mp.FileFormatError, match=r"robot: got .*changed, or it is another robot"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"robot: got .*changed, or it is another robot"):
         mp.Plan.load(tmp_path / "result")
     urdf.write_text(text.replace('"slide"', '"glide"'))
-    with pytest.raises(mp.FileFormatError, match=r"robot: got .*glide.*; allowed: the robot of .*slide"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"robot: got .*glide.*; allowed: the robot of .*slide"):
         mp.Plan.load(tmp_path / "result")
     urdf.write_text(text.replace('axis xyz="0 0 1"', 'axis xyz="0 1 0"'))
-    with pytest.raises(mp.FileFormatError, match="another robot"):
+    with pytest.raises(mp.errors.FileFormatError, match="another robot"):
         mp.Plan.load(tmp_path / "result")
     for old, new in (('size="0.5 0.1 0.1"', 'size="0.5 0.1 0.2"'), ('xyz="0.25 0 0"', 'xyz="0.25 0.1 0"'), ("<collision>", "")):
         bodies = text.replace(old, new) if new else re.sub(r"<collision>.*?</collision>", "", text, count=1)
         assert bodies != text
         urdf.write_text(bodies)
-        with pytest.raises(mp.FileFormatError, match="changed, or it is another robot"):
+        with pytest.raises(mp.errors.FileFormatError, match="changed, or it is another robot"):
             mp.Plan.load(tmp_path / "result")
     urdf.unlink()
-    with pytest.raises(mp.FileFormatError, match=r"arm.urdf'; allowed: an existing file.*put its files back, or give robot="):
+    with pytest.raises(
+        mp.errors.FileFormatError, match=r"arm.urdf'; allowed: an existing file.*put its files back, or give robot="
+    ):
         mp.Plan.load(tmp_path / "result")
     assert mp.Plan.load(tmp_path / "result", robot=arm).robot is arm
     assert not caplog.records
     slow = arm.with_limits(velocity=0.1)
     assert mp.Plan.load(tmp_path / "result", robot=slow).robot is slow
     assert "the robot given has other limits (velocity) than the plan was made and checked for" in caplog.text
-    with pytest.raises(mp.FileFormatError, match="give the right"):
+    with pytest.raises(mp.errors.FileFormatError, match="give the right"):
         mp.Plan.load(tmp_path / "result", robot=mp.planar_arm([1, 1]))
 
 
@@ -330,13 +337,13 @@ def test_a_mesh_that_is_gone(planar, small_plan, tmp_path):
         scene.distances(planar, [0, 0, 0])
     )
     mesh.unlink()
-    with pytest.raises(mp.FileFormatError, match=r"part.stl.*put its files back, or give scene="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"part.stl.*put its files back, or give scene="):
         mp.Plan.load(tmp_path / "result")
     assert mp.Plan.load(tmp_path / "result", scene=mp.Scene()).scene.names == ()
 
 
 @dataclass(frozen=True, kw_only=True)
-class Doubled(mp.Measure):
+class Doubled(mp.measures.Measure):
     """A measure of a user's own."""
 
     name = "doubled"
@@ -347,7 +354,7 @@ class Doubled(mp.Measure):
         return task.unit
 
     def value(self, posture):
-        return 2 * mp.Yoshikawa().value(posture)
+        return 2 * mp.measures.Yoshikawa().value(posture)
 
 
 @pytest.mark.slow
@@ -356,19 +363,21 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
     own = made_plan(planar, path, measure=Doubled())
     own.save(tmp_path / "own")
     assert "not written: measure, a measure of your own, Doubled" in caplog.text
-    with pytest.raises(mp.FileFormatError, match=r"a measure of your own, Doubled; give measure="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"a measure of your own, Doubled; give measure="):
         mp.Plan.load(tmp_path / "own")
-    with pytest.raises(mp.InvalidInputError, match="the measure of the plan, doubled"):
-        mp.Plan.load(tmp_path / "own", measure=mp.Yoshikawa())
+    with pytest.raises(mp.errors.InvalidInputError, match="the measure of the plan, doubled"):
+        mp.Plan.load(tmp_path / "own", measure=mp.measures.Yoshikawa())
     assert_same(own, mp.Plan.load(tmp_path / "own", measure=Doubled()))
-    inside = made_plan(planar.with_limits(lower=-3.0, upper=3.0), path, measure=mp.JointLimitPenalised(measure=Doubled()))
+    inside = made_plan(
+        planar.with_limits(lower=-3.0, upper=3.0), path, measure=mp.measures.JointLimitPenalised(measure=Doubled())
+    )
     inside.save(tmp_path / "inside")
-    with pytest.raises(mp.FileFormatError, match=r"Doubled; give measure="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"Doubled; give measure="):
         mp.Plan.load(tmp_path / "inside")
     by_hand = replace(planar, source=None)
     replace(small_plan, robot=by_hand).save(tmp_path / "hand")
     assert "not written: robot, an arm that was put together by hand" in caplog.text
-    with pytest.raises(mp.FileFormatError, match=r"put together by hand; give robot="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"put together by hand; give robot="):
         mp.Plan.load(tmp_path / "hand")
     assert mp.Plan.load(tmp_path / "hand", robot=by_hand).robot is by_hand
 
@@ -376,7 +385,7 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
         """An obstacle of a user's own."""
 
     replace(small_plan, scene=mp.Scene([Cone(radius=0.1, position=(9, 9, 0), name="cone")])).save(tmp_path / "cone")
-    with pytest.raises(mp.FileFormatError, match=r"cone, a Cone.*give scene="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"cone, a Cone.*give scene="):
         mp.Plan.load(tmp_path / "cone")
 
 
@@ -403,7 +412,7 @@ def test_a_broken_file_is_told(small_plan, tmp_path, change, message):
     changed = change(file.read_text())
     assert changed != file.read_text()
     file.write_text(changed)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Plan.load(tmp_path)
 
 
@@ -433,7 +442,7 @@ def test_a_changed_file_with_its_checksum_is_told(small_plan, tmp_path, change, 
     data = json.loads(changed)
     del data["sha256"]
     file.write_text(json.dumps({**data, "sha256": checksum(data)}))
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Plan.load(tmp_path)
 
 
@@ -446,20 +455,20 @@ def test_no_number_can_be_changed_unnoticed(small_plan, tmp_path, place):
         inside = inside[key]
     inside[place[-1]] = np.nextafter(float(inside[place[-1]]), 1e3)
     (tmp_path / "plan.json").write_text(json.dumps(data))
-    with pytest.raises(mp.FileFormatError, match="changed since: save the plan again"):
+    with pytest.raises(mp.errors.FileFormatError, match="changed since: save the plan again"):
         mp.Plan.load(tmp_path)
 
 
 def test_wrong_places_are_told(small_plan, tmp_path):
-    with pytest.raises(mp.FileFormatError, match="an existing file"):
+    with pytest.raises(mp.errors.FileFormatError, match="an existing file"):
         mp.Plan.load(tmp_path / "nowhere")
-    with pytest.raises(mp.FileFormatError, match=r"a folder written by Plan.save, with plan.json in it"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"a folder written by Plan.save, with plan.json in it"):
         mp.Plan.load(tmp_path)
-    with pytest.raises(mp.InvalidInputError, match="the path of a file"):
+    with pytest.raises(mp.errors.InvalidInputError, match="the path of a file"):
         mp.Plan.load(7)
     small_plan.save(tmp_path)
     for wrong in ({"robot": "panda"}, {"scene": []}, {"measure": "yoshikawa"}):
-        with pytest.raises(mp.InvalidInputError, match=next(iter(wrong))):
+        with pytest.raises(mp.errors.InvalidInputError, match=next(iter(wrong))):
             mp.Plan.load(tmp_path, **wrong)
 
 
@@ -467,7 +476,7 @@ def test_wrong_places_are_told(small_plan, tmp_path):
 def test_the_catalogue_that_is_not_installed(demo_plan, tmp_path, monkeypatch):
     demo_plan.save(tmp_path)
     monkeypatch.setitem(sys.modules, "example_robot_data", None)
-    with pytest.raises(mp.MissingExtraError, match=r"manipplan\[robots\]"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"manipplan\[robots\]"):
         mp.Plan.load(tmp_path)
 
 
@@ -520,5 +529,5 @@ def test_an_mjcf_with_a_floor_is_drawn_and_comes_back(tmp_path, caplog):
     assert_same(plan, mp.Plan.load(tmp_path / "result"))
     lower = (tmp_path / "arm.xml").read_text().replace("0 0 -1", "0 0 -0.9")
     (tmp_path / "arm.xml").write_text(lower)
-    with pytest.raises(mp.FileFormatError, match="changed, or it is another robot"):
+    with pytest.raises(mp.errors.FileFormatError, match="changed, or it is another robot"):
         mp.Plan.load(tmp_path / "result")

@@ -34,7 +34,7 @@ def test_a_tool_frame_is_posed_in_the_one_before(panda, qs, given):
     np.testing.assert_allclose(poses(tool, qs), poses(panda, qs) @ OFFSET.homogeneous, atol=1e-12)
     twice = tool.with_tool(OFFSET, name="tip")
     np.testing.assert_allclose(poses(twice, qs), poses(panda, qs) @ (OFFSET * OFFSET).homogeneous, atol=1e-12)
-    with pytest.raises(mp.InvalidInputError, match="name: got 'nozzle'.*no link, frame"):
+    with pytest.raises(mp.errors.InvalidInputError, match="name: got 'nozzle'.*no link, frame"):
         tool.with_tool(OFFSET, name="nozzle")
 
 
@@ -64,7 +64,7 @@ def test_every_solution_reaches_the_pose_in_the_world(panda):
 def test_a_planar_arm_stays_planar_in_its_plane(planar):
     turned = pin.SE3(pin.utils.rotate("z", 0.7), np.array([0.3, 0.4, 0.0]))
     assert planar.at(turned).planar
-    with pytest.raises(mp.InvalidInputError, match="pose in the x-y plane"):
+    with pytest.raises(mp.errors.InvalidInputError, match="pose in the x-y plane"):
         planar.at(BASE)
     q = np.array([0.3, -0.5, 0.8])
     x, y = turned.act(np.array([*planar.kinematics().pose(q)[:2, 3], 0.0]))[:2]
@@ -105,7 +105,7 @@ def test_a_part_that_is_inside_a_link_is_told(panda):
     """Links that touch everywhere are not checked; a carried part that does is."""
     long = panda.attach(mp.Box(size=(0.05, 0.05, 2.0)), name="beam")
     assert mp.Scene().in_collision(long, panda.neutral)
-    with pytest.raises(mp.InvalidInputError, match="beam.*overlap by"):
+    with pytest.raises(mp.errors.InvalidInputError, match="beam.*overlap by"):
         mp.plan(long, panda.neutral, panda.neutral + 0.1)
 
 
@@ -149,9 +149,9 @@ def test_detach_gives_the_arm_back(panda, demo_problem, qs):
     empty = panda.attach(mp.Sphere(radius=0.1, position=(0, 0, 0.1))).detach()
     assert demo_problem.scene.collision_model(empty).pair_names == demo_problem.scene.collision_model(panda).pair_names
     np.testing.assert_allclose(demo_problem.scene.distances(empty, qs), demo_problem.scene.distances(panda, qs), atol=1e-12)
-    with pytest.raises(mp.UnknownNameError, match="'prat'.*part"):
+    with pytest.raises(mp.errors.UnknownNameError, match="'prat'.*part"):
         panda.attach(mp.Sphere(radius=0.1)).detach("prat")
-    with pytest.raises(mp.UnknownNameError, match="carries nothing"):
+    with pytest.raises(mp.errors.UnknownNameError, match="carries nothing"):
         empty.detach()
 
 
@@ -163,7 +163,7 @@ def test_a_part_is_lifted_from_a_table(panda):
     part = mp.Box(size=(0.03, 0.03, 0.1), position=tool[:3, 3] - [0, 0, 0.05], name="part")
     scene = mp.Scene([table, part])
     carrying = panda.attach(part.at(np.linalg.inv(tool)))
-    with pytest.raises(mp.InvalidInputError, match=r"scene without 'part'.*scene.without\('part'\)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"scene without 'part'.*scene.without\('part'\)"):
         scene.in_collision(carrying, q)
     world = scene.without("part")
     assert world.in_collision(carrying, q) and not world.allow("part", "table").in_collision(carrying, q)
@@ -221,7 +221,7 @@ def test_copies_keep_what_was_changed(panda, qs, copied):
     ],
 )
 def test_wrong_arguments(panda, call, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         call(panda)
 
 

@@ -175,7 +175,7 @@ def test_clearance_stays_above_the_security_distance(arm, stiffness, approach):
     run = controller.rollout(q, up_and_down(arm, start, [0.55, 0.35], 400), stiffness=stiffness)
     oracle = scene.collision_model(arm)
     np.testing.assert_allclose(run["clearance"][::40], [oracle.distances(each).min() for each in run.q[:-1:40]], atol=1e-6)
-    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert (run["status"] == mp.results.StepStatus.SOLVED).all()
     assert run["clearance"].min() < 0.03  # it was in the way
     assert run["clearance"].min() >= 0.02 - 1e-3
 
@@ -264,25 +264,25 @@ def test_a_tube_gives_way_to_an_obstacle_and_says_so(arm):
     ],
 )
 def test_what_cannot_be_avoided_raises(given, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Avoidance(**{"scene": mp.Scene([OBSTACLES["ball"]]), **given})
 
 
 def test_a_mesh_is_refused(tmp_path):
     file = tmp_path / "wedge.obj"
     file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
-    with pytest.raises(mp.InvalidInputError, match="scene: .*spheres, capsules, boxes, cylinders or planes"):
+    with pytest.raises(mp.errors.InvalidInputError, match="scene: .*spheres, capsules, boxes, cylinders or planes"):
         mp.Avoidance(scene=mp.Scene([mp.Mesh(file=file, name="wedge")]))
 
 
 def test_an_unknown_link_raises(arm):
     avoidance = mp.Avoidance(scene=mp.Scene([OBSTACLES["ball"]]), links=["link4"])
-    with pytest.raises(mp.UnknownNameError, match="links: got 'link4'.*link1"):
+    with pytest.raises(mp.errors.UnknownNameError, match="links: got 'link4'.*link1"):
         Controller(arm, mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
 
 
 def test_nothing_to_avoid_raises(arm):
-    with pytest.raises(mp.InvalidInputError, match="avoidance: .*at least one obstacle"):
+    with pytest.raises(mp.errors.InvalidInputError, match="avoidance: .*at least one obstacle"):
         Controller(arm, mp.formulations.General(), dt=DT, avoidance=mp.Avoidance(itself=False), compiled=False)
 
 
@@ -290,7 +290,7 @@ def test_an_arm_without_shapes_raises():
     from chains import chain
 
     avoidance = mp.Avoidance(scene=mp.Scene([OBSTACLES["ball"]]))
-    with pytest.raises(mp.InvalidInputError, match="avoidance: got 'random'.*collision geometry"):
+    with pytest.raises(mp.errors.InvalidInputError, match="avoidance: got 'random'.*collision geometry"):
         Controller(chain(0, [False] * 6), mp.formulations.General(), dt=DT, avoidance=avoidance, compiled=False)
 
 

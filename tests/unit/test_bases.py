@@ -306,15 +306,15 @@ def test_no_small_change_lowers_the_energy(planar, name, rng):
     ],
 )
 def test_wrong_arguments(planar, change, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.optimize_path(planar, START, GOAL, shape=mp.PathShape(**change))
 
 
 def test_coefficients_of_a_wrong_kind(planar):
     path = mp.JointPath.line(START, GOAL)
-    with pytest.raises(mp.InvalidInputError, match="basis: got 'monomials'; allowed: did you mean monomial"):
+    with pytest.raises(mp.errors.InvalidInputError, match="basis: got 'monomials'; allowed: did you mean monomial"):
         path.coefficients("monomials")
     with pytest.raises(
-        mp.InvalidInputError, match="path of 2 pieces; allowed: a path of one piece|coefficients: got 'a path of 2"
+        mp.errors.InvalidInputError, match="path of 2 pieces; allowed: a path of one piece|coefficients: got 'a path of 2"
     ):
         mp.JointPath.through([START, (1.0, 1.0, 1.0), GOAL]).coefficients()

@@ -56,7 +56,7 @@ def test_what_is_not_finite_is_found(panda, compiled, bad):
     for joint in range(7):
         q = np.zeros((19, 7))
         q[17, joint] = bad
-        with pytest.raises(mp.InvalidInputError, match="finite numbers"):
+        with pytest.raises(mp.errors.InvalidInputError, match="finite numbers"):
             kinematics.manipulability(q)
 
 
@@ -95,15 +95,15 @@ def test_without_compiler_by_llvm(quantity, no_compiler, monkeypatch, rng):
     np.testing.assert_allclose(getattr(kinematics, quantity)(q), expected, rtol=1e-10, atol=1e-14)
     assert kinematics._kernels[quantity] is not None
     q[3, 2] = np.nan
-    with pytest.raises(mp.InvalidInputError, match="finite"):
+    with pytest.raises(mp.errors.InvalidInputError, match="finite"):
         getattr(kinematics, quantity)(q)
 
 
 @pytest.mark.slow
 @pytest.mark.compiler
-@pytest.mark.parametrize("measure", mp.available_measures())
+@pytest.mark.parametrize("measure", mp.measures.available_measures())
 def test_every_measure_runs_in_a_kernel(measure, panda, rng):
-    chosen = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
+    chosen = {"velocity_transmission": mp.measures.VelocityTransmission, "force_transmission": mp.measures.ForceTransmission}
     chosen = chosen[measure](direction=(1.0, 2.0, 3.0)) if measure in chosen else measure
     fast, slow = (panda.kinematics(mp.Task.position(), compiled=c, measure=chosen) for c in (True, False))
     q = panda.random_configuration(rng, size=20)

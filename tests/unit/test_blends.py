@@ -92,7 +92,7 @@ def test_straight_corners_stay_in_their_triangle(name, first, across, angle, way
     second = np.cos(np.radians(angle)) * first + np.sin(np.radians(angle)) * across
     try:
         made = mp.sequence(robot, q, [mp.MoveAlong(ways[0] * first), mp.MoveAlong(ways[1] * second)], blend=blend)
-    except (mp.PlanningError, mp.InvalidInputError):
+    except (mp.errors.PlanningError, mp.errors.InvalidInputError):
         return  # out of reach
     pose = robot.kinematics().pose(q)
     begin, corner = pose[:3, 3], pose[:3, 3] + pose[:3, :3] @ (ways[0] * first)
@@ -176,7 +176,7 @@ def test_the_corner_of_an_approach_has_the_radius_of_its_move():
 @pytest.mark.parametrize("value", [-0.01, np.nan, np.inf, "wide", True])
 @pytest.mark.parametrize("step", [mp.MoveTo, mp.MoveAlong])
 def test_bad_radii(step, value):
-    with pytest.raises(mp.InvalidInputError, match="blend"):
+    with pytest.raises(mp.errors.InvalidInputError, match="blend"):
         step([0.0, 0.0, 0.1], blend=value)
 
 
@@ -187,7 +187,7 @@ def test_radii_in_a_file(tmp_path):
     robot = arm("panda")
     assert [each.blend for each in ProgramFile.read(file).steps(robot)] == [0.01, 0.0]
     file.write_text(file.read_text().replace("blend: 0}", "blend: -1}"))
-    with pytest.raises(mp.FileFormatError, match=r"steps\[1\]\.move_along\.blend"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"steps\[1\]\.move_along\.blend"):
         ProgramFile.read(file).steps(robot)
 
 

@@ -41,7 +41,7 @@ def layers(*each, m=None, **more):
     ],
 )
 def test_bad_layers_are_named(q, m, words):
-    with pytest.raises(mp.InvalidInputError, match=words):
+    with pytest.raises(mp.errors.InvalidInputError, match=words):
         Layers.from_arrays(q, m)
 
 
@@ -64,7 +64,7 @@ def test_layers_take_lists_and_other_numbers():
 
 @pytest.mark.parametrize("continuous", [[True], True, [0, 1], "no"])
 def test_bad_continuous_is_told(continuous):
-    with pytest.raises(mp.InvalidInputError, match="continuous"):
+    with pytest.raises(mp.errors.InvalidInputError, match="continuous"):
         Layers.from_arrays([[[0.0, 0.0]], [[0.0, 0.0]]], [[1.0], [1.0]], continuous=continuous)
 
 
@@ -95,18 +95,18 @@ def test_extent_of_all_sizes_of_layers():
     ],
 )
 def test_bad_arguments_are_told_at_once(arguments, words):
-    with pytest.raises(mp.InvalidInputError, match=words):
+    with pytest.raises(mp.errors.InvalidInputError, match=words):
         max_min_search(Layers.from_arrays(*LINE), **{"anytime": True} | arguments)
 
 
 def test_other_things_than_layers_are_told():
-    with pytest.raises(mp.InvalidInputError, match="a Layers"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a Layers"):
         max_min_search(LINE, 0.1)
 
 
 def test_epsilon_of_a_joint_that_turns_without_end_is_below_pi():
     each = Layers.from_arrays(*LINE, continuous=[True])
-    with pytest.raises(mp.InvalidInputError, match="below π"):
+    with pytest.raises(mp.errors.InvalidInputError, match="below π"):
         max_min_search(each, np.pi)
 
 
@@ -209,7 +209,7 @@ def test_a_cycle_ends_where_it_begins():
 
 def test_a_gap_is_told_with_the_epsilon_that_closes_it():
     each = layers([[0.0, 0.0], [5.0, 5.0]], [[0.1, 0.2]], [[0.4, 0.9], [-0.3, 0.8]], [[0.4, 0.9]])
-    with pytest.raises(mp.PlanningError, match="no candidate of position 2 can be reached from position 1") as caught:
+    with pytest.raises(mp.errors.PlanningError, match="no candidate of position 2 can be reached from position 1") as caught:
         max_min_search(each, [0.2, 0.4])
     result = caught.value.result
     assert result.status is Status.NOT_CONNECTED
@@ -220,7 +220,7 @@ def test_a_gap_is_told_with_the_epsilon_that_closes_it():
     assert (result.minimum, result.gap, result.length) == (-np.inf, np.inf, np.inf)
     assert result.q.shape == (0, 2)
     assert result.bound == 1.0
-    with pytest.raises(mp.PlanningError):
+    with pytest.raises(mp.errors.PlanningError):
         max_min_search(each, result.smallest_epsilon)
     assert max_min_search(each, result.smallest_epsilon, strict=False).connected
     copy = pickle.loads(pickle.dumps(caught.value))
@@ -279,7 +279,7 @@ def test_anytime_tells_its_first_path_before_the_last():
 
 def test_anytime_raises_at_its_end():
     each = layers([0.0], [1.0])
-    with pytest.raises(mp.PlanningError):
+    with pytest.raises(mp.errors.PlanningError):
         list(max_min_search(each, 0.5, anytime=True))
 
 

@@ -69,7 +69,7 @@ def test_compressed_points_are_unpacked_as_they_were(tmp_path, pairs):
 
 def test_clouds_of_many_points_ask_for_a_spacing():
     points = np.random.default_rng(0).random((500_001, 3))
-    with pytest.raises(mp.InvalidInputError, match=r"500,001 points with a spacing of 0 m'; allowed: at most 500,000"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"500,001 points with a spacing of 0 m'; allowed: at most 500,000"):
         mp.PointCloud(points=points, radius=0.01)
     assert len(mp.PointCloud(points=points, radius=0.01, spacing=0.1).kept) <= 1000
 
@@ -77,10 +77,10 @@ def test_clouds_of_many_points_ask_for_a_spacing():
 def test_a_face_of_many_corners_is_refused(tmp_path):
     file = tmp_path / "a.obj"
     file.write_bytes(file_bombs.obj_polygon(20_000))
-    with pytest.raises(mp.FileFormatError, match="20,000 corners, of at most 10,000"):
+    with pytest.raises(mp.errors.FileFormatError, match="20,000 corners, of at most 10,000"):
         mp.Mesh(file=file)
     file.write_bytes(file_bombs.obj_text(10_000, 40))
-    with pytest.raises(mp.FileFormatError, match="concave faces with more than 100,000 corners"):
+    with pytest.raises(mp.errors.FileFormatError, match="concave faces with more than 100,000 corners"):
         mp.Mesh(file=file)
 
 
@@ -88,7 +88,7 @@ def test_a_face_of_many_corners_is_refused(tmp_path):
 def test_positions_of_gltf_are_floats(tmp_path, component):
     file = tmp_path / "a.gltf"
     file.write_bytes(file_bombs.gltf(3, view=True, kind=component))
-    with pytest.raises(mp.FileFormatError, match=f"positions of the component type {component}: only floats"):
+    with pytest.raises(mp.errors.FileFormatError, match=f"positions of the component type {component}: only floats"):
         mp.Mesh(file=file)
 
 

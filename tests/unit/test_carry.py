@@ -130,7 +130,7 @@ def test_the_default_takes_few_samples_where_each_is_a_search(baxter):
 )
 def test_wrong_grasps(baxter, grasps, message):
     way = mp.CartesianPath.line(tray_at(0.6, -0.05, 0.05), tray_at(0.65, 0.05, 0.15))
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.carry(baxter, way, grasps, positions=5, samples=6)
 
 
@@ -166,25 +166,27 @@ def test_bad_input_is_named_before_work_starts(baxter, monkeypatch, options, arg
         raise AssertionError("work has started")
 
     monkeypatch.setattr("manipplan.search.sampling.CandidateSampler.sample", refused)
-    with pytest.raises(mp.InvalidInputError) as caught:
+    with pytest.raises(mp.errors.InvalidInputError) as caught:
         mp.carry(baxter, WAY, GRASPS, **options)
     assert caught.value.argument == argument
 
 
 def test_a_start_that_does_not_hold_the_object_says_how_far_it_is(baxter):
-    with pytest.raises(mp.InvalidInputError, match=r"left_gripper is \d+ mm and .* from its grasp of the path's first pose"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"left_gripper is \d+ mm and .* from its grasp of the path's first pose"
+    ):
         mp.carry(baxter, WAY, GRASPS, start=baxter.neutral)
-    with pytest.raises(mp.InvalidInputError, match="posture: .*None with a start"):
+    with pytest.raises(mp.errors.InvalidInputError, match="posture: .*None with a start"):
         mp.carry(baxter, WAY, GRASPS, start=baxter.neutral, posture=baxter.neutral)
 
 
 def test_a_robot_with_one_tool_and_one_with_short_arms_are_refused():
     with pytest.raises(
-        mp.InvalidInputError, match=r"robot: got 'panda, with the one tool panda_hand_tcp'; allowed: a robot with"
+        mp.errors.InvalidInputError, match=r"robot: got 'panda, with the one tool panda_hand_tcp'; allowed: a robot with"
     ):
         mp.carry(mp.load_robot("panda"), WAY, GRASPS)
     short = mp.load_robot(
         "baxter", joints=[f"{side}_{name}" for side in ("left", "right") for name in ("s0", "s1", "e1", "w1")]
     )
-    with pytest.raises(mp.InvalidInputError, match="4 joints move left_gripper alone.*at least 6 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="4 joints move left_gripper alone.*at least 6 joints"):
         mp.carry(short, WAY, GRASPS)

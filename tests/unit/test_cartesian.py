@@ -122,7 +122,7 @@ def test_samples_are_even_with_both_ends(rng):
 
 @pytest.mark.parametrize("s", [-1e-9, 1.0 + 1e-9, [0.5, 2.0], np.nan, "half"])
 def test_s_outside_zero_and_one_raises(s):
-    with pytest.raises(mp.InvalidInputError, match="s: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match="s: got"):
         mp.CartesianPath.line(START, END)(s)
 
 
@@ -145,7 +145,7 @@ def test_s_outside_zero_and_one_raises(s):
     ],
 )
 def test_what_makes_no_path_raises(make, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         make()
 
 
@@ -201,24 +201,24 @@ def test_spaces_around_the_columns_do_not_matter(tmp_path):
     ],
 )
 def test_a_wrong_file_is_told_with_its_row(tmp_path, lines, message):
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         mp.CartesianPath.from_csv(written(tmp_path, *lines))
     assert "poses.csv" in str(caught.value)
 
 
 def test_a_file_of_one_pose_is_told_as_a_wrong_file(tmp_path):
-    with pytest.raises(mp.InvalidInputError, match="at least two poses"):
+    with pytest.raises(mp.errors.InvalidInputError, match="at least two poses"):
         mp.CartesianPath.from_csv(written(tmp_path, HEAD, row(START)))
 
 
 def test_a_missing_file_names_its_neighbour(tmp_path):
     written(tmp_path, HEAD, row(START), row(END))
-    with pytest.raises(mp.FileFormatError, match="did you mean poses.csv"):
+    with pytest.raises(mp.errors.FileFormatError, match="did you mean poses.csv"):
         mp.CartesianPath.from_csv(tmp_path / "pose.csv")
 
 
 def test_a_file_that_is_no_text_is_told(tmp_path):
     file = tmp_path / "poses.csv"
     file.write_bytes(bytes(range(256)))
-    with pytest.raises(mp.FileFormatError, match="poses.csv"):
+    with pytest.raises(mp.errors.FileFormatError, match="poses.csv"):
         mp.CartesianPath.from_csv(file)

@@ -45,7 +45,7 @@ def test_a_good_motion_passes(arm, motion):
     assert set(report.limits) == {"position", "velocity", "acceleration", "jerk"}
     assert report.start_error <= 1e-9 and report.goal_error <= 1e-9
     assert report.proven_clearance > 0.05 and report.nearest_pair[1] == "post"
-    assert not isinstance(report, mp.PlanReport)
+    assert not isinstance(report, mp.results.PlanReport)
 
 
 def test_figures_are_those_of_dense_samples(arm, motion):
@@ -70,7 +70,7 @@ def test_a_plan_has_the_figures_of_its_trajectory(demo_problem, demo_plan):
     found = mp.check(
         demo_problem.robot, demo_plan.trajectory, demo_problem.scene, start=demo_problem.start, goal=demo_plan.path.goal
     )
-    for each in fields(mp.Report):
+    for each in fields(mp.results.Report):
         assert getattr(found, each.name) == getattr(demo_plan.report, each.name), each.name
 
 
@@ -237,16 +237,18 @@ def test_reports_have_a_way_back(six, seam, arm, motion, demo_plan, tmp_path):
     path, along_seam = seam
     for report in (mp.check(six, along_seam, path=path), mp.check(arm, motion, clearance=9.0), demo_plan.report):
         report.to_json(tmp_path / "report.json")
-        again = mp.Report.from_json(tmp_path / "report.json")
+        again = mp.results.Report.from_json(tmp_path / "report.json")
         assert again == report and type(again) is type(report)
 
 
 def test_a_plan_cannot_have_another_trajectory(demo_plan, tmp_path):
     slow = demo_plan.trajectory.slower(2.0)
-    with pytest.raises(mp.InvalidInputError, match=r"trajectory: got 'a motion of .* s'; allowed: .*mp\.check\(plan\.robot"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"trajectory: got 'a motion of .* s'; allowed: .*mp\.check\(plan\.robot"
+    ):
         replace(demo_plan, trajectory=slow)
-    with pytest.raises(mp.InvalidInputError, match="trajectory: got 'none'"):
-        mp.PartialPlan(robot=demo_plan.robot, scene=demo_plan.scene, status=demo_plan.status, report=demo_plan.report)
+    with pytest.raises(mp.errors.InvalidInputError, match="trajectory: got 'none'"):
+        mp.results.PartialPlan(robot=demo_plan.robot, scene=demo_plan.scene, status=demo_plan.status, report=demo_plan.report)
     same = replace(demo_plan, trajectory=replace(demo_plan.trajectory))  # an equal one is no other
     assert same.report is demo_plan.report
     demo_plan.save(tmp_path)
@@ -254,7 +256,7 @@ def test_a_plan_cannot_have_another_trajectory(demo_plan, tmp_path):
     data["trajectory"]["t"] = slow.t.tolist()
     del data["sha256"]
     (tmp_path / "plan.json").write_text(json.dumps({**data, "sha256": checksum(data)}))
-    with pytest.raises(mp.FileFormatError, match="the trajectory that plan.report was measured on"):
+    with pytest.raises(mp.errors.FileFormatError, match="the trajectory that plan.report was measured on"):
         mp.Plan.load(tmp_path)
 
 
@@ -285,14 +287,16 @@ DEGREES = r"trajectory\.q\[0, 0\] \(panda_joint1\): got 17.18.*positions in rad,
 )
 def test_a_motion_that_cannot_be_judged_raises(panda, change, message):
     motion = mp.retime(mp.JointPath.line(panda.neutral + [0.3, 0, 0, 0, 0, 0, 0], panda.neutral), panda)
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.check(panda, change(motion))
 
 
 def test_millimetres_of_a_sliding_joint_are_told(two_link_urdf):
     arm = mp.Robot.from_urdf(two_link_urdf(), tool="tip", joints=["turn", "slide"], locked={"finger": 0.0})
     motion = mp.retime(mp.JointPath.line([0.0, 0.1], [0.5, 0.3]), arm)
-    with pytest.raises(mp.InvalidInputError, match=r"\[0, 1\] \(slide\): got 100.0; .* in m, .*if they are in millimetres"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"\[0, 1\] \(slide\): got 100.0; .* in m, .*if they are in millimetres"
+    ):
         mp.check(arm, replace(motion, q=motion.q * [1.0, 1e3], qd=motion.qd * [1.0, 1e3]))
 
 
@@ -312,7 +316,7 @@ HEAD = "time,q_joint1,q_joint2,q_joint3"
 )
 def test_a_file_that_cannot_be_read_names_its_row(arm, tmp_path, rows, message):
     (tmp_path / "m.csv").write_text("\n".join([HEAD, *rows]))
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.check(arm, tmp_path / "m.csv")
 
 
@@ -328,7 +332,7 @@ def test_a_file_that_cannot_be_read_names_its_row(arm, tmp_path, rows, message):
 )
 def test_a_trajectory_names_the_sample_at_fault(change, message):
     given = {"t": [0.0, 1.0, 2.0], "q": np.zeros((3, 1)), "qd": np.zeros((3, 1)), **change}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Trajectory(**given, joint_names=("a",))
 
 
@@ -347,7 +351,7 @@ def test_a_trajectory_names_the_sample_at_fault(change, message):
     ],
 )
 def test_wrong_options_raise(arm, motion, options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.check(arm, motion, **options)
-    with pytest.raises(mp.InvalidInputError, match="robot: got 'panda'; allowed: a Robot"):
+    with pytest.raises(mp.errors.InvalidInputError, match="robot: got 'panda'; allowed: a Robot"):
         mp.check("panda", motion)

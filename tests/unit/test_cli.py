@@ -172,7 +172,7 @@ def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
     assert "all checks passed" in shown.out and "° from the path" in shown.out and "refined" in shown.out
     names = {file.name for file in (tmp_path / "out").iterdir()}
     assert {"trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png"} <= names
-    assert mp.Report.from_json(tmp_path / "out" / "report.json").passed
+    assert mp.results.Report.from_json(tmp_path / "out" / "report.json").passed
     trajectory = mp.Trajectory.from_csv(tmp_path / "out" / "trajectory.csv")
     tool = mp.load_robot(six_file).kinematics().pose(trajectory(np.linspace(0, trajectory.duration, 50)))[:, :3, 3]
     ends = np.loadtxt(seam, delimiter=",", skiprows=1)[[0, -1], :3]
@@ -239,7 +239,7 @@ def test_check_tells_by_its_exit_code_whether_a_motion_passes(arm_file, motion_f
     (tmp_path / "report.json").write_text(capsys.readouterr().out)
     robot = mp.load_robot(arm_file)
     same = mp.check(robot, motion_file, start=[0.0, 1.5, -2.0], goal=[1.0, 1.0, -1.0])
-    assert mp.Report.from_json(tmp_path / "report.json") == same
+    assert mp.results.Report.from_json(tmp_path / "report.json") == same
     (tmp_path / "saved").mkdir()
     (tmp_path / "saved" / "trajectory.csv").write_text(Path(motion_file).read_text())
     assert main(["check", str(tmp_path / "saved"), *arguments[2:]]) == 0

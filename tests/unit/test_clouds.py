@@ -94,7 +94,7 @@ def test_a_hundred_thousand_points_survive_moves_and_pickle():
     ],
 )
 def test_clouds_that_are_refused(given, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.PointCloud(**given)
 
 
@@ -128,7 +128,7 @@ def test_a_depth_image_is_where_the_camera_sees_it():
     ],
 )
 def test_depth_images_that_are_refused(image, intrinsics, options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.PointCloud.from_depth(image, intrinsics, radius=0.01, **options)
 
 
@@ -261,7 +261,7 @@ def test_long_runs_are_unpacked(rng):
 )
 def test_files_that_are_refused(tmp_path, name, data, message):
     (tmp_path / name).write_bytes(data)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.PointCloud(file=tmp_path / name, radius=0.01)
 
 
@@ -293,7 +293,7 @@ def test_scene_files_hold_clouds(tmp_path, rng):
         np.testing.assert_array_equal(first.kept, second.kept)
         assert first.parts()[0].radius == second.parts()[0].radius
     (tmp_path / "cell.yaml").write_text("obstacles: [{shape: cloud, file: scan.ply}]")
-    with pytest.raises(mp.InvalidInputError, match=r"obstacles\[0\] \(cloud\).*radius"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"obstacles\[0\] \(cloud\).*radius"):
         mp.Scene.from_yaml(tmp_path / "cell.yaml")
 
 

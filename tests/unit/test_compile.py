@@ -126,9 +126,9 @@ def test_a_failing_compiler_is_told_once_and_does_no_harm(folder, compiler):
         assert kinematics.manipulability([0.1, 0.5, 0.9]) == expected
         assert kinematics.manipulability([[0.1, 0.5, 0.9]])[0] == expected
         assert np.isfinite(kinematics.gradient([0.1, 0.5, 0.9])).all()
-    assert [each.category for each in told] == [mp.CompilerWarning]
+    assert [each.category for each in told] == [mp.errors.CompilerWarning]
     assert "out of ideas" in str(told[0].message)
-    with pytest.raises(mp.CompilerError, match="out of ideas"):
+    with pytest.raises(mp.errors.CompilerError, match="out of ideas"):
         robot.kinematics(compiled=True).manipulability([0.1, 0.5, 0.9])
 
 
@@ -139,7 +139,7 @@ def test_without_a_compiler_nothing_is_told(folder, monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         robot.kinematics().manipulability([0.1, 0.5, 0.9])
-    with pytest.raises(mp.CompilerError, match="there is no C compiler; install one with: "):
+    with pytest.raises(mp.errors.CompilerError, match="there is no C compiler; install one with: "):
         robot.kinematics(compiled=True).manipulability([0.1, 0.5, 0.9])
     monkeypatch.undo()
     find_compiler.cache_clear()
@@ -149,10 +149,10 @@ def test_without_a_compiler_nothing_is_told(folder, monkeypatch):
 def test_a_folder_that_cannot_be_written(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "file" / "cache"))
-    with pytest.raises(mp.CompilerError, match="cannot be written"):
+    with pytest.raises(mp.errors.CompilerError, match="cannot be written"):
         shared_library(SOURCE)
     robot = mp.planar_arm([1.0, 0.7])
-    with pytest.warns(mp.CompilerWarning, match="cannot be written"):
+    with pytest.warns(mp.errors.CompilerWarning, match="cannot be written"):
         assert robot.kinematics().manipulability([0.1, 0.5]) == robot.kinematics(compiled=False).manipulability([0.1, 0.5])
 
 
@@ -165,7 +165,7 @@ def test_a_library_that_cannot_be_loaded(folder, compiler):
     compiler('while [ "$1" != -o ]; do shift; done\necho not for this machine > "$2"\n')
     robot = mp.planar_arm([0.9, 0.7, 0.4])
     expected = robot.kinematics(compiled=False).manipulability([0.1, 0.5, 0.9])
-    with pytest.warns(mp.CompilerWarning, match="cannot be loaded"):
+    with pytest.warns(mp.errors.CompilerWarning, match="cannot be loaded"):
         assert robot.kinematics().manipulability([0.1, 0.5, 0.9]) == expected
     np.testing.assert_allclose(robot.kinematics().manipulability([[0.1, 0.5, 0.9]]), expected)
 
@@ -206,7 +206,7 @@ def test_what_is_no_compiler_is_told(monkeypatch, command):
     monkeypatch.setenv("CC", command)
     find_compiler.cache_clear()
     try:
-        with pytest.warns(mp.CompilerWarning, match=r"\$CC"):
+        with pytest.warns(mp.errors.CompilerWarning, match=r"\$CC"):
             assert find_compiler() is None
     finally:
         monkeypatch.undo()
@@ -289,7 +289,7 @@ def test_libraries_that_can_never_be_loaded(folder, compiler, tmp_path):
         found, controller = everything_compiled(robot, "auto")
     assert_same(found, expected)
     assert not controller.compiled
-    assert [each.category for each in told] == [mp.CompilerWarning]
+    assert [each.category for each in told] == [mp.errors.CompilerWarning]
     assert "cannot be loaded" in str(told[0].message)
     assert calls.read_text().split() == ["call"]
     for ask in (
@@ -298,7 +298,7 @@ def test_libraries_that_can_never_be_loaded(folder, compiler, tmp_path):
         lambda: row_functions(robot.kinematics(compiled=True)),
         lambda: mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=True),
     ):
-        with pytest.raises(mp.CompilerError, match="cannot be loaded"):
+        with pytest.raises(mp.errors.CompilerError, match="cannot be loaded"):
             ask()
 
 
@@ -335,14 +335,14 @@ def test_a_build_that_hangs_is_given_up_with_its_children(folder, compiler, shor
     robot = mp.planar_arm([1.0, 0.7, 0.4])
     expected, _ = everything_compiled(robot, False)
     began = time.monotonic()
-    with pytest.warns(mp.CompilerWarning, match="did not end within 1 s") as told:
+    with pytest.warns(mp.errors.CompilerWarning, match="did not end within 1 s") as told:
         found, controller = everything_compiled(robot, "auto")
     assert time.monotonic() - began < 20
     assert len(told) == 1
     assert_same(found, expected)
     assert not controller.compiled
     assert gone(child)
-    with pytest.raises(mp.CompilerError, match="did not end within 1 s"):
+    with pytest.raises(mp.errors.CompilerError, match="did not end within 1 s"):
         mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=True)
     assert not list(folder.glob("building-*"))
 
@@ -360,13 +360,13 @@ def test_a_compiler_that_never_tells_its_version_is_given_up(folder, monkeypatch
         monkeypatch.setenv("PATH", str(script.parent))
     find_compiler.cache_clear()
     try:
-        with pytest.warns(mp.CompilerWarning, match=r"--version did not end within 0.5 s"):
+        with pytest.warns(mp.errors.CompilerWarning, match=r"--version did not end within 0.5 s"):
             assert find_compiler("c") is None
         assert gone(child)
         robot = mp.planar_arm([1.0, 0.7])
         q = [0.1, 0.5]
         assert robot.kinematics().manipulability(q) == robot.kinematics(compiled=False).manipulability(q)
-        with pytest.raises(mp.CompilerError, match="not a working compiler" if named else "there is no C compiler"):
+        with pytest.raises(mp.errors.CompilerError, match="not a working compiler" if named else "there is no C compiler"):
             robot.kinematics(compiled=True).manipulability(q)
     finally:
         monkeypatch.undo()
@@ -449,10 +449,10 @@ def test_in_a_shared_cache_folder_each_user_has_a_folder_of_his_own(folder, mode
     assert file.parent.stat().st_mode & 0o777 == 0o700
     assert answer(file) == "42"
     file.parent.chmod(0o777)
-    with pytest.raises(mp.CompilerError, match="another user can write to it"):
+    with pytest.raises(mp.errors.CompilerError, match="another user can write to it"):
         shared_library(SOURCE)
     robot = mp.planar_arm([1.0, 0.7])
-    with pytest.warns(mp.CompilerWarning, match="another user can write to it"):
+    with pytest.warns(mp.errors.CompilerWarning, match="another user can write to it"):
         assert robot.kinematics().manipulability([0.1, 0.5]) == robot.kinematics(compiled=False).manipulability([0.1, 0.5])
 
 

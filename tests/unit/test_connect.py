@@ -71,7 +71,7 @@ def test_two_crossings_more_are_taken_where_none_is_not_enough():
     path = mp.seed_path(arm, *ENDS, NARROW, fewest_crossings=True)
     assert crossings(arm, path) == 2
     assert NARROW.path_clearance(arm, path).proven
-    with pytest.raises(mp.PlanningError, match="no path from start to goal was found by RRT-Connect in 1 s"):
+    with pytest.raises(mp.errors.PlanningError, match="no path from start to goal was found by RRT-Connect in 1 s"):
         mp.seed_path(arm, *ENDS, NARROW, same_aspect=True, seeding=mp.Seeding(time_limit=1.0))
 
 
@@ -79,12 +79,14 @@ def test_the_time_limit_holds_for_an_enclosed_goal(monkeypatch):
     arm = two_links([-3.0, -2.6], [3.0, 1.6])
     wall = mp.Scene([mp.Cylinder(radius=0.03, length=1.0, position=(0.5 * np.cos(1.0), 0.5 * np.sin(1.0), 0.0), name="post")])
     began = work_time()
-    with pytest.raises(mp.PlanningError, match="every motion of joint1 within its limits .* link1_0 and post into contact"):
+    with pytest.raises(
+        mp.errors.PlanningError, match="every motion of joint1 within its limits .* link1_0 and post into contact"
+    ):
         mp.seed_path(arm, [0.0, 0.5], [2.5, 0.5], wall, fewest_crossings=True, seeding=mp.Seeding(time_limit=0.8))
     assert work_time() - began < 0.7
     monkeypatch.setattr("manipplan.seeds.seed.why_unreachable", lambda _: None)
     began = work_time()
-    with pytest.raises(mp.PlanningError, match="allow more time"):
+    with pytest.raises(mp.errors.PlanningError, match="allow more time"):
         mp.seed_path(arm, [0.0, 0.5], [2.5, 0.5], wall, fewest_crossings=True, seeding=mp.Seeding(time_limit=0.8))
     assert 0.7 < work_time() - began < 1.0
 

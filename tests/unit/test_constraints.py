@@ -260,7 +260,7 @@ def test_of_several_candidates_those_that_keep_the_limit(panda, level):
     assert plan.goal_index == 1
     reasons = {each.status for each in plan.candidates if each.goal_index == 0 and not np.isnan(each.q).any()}
     assert any("breaks tilt of tool axis" in each and "34.3" in each for each in reasons)
-    with pytest.raises(mp.InvalidInputError, match=r"within the constraints.*breaks tilt of tool axis"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"within the constraints.*breaks tilt of tool axis"):
         mp.plan(panda, start, tilted, constraints=[limit])
 
 
@@ -316,7 +316,7 @@ BAD = {
 def test_bad_constraints(panda, level, name):
     start, goal, limit = level
     make, message = BAD[name]
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan(panda, start, goal, constraints=make(panda, limit))
 
 
@@ -339,18 +339,18 @@ def test_bad_constraints(panda, level, name):
     ],
 )
 def test_bad_values(make, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         make()
 
 
 def test_where_constraints_are_not_possible(panda, level):
     start, goal, limit = level
-    with pytest.raises(mp.InvalidInputError, match="none without a scene"):
+    with pytest.raises(mp.errors.InvalidInputError, match="none without a scene"):
         mp.optimize_path(panda, start, goal, constraints=[limit])
-    with pytest.raises(mp.InvalidInputError, match="'auto': the other planners keep no constraints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="'auto': the other planners keep no constraints"):
         mp.seed_path(panda, start, goal, constraints=[limit], seeding=mp.Seeding(planner="RRTConnect"))
     tilted = mp.JointPath.through([start, start + [0, 0, 0, 0, 0, 0.5, 0], goal])
-    with pytest.raises(mp.InvalidInputError, match=r"a path with tilt .* at s = "):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"a path with tilt .* at s = "):
         mp.optimize_path(panda, start, goal, mp.Scene(), constraints=[limit], seeding=mp.Seeding(initial=tilted))
 
     class NoColumn(mp.Constraint):
@@ -359,7 +359,7 @@ def test_where_constraints_are_not_possible(panda, level):
         def rows(self, at):
             return 3.0
 
-    with pytest.raises(mp.InvalidInputError, match=r"'wrong'; allowed: .*ca.SX \(r, 1\)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"'wrong'; allowed: .*ca.SX \(r, 1\)"):
         mp.plan(panda, start, goal, constraints=[NoColumn()])
 
 
@@ -369,7 +369,7 @@ def test_no_way_inside_a_limit_says_so(panda, level):
     goal = start + [1.4, 0, 0, 0, 0, 0, 0]
     wall = mp.Scene([mp.Box(size=(0.02, 0.02, 1.5), position=(0.22, 0.22, 0.75), name="post")])
     limit = mp.HeldJoints(panda.joint_names[1:])
-    with pytest.raises(mp.PlanningError, match=r"widen the constraints \(held: .*panda_joint7\)"):
+    with pytest.raises(mp.errors.PlanningError, match=r"widen the constraints \(held: .*panda_joint7\)"):
         mp.plan(panda, start, goal, wall, constraints=[limit], seeding=mp.Seeding(time_limit=0.5))
 
 
@@ -404,5 +404,5 @@ def test_constraints_of_a_file(tmp_path):
 def test_bad_files(tmp_path, text, message):
     file = tmp_path / "kept.yaml"
     file.write_text(text)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         constraints_from_yaml(file)

@@ -87,7 +87,7 @@ def test_a_thin_plate_between_checks_at_one_milliradian_is_found(tmp_path):
     assert not found.proven
     assert found.at == pytest.approx((angle + 0.5), abs=5e-4)
     assert found.pair == ("b_0", "plate")
-    with pytest.raises(mp.InvalidInputError, match=r"initial: got .*b_0 and plate.* at s = 0\.3"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"initial: got .*b_0 and plate.* at s = 0\.3"):
         mp.optimize_path(
             robot,
             [-0.5],
@@ -198,7 +198,7 @@ def test_wrong_arguments(demo_problem, change, message):
     problem = demo_problem
     options = {"path": mp.JointPath.line(problem.start, problem.goal), **change}
     path = options.pop("path")
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         problem.scene.path_clearance(problem.robot, path, **options)
 
 

@@ -146,7 +146,7 @@ def test_a_controller_and_a_tracked_path_have_their_names(planar, tmp_path):
     controller = mp.Controller(planar, formulations.LogDrive(), dt=0.01, compiled=False)
     target = planar.kinematics(controller.task).pose(q)
     assert controller.step(q, np.zeros(3), target).shape == (3,)
-    assert controller.report.status is mp.StepStatus.SOLVED
+    assert controller.report.status is mp.results.StepStatus.SOLVED
     assert controller.export_c(tmp_path)
     line = mp.CartesianPath.line(target, target)
     tracking = mp.track(planar, line, q, formulations.Classical(), dt=0.01, duration=0.05, compiled=False)
@@ -157,5 +157,5 @@ def test_a_plan_has_its_names(planar):
     plan = mp.plan(planar, [0.0, 1.5, -2.0], [1.0, 1.0, -1.0], None, objective=mp.PathObjective(power=2.0))
     assert isinstance(plan, mp.Plan)
     assert isinstance(plan.path, mp.JointPath) and isinstance(plan.trajectory, mp.Trajectory)
-    assert isinstance(plan.report, mp.Report) and isinstance(plan.status, mp.Status)
+    assert isinstance(plan.report, mp.results.Report) and isinstance(plan.status, mp.Status)
     assert plan.report.passed

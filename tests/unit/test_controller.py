@@ -28,7 +28,7 @@ FORMULATIONS = [
 
 
 @dataclass(frozen=True)
-class Near(mp.Measure):
+class Near(mp.measures.Measure):
     """A measure of one's own: 1 at Q, less elsewhere."""
 
     name, formula, source = "near", "exp(-‖q - Q‖²/4)", ""
@@ -109,7 +109,7 @@ def test_what_is_no_usable_number_brakes_within_all_limits(controller, given):
     arguments = {"target": pose_of(arm), **given}
     for k in range(30):
         before, qd = qd, controller.step(q, qd, **arguments)
-        assert controller.report.status == mp.StepStatus.BAD_TARGET
+        assert controller.report.status == mp.results.StepStatus.BAD_TARGET
         np.testing.assert_allclose(qd, np.sign(before) * np.maximum(np.abs(before) - 8.0 * DT, 0), atol=1e-12)
         q = q + DT * qd
         if k == 20:
@@ -117,7 +117,7 @@ def test_what_is_no_usable_number_brakes_within_all_limits(controller, given):
 
 
 def test_obstacles_that_are_no_mapping_are_refused(controller, arm):
-    with pytest.raises(mp.InvalidInputError, match="obstacles: got 'ball'; allowed: a mapping"):
+    with pytest.raises(mp.errors.InvalidInputError, match="obstacles: got 'ball'; allowed: a mapping"):
         controller.step(Q, REST, pose_of(arm), obstacles="ball")
 
 
@@ -143,7 +143,7 @@ def test_a_state_that_is_no_number_gives_velocity_zero(controller, argument, bad
     state[argument] = np.array([0.0, bad, 0.0])
     velocity = controller.step(target=pose_of(controller.robot), **state)
     np.testing.assert_array_equal(velocity, 0)
-    assert controller.report.status == mp.StepStatus.BAD_STATE
+    assert controller.report.status == mp.results.StepStatus.BAD_STATE
     controller._acceleration[:] = 0.0
 
 
@@ -159,7 +159,7 @@ def test_after_numbers_that_are_none_a_step_is_as_good_as_the_first(arm):
     hurt.step(Q, REST, np.full((4, 4), np.nan))
     hurt.step(np.full(3, np.nan), REST, target)
     assert np.isfinite(hurt.step(Q, REST, target)).all()
-    assert hurt.report.status == mp.StepStatus.SOLVED
+    assert hurt.report.status == mp.results.StepStatus.SOLVED
 
 
 @compiler
@@ -179,9 +179,9 @@ def test_what_the_solver_gives_up_brakes_in_machine_code_as_well(arm, rng):
             controller.reset()
         expected = virtual.step(q, qd, pose_of(arm, goal), stiffness=1.0)
         found = machine.step(q, qd, pose_of(arm, goal), stiffness=1.0)
-        if virtual.report.status == mp.StepStatus.NOT_SOLVED:
+        if virtual.report.status == mp.results.StepStatus.NOT_SOLVED:
             given_up += 1
-            assert machine.report.status == mp.StepStatus.NOT_SOLVED
+            assert machine.report.status == mp.results.StepStatus.NOT_SOLVED
             np.testing.assert_allclose(found, expected, atol=1e-12)
     assert given_up > 20
 
@@ -194,7 +194,7 @@ def test_rollout_goes_on_where_the_solver_gives_up(arm):
     for compiled in (False, True):
         controller = Controller(arm, formulation, dt=DT, compiled=compiled)
         runs.append(controller.rollout([0.7, -1.2, -2.3], path, qd=np.full(3, 0.5), stiffness=1.0))
-    assert runs[0]["status"][0] == mp.StepStatus.NOT_SOLVED
+    assert runs[0]["status"][0] == mp.results.StepStatus.NOT_SOLVED
     assert runs[1].q[1:].any(axis=1).all()
     np.testing.assert_allclose(runs[1].q[:2], runs[0].q[:2], atol=1e-12)
     np.testing.assert_array_equal(runs[1]["status"][0], runs[0]["status"][0])
@@ -223,7 +223,7 @@ def test_rollout_goes_on_where_the_solver_gives_up(arm):
 )
 def test_arguments_of_a_wrong_kind_raise(controller, given, message):
     arguments = {"q": Q, "qd": REST, "target": pose_of(controller.robot), **given}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         controller.step(**arguments)
 
 
@@ -273,19 +273,19 @@ def test_the_result_is_the_caller_s_own(controller):
         ({"formulation": mp.formulations.Classical(), "avoidance": mp.Avoidance()}, "avoidance: .*None with Classical"),
         ({"task": mp.Task.pose()}, "task: got 'pose'; allowed: at most 3 rows; with more rows than joints"),
         ({"measure": "log_det"}, "measure: got 'log_det'; allowed: .*better when larger: yoshikawa, frobenius, inverse_cond"),
-        ({"measure": mp.ConditionNumber()}, "measure: got 'condition_number'; allowed: .*better when larger"),
-        ({"measure": mp.ForceTransmission(direction=(1.0, 0.0))}, "measure: got 'force_transmission'"),
+        ({"measure": mp.measures.ConditionNumber()}, "measure: got 'condition_number'; allowed: .*better when larger"),
+        ({"measure": mp.measures.ForceTransmission(direction=(1.0, 0.0))}, "measure: got 'force_transmission'"),
         ({"measure": Depth(), "formulation": mp.formulations.Classical()}, "measure: got 'depth'"),
         ({"measure": "isotropi"}, "measure: got 'isotropi'.*did you mean isotropy"),
         ({"measure": "velocity_transmission"}, "measure: .*needs a direction"),
-        ({"measure": mp.VelocityTransmission(direction=(1.0, 0.0, 0.0))}, "direction: .*2 numbers, one per task row"),
-        ({"measure": mp.FrobeniusNorm(weights=[1.0, 1.0])}, "weights: .*3 of them"),
+        ({"measure": mp.measures.VelocityTransmission(direction=(1.0, 0.0, 0.0))}, "direction: .*2 numbers, one per task row"),
+        ({"measure": mp.measures.FrobeniusNorm(weights=[1.0, 1.0])}, "weights: .*3 of them"),
         ({"measure": 3}, "measure: got 3"),
     ],
 )
 def test_options_that_cannot_be_used_raise(arm, options, message):
     given = {"robot": arm, "formulation": mp.formulations.General(), "dt": DT, "compiled": False, **options}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         Controller(given.pop("robot"), given.pop("formulation"), dt=given.pop("dt"), **given)
 
 
@@ -313,18 +313,18 @@ def test_options_that_cannot_be_used_raise(arm, options, message):
     ],
 )
 def test_values_that_cannot_be_used_raise(make, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         make()
 
 
 def test_a_jerk_limit_needs_a_velocity_limit(arm):
-    with pytest.raises(mp.InvalidInputError, match="limits.velocity: .*for each joint with a jerk limit"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits.velocity: .*for each joint with a jerk limit"):
         Controller(arm.with_limits(velocity=[1.0, np.inf, 1.0], jerk=100.0), mp.formulations.General(), dt=DT, compiled=False)
 
 
 def test_a_tolerance_needs_a_controller_with_one(arm):
     controller = Controller(arm, mp.formulations.General(), dt=DT, compiled=False)
-    with pytest.raises(mp.InvalidInputError, match="tolerance: .*made without a tolerance"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tolerance: .*made without a tolerance"):
         controller.step(Q, REST, pose_of(arm), tolerance=mp.Tolerance(position=0.1))
 
 
@@ -343,7 +343,7 @@ def test_a_tolerance_needs_a_controller_with_one(arm):
 )
 def test_arguments_of_rollout_that_cannot_be_used_raise(controller, given, message):
     arguments = {"q": Q, "targets": targets(controller.robot, 2), **given}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         controller.rollout(**arguments)
 
 
@@ -368,7 +368,7 @@ def test_shares_of_the_rows_make_a_box_inside_the_ball():
 
 def test_a_tolerance_of_rows_that_mix_raises(panda):
     mixed = mp.Task.custom([[1.0, 0, 0, 0, 0.5, 0], [0, 1.0, 0, 0, 0, 0]], length=1.0, name="mixed")
-    with pytest.raises(mp.InvalidInputError, match="tolerance: got 'mixed'.*not both in one"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tolerance: got 'mixed'.*not both in one"):
         Controller(panda, mp.formulations.General(), dt=DT, task=mixed, tolerance=mp.Tolerance(position=0.1), compiled=False)
 
 
@@ -387,7 +387,7 @@ def test_report_holds_what_the_step_found(controller):
     arm = controller.robot
     velocity = controller.step(Q, REST, pose_of(arm, shift=(0.02, -0.01, 0.0)))
     report, kinematics = controller.report, arm.kinematics()
-    assert report.status == mp.StepStatus.SOLVED
+    assert report.status == mp.results.StepStatus.SOLVED
     assert report.manipulability == pytest.approx(kinematics.manipulability(Q))
     left = pose_of(arm, shift=(0.02, -0.01, 0.0)) - kinematics.pose(Q + DT * velocity)
     assert report.position_deviation == pytest.approx(np.linalg.norm(left[:2, 3]), abs=2e-5)
@@ -406,14 +406,14 @@ def test_without_avoidance_the_clearance_is_infinite(arm):
 # ---- another measure than Yoshikawa's manipulability
 
 
-@pytest.mark.parametrize("measure", ["frobenius", mp.JointLimitPenalised(k=2.0), Near()], ids=str)
+@pytest.mark.parametrize("measure", ["frobenius", mp.measures.JointLimitPenalised(k=2.0), Near()], ids=str)
 def test_report_has_the_given_measure(arm, measure):
     controller = Controller(arm, mp.formulations.LogDrive(), dt=DT, measure=measure, compiled=False)
     kinematics = arm.kinematics(measure=measure)
     controller.step(Q + 0.2, REST, pose_of(arm, Q + 0.2))
     assert controller.kinematics.measure == kinematics.measure
     assert controller.report.manipulability == pytest.approx(kinematics.manipulability(Q + 0.2))
-    assert controller.report.status == mp.StepStatus.SOLVED
+    assert controller.report.status == mp.results.StepStatus.SOLVED
 
 
 @pytest.mark.parametrize(
@@ -424,7 +424,7 @@ def test_a_measure_of_one_s_own_is_raised_until_the_null_space_holds_no_more(arm
     start = np.array([1.6, -0.9, 1.9])
     controller = Controller(arm, formulation, dt=DT, measure=Near(), compiled=False)
     run = controller.rollout(start, np.repeat(pose_of(arm, start)[None], 400, axis=0))
-    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert (run["status"] == mp.results.StepStatus.SOLVED).all()
     assert run["position_deviation"].max() < 1e-3
     assert run["manipulability"][-1] > 1.2 * run["manipulability"][0]
     assert np.abs(run.qd[-1]).max() < 1e-4
@@ -441,7 +441,9 @@ def test_a_measure_that_vanishes_drives_the_arm_out_of_a_singularity(arm, measur
     """With hardly any stiffness; the measure and its gradient may be zero or not defined there."""
     controller = Controller(arm, mp.formulations.LogDrive(yields=False), dt=DT, measure=measure, stiffness=1e-3, compiled=False)
     run = controller.rollout(start, np.repeat(pose_of(arm, np.array(start))[None], 200, axis=0))
-    assert np.isin(run["status"], (mp.StepStatus.SOLVED, mp.StepStatus.STALLED)).all()  # the drive leads away from the target
+    assert np.isin(
+        run["status"], (mp.results.StepStatus.SOLVED, mp.results.StepStatus.STALLED)
+    ).all()  # the drive leads away from the target
     assert run["manipulability"][0] == pytest.approx(0, abs=1e-7)
     assert run["manipulability"][-1] > 0.02
     assert arm.kinematics().manipulability(run.q[-1]) > 0.03
@@ -454,7 +456,7 @@ def test_without_a_compiler_a_compiled_controller_is_refused(arm, monkeypatch):
     monkeypatch.setenv("CC", "")
     find_compiler.cache_clear()
     try:
-        with pytest.raises(mp.CompilerError, match="a controller of|there is no C compiler"):
+        with pytest.raises(mp.errors.CompilerError, match="a controller of|there is no C compiler"):
             Controller(arm, mp.formulations.General(), dt=DT, compiled=True)
         assert not Controller(arm, mp.formulations.General(), dt=DT).compiled
     finally:
@@ -474,7 +476,7 @@ def in_steps(controller, q, path, **options):
         speed.append(controller.step(place[-1], speed[-1], target, **options))
         place.append(place[-1] + controller.dt * speed[-1])
         reports.append(controller._report.copy())
-    return mp.Rollout(q=np.array(place), qd=np.array(speed), reports=np.array(reports))
+    return mp.results.Rollout(q=np.array(place), qd=np.array(speed), reports=np.array(reports))
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS, ids=str)
@@ -512,7 +514,7 @@ def test_machine_code_equals_the_virtual_machine(arm, ball, formulation, measure
     assert (runs[0]["tube_excess"] > 0).any()
     assert_same_run(runs[1], runs[0])
     assert_same_run(runs[2], runs[0])
-    with pytest.raises(mp.UnknownNameError, match="figure: got 'clearence'.*clearance"):
+    with pytest.raises(mp.errors.UnknownNameError, match="figure: got 'clearence'.*clearance"):
         runs[0]["clearence"]
 
 

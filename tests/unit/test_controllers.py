@@ -77,27 +77,27 @@ def test_columns_are_found_by_their_names(ur_motion, panda_motion, tmp_path):
         getattr(back, write)(tmp_path / "reversed")
         assert (tmp_path / "usual").read_text() == (tmp_path / "reversed").read_text()
         other = mp.Trajectory(t=motion.t, q=motion.q, qd=motion.qd, joint_names=[f"j{k}" for k in range(motion.n)])
-        with pytest.raises(mp.InvalidInputError, match="names that end in"):
+        with pytest.raises(mp.errors.InvalidInputError, match="names that end in"):
             getattr(other, write)(tmp_path / "other")
 
 
 def test_limits_and_length_of_a_table(panda_motion, ur_motion, tmp_path):
     q = panda_motion.q[0] + np.outer([0, 1, 0], [0, 0, 0, 3.0, 0, 0, 0])
     high = mp.Trajectory(t=[0.0, 50.0, 100.0], q=q, qd=np.zeros((3, 7)), joint_names=panda_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match=r"panda_joint4 at .* from -3\.0718 to -0\.0698 rad"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"panda_joint4 at .* from -3\.0718 to -0\.0698 rad"):
         high.to_franka_csv(tmp_path / "motion")
-    with pytest.raises(mp.InvalidInputError, match="at most 600 s"):
+    with pytest.raises(mp.errors.InvalidInputError, match="at most 600 s"):
         ur_motion.slower(10_000.0).to_urscript(tmp_path / "motion")
     fast = mp.Trajectory(t=ur_motion.t / 20, q=ur_motion.q, qd=ur_motion.qd * 20, joint_names=ur_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match="a joint speed of"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a joint speed of"):
         fast.to_urscript(tmp_path / "motion")
 
 
 def test_what_the_formats_do_not_allow(ur_motion, panda_motion, tmp_path):
     file = tmp_path / "motion"
-    with pytest.raises(mp.InvalidInputError, match="the joints of a UR arm: names that end in ...shoulder_pan_joint"):
+    with pytest.raises(mp.errors.InvalidInputError, match="the joints of a UR arm: names that end in ...shoulder_pan_joint"):
         panda_motion.to_urscript(file)
-    with pytest.raises(mp.InvalidInputError, match="the joints of a Franka Panda"):
+    with pytest.raises(mp.errors.InvalidInputError, match="the joints of a Franka Panda"):
         ur_motion.to_franka_csv(file)
     for options, argument in (
         ({"rate": 250}, "rate"),
@@ -107,19 +107,19 @@ def test_what_the_formats_do_not_allow(ur_motion, panda_motion, tmp_path):
         ({"gain": 5}, "gain"),
         ({"lookahead_time": 1.0}, "lookahead_time"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=argument):
+        with pytest.raises(mp.errors.InvalidInputError, match=argument):
             ur_motion.to_urscript(file, **options)
     moving = mp.Trajectory(t=ur_motion.t[:50], q=ur_motion.q[:50], qd=ur_motion.qd[:50], joint_names=ur_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match=r"moves at .* at its end'; allowed: a motion from rest to rest"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"moves at .* at its end'; allowed: a motion from rest to rest"):
         moving.to_urscript(file)
     far = mp.Trajectory(t=ur_motion.t, q=ur_motion.q + 7.0, qd=ur_motion.qd, joint_names=ur_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match="joint at .* from -6.2832 to 6.2832 rad"):
+    with pytest.raises(mp.errors.InvalidInputError, match="joint at .* from -6.2832 to 6.2832 rad"):
         far.to_urscript(file)
     fast = mp.Trajectory(t=panda_motion.t / 20, q=panda_motion.q, qd=panda_motion.qd * 20, joint_names=panda_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match=r"a velocity of .* rad/s'; allowed: at most 2\.\d+ rad/s"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"a velocity of .* rad/s'; allowed: at most 2\.\d+ rad/s"):
         fast.to_franka_csv(file)
     line = panda_motion.q[0] + np.linspace(0, 1, 3)[:, None] * np.array([0.1, 0, 0, 0, 0, 0, 0])
     jump = mp.Trajectory(t=np.array([0.0, 0.1, 0.2]), q=line, qd=np.zeros((3, 7)), joint_names=panda_motion.joint_names)
-    with pytest.raises(mp.InvalidInputError, match=r"joint 1 at 0\.\d+ s\): got '(an acceleration|a jerk) of"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"joint 1 at 0\.\d+ s\): got '(an acceleration|a jerk) of"):
         jump.to_franka_csv(file)
     assert not file.exists()

@@ -214,7 +214,7 @@ def test_other_clearances_are_kept_exactly_too(panda, clearance):
 
 def test_of_two_optima_that_tie_the_earlier_one_is_taken():
     def candidate(g):
-        cost = mp.PathCost(g=g, length=1.0, min_manipulability=1.0, at=0.0)
+        cost = mp.results.PathCost(g=g, length=1.0, min_manipulability=1.0, at=0.0)
         return Candidate(path=None, coefficients=np.zeros((1, 1)), cost=cost, optimality=SINGLE, solver="")
 
     first, second = candidate(1.0), candidate(1.0 - TIE / 2)

@@ -76,7 +76,7 @@ def mjcf(tmp_path):
     ],
 )
 def test_no_element_of_a_link_is_left_out(urdf, elements, message):
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.load_robot(urdf(elements))
 
 
@@ -96,15 +96,15 @@ def test_a_mirrored_mesh_is_read(urdf, tmp_path):
 
 def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
     (tmp_path / "m.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-    with pytest.raises(mp.FileFormatError, match=r"finite vertices within .*, unlike .*m\.obj of arm_0"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"finite vertices within .*, unlike .*m\.obj of arm_0"):
         mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj"/>')))
 
 
 def test_the_number_of_bodies_is_bounded(urdf, mjcf):
     assert mp.load_robot(urdf(SPHERE * 200)).geometry.ngeoms == 200
-    with pytest.raises(mp.FileFormatError, match="at most 1000 collision elements, not 1001"):
+    with pytest.raises(mp.errors.FileFormatError, match="at most 1000 collision elements, not 1001"):
         mp.load_robot(urdf(SPHERE * 1001))
-    with pytest.raises(mp.FileFormatError, match="at most 1000 colliding geoms, not 3000"):
+    with pytest.raises(mp.errors.FileFormatError, match="at most 1000 colliding geoms, not 3000"):
         mp.load_robot(mjcf(GEOM * 3000), velocity=1.0)
 
 
@@ -132,23 +132,23 @@ def test_geoms_for_collision(mjcf, before, elements, count):
 
 def test_a_joint_called_as_the_world(urdf, mjcf):
     for file in (urdf(SPHERE, joint="universe"), mjcf(GEOM, joint="universe")):
-        with pytest.raises(mp.FileFormatError, match="joints.* with other names than 'universe'"):
+        with pytest.raises(mp.errors.FileFormatError, match="joints.* with other names than 'universe'"):
             mp.load_robot(file, velocity=1.0)
 
 
 def test_descriptions_are_in_utf_8(urdf):
     assert mp.load_robot(urdf(SPHERE, link="bras_é")).tool == "bras_é"
-    with pytest.raises(mp.FileFormatError, match="XML in UTF-8"):
+    with pytest.raises(mp.errors.FileFormatError, match="XML in UTF-8"):
         mp.load_robot(urdf(SPHERE, link="bras_é", encoding="latin-1"))
     file = urdf(SPHERE)
     file.write_text('<?xml version="1.0" encoding="nobodys"?>' + file.read_text())
-    with pytest.raises(mp.FileFormatError, match="XML in UTF-8"):
+    with pytest.raises(mp.errors.FileFormatError, match="XML in UTF-8"):
         mp.load_robot(file)
 
 
 def test_deep_descriptions(urdf, mjcf):
     deep = "".join(f'<body name="b{i}">' for i in range(10_000)) + "</body>" * 10_000
-    with pytest.raises(mp.FileFormatError, match="elements nested at most 500 deep"):
+    with pytest.raises(mp.errors.FileFormatError, match="elements nested at most 500 deep"):
         mp.load_robot(mjcf(deep), velocity=1.0)
     file = urdf(SPHERE)
     joints = "".join(
@@ -156,7 +156,7 @@ def test_deep_descriptions(urdf, mjcf):
         for i in range(600)
     )
     file.write_text(file.read_text().replace("</robot>", joints + "</robot>"))
-    with pytest.raises(mp.FileFormatError, match="at most 500 links in one chain"):
+    with pytest.raises(mp.errors.FileFormatError, match="at most 500 links in one chain"):
         mp.load_robot(file)
 
 
@@ -209,7 +209,7 @@ def test_the_first_body_of_an_mjcf_stands_where_mujoco_has_it(tmp_path, joint, p
 def test_places_of_joints(urdf, old, new, message):
     file = urdf(SPHERE)
     file.write_text(file.read_text().replace(old, new))
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.load_robot(file)
 
 
@@ -220,7 +220,7 @@ def test_the_number_of_joints_is_bounded(urdf):
         for i in range(1000)
     )
     file.write_text(file.read_text().replace("</robot>", f"{more}</robot>"))
-    with pytest.raises(mp.FileFormatError, match="at most 1000 joints, not 1001"):
+    with pytest.raises(mp.errors.FileFormatError, match="at most 1000 joints, not 1001"):
         mp.load_robot(file)
 
 
@@ -243,7 +243,7 @@ def test_a_fixed_joint_called_as_another_link(tmp_path):
 
 def test_the_number_of_active_joints_is_bounded(urdf):
     assert mp.planar_arm([0.1] * 100).n == 100
-    with pytest.raises(mp.InvalidInputError, match="lengths: got '101 lengths'; allowed: at most 100"):
+    with pytest.raises(mp.errors.InvalidInputError, match="lengths: got '101 lengths'; allowed: at most 100"):
         mp.planar_arm([0.1] * 101)
     file = urdf(SPHERE)
     more = "".join(
@@ -252,6 +252,6 @@ def test_the_number_of_active_joints_is_bounded(urdf):
         for i in range(100)
     )
     file.write_text(file.read_text().replace("</robot>", f"{more}</robot>"))
-    with pytest.raises(mp.InvalidInputError, match="joints: got '101 joints'; allowed: at most 100 active joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="joints: got '101 joints'; allowed: at most 100 active joints"):
         mp.load_robot(file)
     assert mp.Robot.from_urdf(file, tool="l3").n == 5

@@ -109,7 +109,7 @@ def test_a_coarse_curve_and_one_pose():
     s = np.array([0.12345, 0.5, 0.98765])
     assert deviation_from(path, path(s)).position < 1e-5
     assert deviation_from(path, shifted(path(s[:1]), [0, 0, 0.25])).position == pytest.approx(0.25, rel=0.2)
-    with pytest.raises(mp.InvalidInputError, match="poses: .*at least one pose"):
+    with pytest.raises(mp.errors.InvalidInputError, match="poses: .*at least one pose"):
         deviation_from(path, path(s[:0]))
 
 
@@ -192,5 +192,5 @@ def test_a_closed_spline_of_three_rows():
     ],
 )
 def test_wrong_splines(s, q, closed, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.JointPath.spline(s, q, closed=closed)

@@ -29,7 +29,7 @@ def values(planar, panda):
         mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), samples=3),
         *(mp.Seeding(initial=path), mp.PathObjective(metric=np.eye(3)), mp.PathShape(start_slope=[0.0, 0.0, 0.0])),
         mp.path_cost(path, planar.kinematics(), 1.0),
-        mp.velocity_ellipsoid(planar.kinematics().jacobian([0.0, 1.0, 1.0])),
+        mp.measures.velocity_ellipsoid(planar.kinematics().jacobian([0.0, 1.0, 1.0])),
         scene.path_clearance(panda, mp.JointPath.line(panda.neutral, panda.neutral + 0.1)),
     ]
 
@@ -98,7 +98,7 @@ def test_a_plan_tells_its_figures_in_a_line_and_its_report_in_notebooks(panda):
     plan = mp.plan(panda, panda.neutral, panda.neutral + 0.1)
     assert repr(plan) == f"Plan('panda', {plan.status.name}, {plan.report.summary})" and "all checks passed" in repr(plan)
     assert "proven on the whole motion" in plan._repr_html_()
-    partial = mp.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH, message="the wall is <thick>")
+    partial = mp.results.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH, message="the wall is <thick>")
     assert repr(partial) == "PartialPlan('panda', NO_PATH, 'the wall is <thick>')"
     assert "NO_PATH: the wall is &lt;thick&gt;" in partial._repr_html_()
 
@@ -107,7 +107,7 @@ def test_without_a_picture_notebooks_show_the_text(panda):
     far = np.eye(4)
     far[:3, 3] = 9.0
     nothing = mp.inverse_kinematics(panda, far, samples=2)
-    partial = mp.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH)
+    partial = mp.results.PartialPlan(robot=panda, scene=mp.Scene(), status=mp.Status.NO_PATH)
     for value in (nothing, partial, mp.Scene()):
         assert Page(value._repr_html_()).names == ["pre"]
 

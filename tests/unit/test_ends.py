@@ -79,9 +79,11 @@ def test_of_several_ends_on_one_body_the_name_decides_and_the_log_says_so(load, 
 
 def test_ends_whose_names_do_not_decide_are_listed(load):
     parts, last = arm(6)
-    with pytest.raises(mp.InvalidInputError, match=r"several ends on one body: cover, plate\. Choose one, as in tool='cover'"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"several ends on one body: cover, plate\. Choose one, as in tool='cover'"
+    ):
         load([*parts, fixed(last, "cover"), fixed(last, "plate")])
-    with pytest.raises(mp.InvalidInputError, match="left_tcp, right_tcp"):
+    with pytest.raises(mp.errors.InvalidInputError, match="left_tcp, right_tcp"):
         load([*parts, fixed(last, "left_tcp"), fixed(last, "right_tcp")])
 
 
@@ -94,7 +96,7 @@ def test_two_arms_are_refused_with_the_call_that_works(load):
     left, left_end = arm(6, "left_")
     right, right_end = arm(6, "right_")
     head = [joint("pan", "base", "neck"), joint("tilt", "neck", "head")]
-    with pytest.raises(mp.InvalidInputError, match="several ends") as caught:
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends") as caught:
         load([*head, *left, *right])
     call = f"tool=['{left_end}', '{right_end}']"
     assert call in str(caught.value)
@@ -104,7 +106,7 @@ def test_two_arms_are_refused_with_the_call_that_works(load):
 
 def test_an_arm_and_a_head_are_refused(load):
     parts, last = arm(6)
-    with pytest.raises(mp.InvalidInputError, match=f"several ends: {last}, head"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"several ends: {last}, head"):
         load([*parts, joint("pan", "base", "neck"), joint("tilt", "neck", "head")])
 
 
@@ -112,7 +114,7 @@ def test_an_arm_beside_wheels_is_refused(load):
     """Wheels have no limits: they are no fingers."""
     parts, last = arm(3)
     wheels = [joint(f"wheel{k}", last, f"rim{k}", "continuous", xyz=(0.05, 0, 0)) for k in range(2)]
-    with pytest.raises(mp.InvalidInputError, match="several ends: rim0, rim1"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: rim0, rim1"):
         load([*parts, *wheels])
 
 
@@ -157,7 +159,7 @@ def test_a_motor_beside_the_fingers_is_no_end(load):
     motor = joint("gripper", last, "prop", "continuous", xyz=(0, 0, 0.02))
     robot = load([*parts, fixed(last, "hand"), *FINGERS, motor])
     assert (robot.tool, robot.n) == (last, 6)
-    with pytest.raises(mp.InvalidInputError, match="several ends"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends"):
         load([*parts, fixed(last, "hand"), *FINGERS, motor.replace('"gripper"', '"wheel"')])
 
 
@@ -169,7 +171,7 @@ def test_the_piston_of_a_balancer_is_no_end(load):
     ]
     robot = load([*parts, *piston])
     assert (robot.tool, robot.n, list(robot.followers)) == (last, 6, ["cylinder", "piston"])
-    with pytest.raises(mp.InvalidInputError, match="several ends: tool0, free"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: tool0, free"):
         load([*parts, fixed(last, "tool0"), joint("free", "l1", "free", xyz=(0.1, 0, 0))])
 
 
@@ -177,14 +179,14 @@ def test_a_long_finger_that_mimics_the_other_is_no_linkage(load):
     parts, last = arm(6)
     first = [joint(f"a{k}", last, f"u{k}", xyz=(0, 0, 0.3), mimic="a0" if k else None) for k in range(2)]
     second = [joint(f"b{k}", f"u{k}", f"finger{k}", xyz=(0, 0, 0.3), mimic="b0" if k else None) for k in range(2)]
-    with pytest.raises(mp.InvalidInputError, match="several ends: finger0, finger1"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: finger0, finger1"):
         load([*parts, *first, *second])
 
 
 def test_the_only_frame_without_geometry_is_the_tool(load, tmp_path):
     parts, last = arm(3)
     text = [*parts, fixed(last, "plate"), fixed(last, "cover"), fixed(last, "camera_frame")]
-    with pytest.raises(mp.InvalidInputError, match="camera_frame, cover, plate"):
+    with pytest.raises(mp.errors.InvalidInputError, match="camera_frame, cover, plate"):
         load(text)
     file = tmp_path / "arm.urdf"
     shape = '<link name="cover"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>'
@@ -203,7 +205,7 @@ def test_short_branches_that_are_no_fingers_are_refused(load, branch):
     parts, last = arm(6)
     first = [joint(f"a{k}", last, f"u{k}", xyz=(0, 0, 0.1)) for k in range(2)]
     second = [joint(f"b{k}", f"u{k}", f"v{k}", **branch) for k in range(2)]
-    with pytest.raises(mp.InvalidInputError, match="several ends: v0, v1"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: v0, v1"):
         load([*parts, *first, *second])
 
 
@@ -213,7 +215,7 @@ def test_branches_of_three_joints_are_no_fingers(load):
     for k in range(2):
         names = [last, *(f"c{k}{i}" for i in range(3))]
         chains += [joint(f"t{k}{i}", a, b, xyz=(0, 0, 0.03)) for i, (a, b) in enumerate(pairwise(names))]
-    with pytest.raises(mp.InvalidInputError, match="several ends: c02, c12"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: c02, c12"):
         load([*parts, *chains])
 
 
@@ -221,7 +223,7 @@ def test_two_short_branches_on_a_torso_are_arms(load):
     """A body that one joint moves carries no hand."""
     torso = [joint("waist", "base", "torso")]
     arms = [joint(f"a{k}", "torso", f"u{k}", xyz=(0, 0.03, 0)) for k in range(2)]
-    with pytest.raises(mp.InvalidInputError, match="several ends: u0, u1"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several ends: u0, u1"):
         load([*torso, *arms])
 
 
@@ -304,14 +306,14 @@ def test_chains_to_several_tips_are_listed(load):
     right, right_end = arm(6, "right_")
     srdf = CHAIN.format("left", "base", left_end) + CHAIN.format("right", "base", right_end)
     with pytest.raises(
-        mp.InvalidInputError, match=rf"several tips: {left_end}, {right_end}.*tool=\['{left_end}', '{right_end}'\]"
+        mp.errors.InvalidInputError, match=rf"several tips: {left_end}, {right_end}.*tool=\['{left_end}', '{right_end}'\]"
     ):
         load([*left, *right], srdf)
 
 
 def test_a_chain_to_an_unknown_link_is_refused(load):
     parts, _ = arm(3)
-    with pytest.raises(mp.UnknownNameError, match="'plato'"):
+    with pytest.raises(mp.errors.UnknownNameError, match="'plato'"):
         load(parts, CHAIN.format("arm", "base", "plato"))
 
 

@@ -155,7 +155,7 @@ def test_the_exported_controller_is_python_s_step_by_step(arm, tmp_path, case):
         expected = controller.step(q, qd, pose, stiffness=stiffness, drive=drive, obstacles=obstacles)
         given = controller.defaults
         status, found, report = exported.step(q, qd, qdd, pose, stiffness, drive, given["tolerance"], given["obstacles"])
-        assert status == controller.report.status == mp.StepStatus.SOLVED
+        assert status == controller.report.status == mp.results.StepStatus.SOLVED
         near = min(near, controller.report.clearance)
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
         finite = np.isfinite(report)
@@ -170,13 +170,13 @@ def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_pat
     pose, zero, tube = np.array(arm.kinematics().pose(Q)), np.zeros(3), [1e12, 1e12]
     speed = np.array([0.5, -0.5, 0.0])
     status, velocity, _ = exported.step(Q, speed, zero, np.full((4, 4), np.nan), 1e4, 1.0, tube, [])
-    assert status == mp.StepStatus.BAD_TARGET
+    assert status == mp.results.StepStatus.BAD_TARGET
     np.testing.assert_allclose(np.abs(velocity), [0.42, 0.42, 0.0], atol=1e-12)
     status, velocity, _ = exported.step(np.full(3, np.nan), zero, zero, pose, 1e4, 1.0, tube, [])
-    assert status == mp.StepStatus.BAD_STATE
+    assert status == mp.results.StepStatus.BAD_STATE
     np.testing.assert_array_equal(velocity, 0)
     status, velocity, _ = exported.step(Q, zero, zero, pose, 1e4, 1.0, tube, [])
-    assert status == mp.StepStatus.SOLVED
+    assert status == mp.results.StepStatus.SOLVED
     assert np.isfinite(velocity).all()
     exported.close()
 
@@ -212,7 +212,7 @@ def test_the_header_compiles_without_warnings_as_c_and_says_its_numbers(arm, tmp
 def test_a_folder_that_cannot_be_written_raises(arm, tmp_path):
     taken = tmp_path / "file"
     taken.write_text("")
-    with pytest.raises(mp.InvalidInputError, match="folder: "):
+    with pytest.raises(mp.errors.InvalidInputError, match="folder: "):
         Controller(arm, mp.formulations.General(), dt=DT, compiled=False).export_c(taken)
 
 
@@ -222,7 +222,7 @@ def test_generated_code_of_the_solver_is_changed_only_where_it_is_known(arm):
     changed = controller.sources().step
     assert changed.count("d_qp.x[0] = 0.0 / 0.0") == 1 and "0.0 / 0.0" not in step
     for other in (step.replace("casadi_daqp_solve(d, arg", "casadi_daqp_solve(d,  arg"), step.replace("return -1", "return 1")):
-        with pytest.raises(mp.ManipplanError, match=r"CasADi .* other code for DAQP"):
+        with pytest.raises(mp.errors.ManipplanError, match=r"CasADi .* other code for DAQP"):
             export._going_on(other)
     closed_form = Controller(arm, mp.formulations.Classical(), dt=DT, compiled=False)
     assert closed_form.sources().step == export.generate_source([closed_form.symbolic])

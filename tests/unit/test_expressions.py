@@ -58,8 +58,8 @@ class Low(mp.Constraint):
 
 robot, scene = mp.load_robot("ur5"), mp.Scene([mp.Box(size=(0.1, 0.1, 0.6), position=(0.45, 0.0, 0.3))])
 start, goal = np.array([-0.8, -1.4, 1.6, -1.77, -1.57, 0.0]), np.array([0.8, -1.4, 1.6, -1.77, -1.57, 0.3])
-kinematics = robot.kinematics(mp.Task.position(), measure=mp.InverseCondition())
-kinematics.hessian(start), kinematics.mass_matrix(start), kinematics.pose(start), mp.InverseCondition()(np.eye(3))
+kinematics = robot.kinematics(mp.Task.position(), measure=mp.measures.InverseCondition())
+kinematics.hessian(start), kinematics.mass_matrix(start), kinematics.pose(start), mp.measures.InverseCondition()(np.eye(3))
 tilt = mp.TiltLimit(axis=[0, 0, 1], direction=[0, 0, -1], angle=3.0)
 assert mp.plan(robot, start, goal, scene, constraints=[tilt, Low()], throw=False).path is not None
 assert mp.plan(robot, start, [robot.kinematics().pose(goal)], scene).status.has_path

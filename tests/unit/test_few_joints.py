@@ -179,7 +179,7 @@ def test_improve_with_a_task_of_two_directions(arm):
 
 def test_a_task_of_more_rows_than_joints_is_refused_with_what_works(arm):
     robot = arm("pan_tilt")
-    with pytest.raises(mp.InvalidInputError, match=r"at most 2 rows;.*leave task out.*measure=\"constant\""):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"at most 2 rows;.*leave task out.*measure=\"constant\""):
         mp.plan(robot, *ends(robot), objective=mp.PathObjective(task=mp.Task.position()))
 
 
@@ -189,7 +189,7 @@ def test_a_task_in_the_tool_is_refused_with_one_that_a_path_can_have(arm, name):
     robot = arm(name)
     start, goal = (robot.kinematics().pose(q) for q in ends(robot))
     path, task = mp.CartesianPath.line(start, goal), mp.Task.custom([[0, 1, 0, 0, 0, 0]], frame="tool", name="y")
-    with pytest.raises(mp.InvalidInputError, match=r"task: got 'y'; allowed: .*as of Task\.custom\(") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match=r"task: got 'y'; allowed: .*as of Task\.custom\(") as told:
         mp.follow(robot, path, objective=mp.PathObjective(task=task))
     example = eval(re.search(r"Task\.custom\(.*?'x'\)", str(told.value))[0], {"Task": mp.Task})
     assert mp.follow(robot, path, objective=mp.PathObjective(task=example)).report.passed

@@ -166,7 +166,7 @@ def test_rows_that_a_task_leaves_free_are_used(panda, start, line, task, fixed):
 
 
 def test_a_task_that_fixes_no_poses_is_refused_at_once(panda, line):
-    with pytest.raises(mp.InvalidInputError, match="task: got 'rotation'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="task: got 'rotation'"):
         mp.follow(panda, line, objective=mp.PathObjective(task=mp.Task.rotation([0, 0, 1])))
 
 
@@ -189,10 +189,12 @@ def test_an_arm_of_five_joints_follows_what_counts(task):
 def test_an_arm_with_fewer_joints_than_rows_is_refused():
     arm = mp.load_robot("so100")
     path = CartesianPath.through(arm.kinematics().pose(np.linspace(arm.neutral, arm.neutral + 0.3, 4)))
-    with pytest.raises(mp.InvalidInputError, match="measure: got 'yoshikawa'; allowed: at most as many task rows as joints"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="measure: got 'yoshikawa'; allowed: at most as many task rows as joints"
+    ):
         mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.pose()))
     with pytest.raises(
-        mp.InvalidInputError, match=r"objective: .*a task of at most 5 rows.*Task.position\(\) or.*Task.pointing\(axis\)"
+        mp.errors.InvalidInputError, match=r"objective: .*a task of at most 5 rows.*Task.position\(\) or.*Task.pointing\(axis\)"
     ):
         mp.follow(arm, path)
 
@@ -205,13 +207,15 @@ def test_a_path_that_is_singular_everywhere_is_refused():
     end = begin.copy()
     end[1:3, 3] += 0.02
     objective = mp.PathObjective(task=mp.Task.pointing([0, 1, 0]))
-    with pytest.raises(mp.InvalidInputError, match="objective: got 'pointing'; allowed: a task whose rows are independent"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="objective: got 'pointing'; allowed: a task whose rows are independent"
+    ):
         mp.follow(arm, CartesianPath.line(begin, end), positions=5, objective=objective)
 
 
 def test_poses_that_one_configuration_meets_are_told(panda, line):
     with pytest.raises(
-        mp.InvalidInputError, match="objective: got 'orientation'; allowed: a task for which the arm has to move"
+        mp.errors.InvalidInputError, match="objective: got 'orientation'; allowed: a task for which the arm has to move"
     ):
         mp.follow(panda, line, positions=4, objective=mp.PathObjective(task=mp.Task.orientation()))
 
@@ -349,11 +353,11 @@ def test_steps_too_small_to_connect(panda, line):
     smallest = plan.search.smallest_epsilon
     assert smallest.shape == (7,) and (smallest > 0.01).all()
     assert f"{smallest[0]:.6g}" in plan.message and "position" in plan.message
-    with pytest.raises(mp.PlanningError, match="no trajectory to save"):
+    with pytest.raises(mp.errors.PlanningError, match="no trajectory to save"):
         plan.save("nowhere")
-    with pytest.raises(mp.PlanningError, match="can be reached from position") as caught:
+    with pytest.raises(mp.errors.PlanningError, match="can be reached from position") as caught:
         mp.follow(panda, line, positions=4, samples=8, epsilon=0.01)
-    assert type(caught.value.result) is mp.PartialPlan
+    assert type(caught.value.result) is mp.results.PartialPlan
     assert caught.value.result.status is mp.Status.NOT_CONNECTED
     again = mp.follow(panda, line, positions=4, samples=8, epsilon=1.001 * smallest, throw=False)
     assert again.search.connected
@@ -367,7 +371,7 @@ def test_finer_samples_that_cannot_be_had_are_a_reason_and_no_error(panda, line,
     def fails_when_finer(*arguments, **options):
         calls.append(options["samples"])
         if len(calls) > 1:
-            raise mp.InvalidInputError("samples", "7,200 at each of 4 positions", "fewer")
+            raise mp.errors.InvalidInputError("samples", "7,200 at each of 4 positions", "fewer")
         return sampled(*arguments, **options)
 
     monkeypatch.setattr(follow, "sample_layers", fails_when_finer)
@@ -385,7 +389,7 @@ def test_a_path_out_of_reach_between_its_positions(panda, start):
     assert plan.status is mp.Status.CHECK_FAILED and not plan.status.has_path
     assert "leaves the path by" in plan.message and "Take more positions" in plan.message
     assert not plan.report.passed and "CHECK FAILED" in str(plan.report)
-    with pytest.raises(mp.PlanningError, match="leaves the path by") as caught:
+    with pytest.raises(mp.errors.PlanningError, match="leaves the path by") as caught:
         mp.follow(panda, path, positions=2, **FEW)
     assert caught.value.result.status is mp.Status.CHECK_FAILED
 
@@ -415,9 +419,9 @@ def test_a_motion_that_would_turn_back_early(panda, start):
 def test_positions_inside_an_obstacle(panda, start, line):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=line(0.5)[:3, 3], name="ball")])
     named = r"path, position [12] of 0 to 4 .* reach it, and in the best of them panda_\w+ and ball (overlap by|are) [\d.]+ mm"
-    with pytest.raises(mp.InvalidInputError, match=named + ".*; needed: no collision and 3 mm to spare"):
+    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: no collision and 3 mm to spare"):
         mp.follow(panda, line, positions=5, scene=scene, **FEW)
-    with pytest.raises(mp.InvalidInputError, match=named + ".*; needed: clearance 20 mm and 3 mm to spare"):
+    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: clearance 20 mm and 3 mm to spare"):
         mp.follow(panda, line, positions=5, scene=scene, clearance=0.02, **FEW)
 
 
@@ -431,7 +435,7 @@ def test_an_obstacle_between_positions_fails_the_check(panda, start, line):
 
 
 def test_a_path_without_length(panda, start):
-    with pytest.raises(mp.InvalidInputError, match="a path with a length of at least"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a path with a length of at least"):
         mp.follow(panda, CartesianPath.line(start, start), positions=2, **FEW)
 
 
@@ -493,7 +497,7 @@ def test_wrong_arguments_raise_before_work_starts(panda, line, change, message):
         "progress": lambda *notify: told.append(notify),
         **change,
     }
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         if isinstance(arguments.get("objective"), dict):
             arguments["objective"] = mp.PathObjective(**arguments["objective"])
         mp.follow(**{**FEW, **arguments})
@@ -512,7 +516,7 @@ def test_wrong_arguments_raise_before_work_starts(panda, line, change, message):
 )
 def test_objectives_that_do_not_fit_are_refused_before_the_work(panda, line, objective, message):
     told = []
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.follow(panda, line, objective=objective, progress=lambda *each: told.append(each))
     assert told == []
 
@@ -559,5 +563,5 @@ def test_a_gap_that_no_motion_widens(tmp_path):
     plan = mp.follow(robot, path, **keep)
     assert plan.status is mp.Status.FOLLOWED and plan.report.passed
     assert mp.follow(robot, path, clearance=0.0015, **keep).report.passed
-    with pytest.raises(mp.InvalidInputError, match="are 2 mm apart; needed: clearance 2.5 mm"):
+    with pytest.raises(mp.errors.InvalidInputError, match="are 2 mm apart; needed: clearance 2.5 mm"):
         mp.follow(robot, path, clearance=0.0025, **keep)

@@ -87,7 +87,7 @@ def test_the_path_part_alone_is_judged_by_check(panda, line, post, led_in):
     late = mp.check(panda, led_in.trajectory, post, path=line, path_begin=led_in.path_begin + 0.1)
     assert any("misses a pose" in fault for fault in late.faults)
     for begin, options in ((-1.0, {"path": line}), (1e3, {"path": line}), (0.5, {})):
-        with pytest.raises(mp.InvalidInputError, match="path_begin"):
+        with pytest.raises(mp.errors.InvalidInputError, match="path_begin"):
             mp.check(panda, led_in.trajectory, post, path_begin=begin, **options)
 
 
@@ -257,11 +257,11 @@ def test_no_lead_in_is_told(panda, line, monkeypatch):
 @pytest.mark.parametrize(
     ("start", "error", "message"),
     [
-        ("raedy", mp.UnknownNameError, "start"),
-        ([0.0] * 6, mp.InvalidInputError, "start: .*7"),
-        ([0.0] * 7, mp.InvalidInputError, r"start\[3\] \(panda_joint4\)"),
-        (np.full(7, np.nan), mp.InvalidInputError, "start"),
-        (True, mp.InvalidInputError, "start"),
+        ("raedy", mp.errors.UnknownNameError, "start"),
+        ([0.0] * 6, mp.errors.InvalidInputError, "start: .*7"),
+        ([0.0] * 7, mp.errors.InvalidInputError, r"start\[3\] \(panda_joint4\)"),
+        (np.full(7, np.nan), mp.errors.InvalidInputError, "start"),
+        (True, mp.errors.InvalidInputError, "start"),
     ],
 )
 def test_wrong_starts_are_refused_before_the_work(panda, line, start, error, message):
@@ -273,7 +273,7 @@ def test_wrong_starts_are_refused_before_the_work(panda, line, start, error, mes
 
 def test_a_start_in_collision_names_the_bodies(panda, line):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=panda.kinematics().pose(panda.neutral)[:3, 3], name="ball")])
-    with pytest.raises(mp.InvalidInputError, match=r"start: .* and ball overlap by"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"start: .* and ball overlap by"):
         mp.follow(panda, line, scene, start=panda.neutral, positions=3, **FEW)
 
 

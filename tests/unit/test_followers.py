@@ -150,7 +150,7 @@ def test_limits_that_leave_no_room(arms, tmp_path, old, new, message):
     file, _, _ = arms("double")
     changed = tmp_path / "changed.urdf"
     changed.write_text(file.read_text().replace(old, new))
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Robot.from_urdf(changed)
 
 
@@ -224,7 +224,9 @@ def test_frames_of_a_task_may_move_with_followers(arms):
 
 @pytest.mark.parametrize("source", ["bridge", "auto"])
 def test_pinocchios_own_symbols_are_refused(arms, source):
-    with pytest.raises(mp.InvalidInputError, match="without joints that follow others, unlike j5b: backend='chain' has them"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="without joints that follow others, unlike j5b: backend='chain' has them"
+    ):
         mp.pinocchio_casadi(arms("double")[1], source=source)
 
 
@@ -515,7 +517,7 @@ def test_a_pose_out_of_reach(arms):
     far[2, 3] = 5.0
     told = beyond_links(robot, robot.tool, mp.PoseGoal(far))
     assert told.startswith("out of reach: 4.79 m from stage2, and the links up to the tool are")
-    with pytest.raises(mp.InvalidInputError, match="out of reach.*with stage2 at a limit"):
+    with pytest.raises(mp.errors.InvalidInputError, match="out of reach.*with stage2 at a limit"):
         mp.plan(robot, robot.neutral, far)
 
 
@@ -554,7 +556,9 @@ def test_full_turns(tmp_path, ratio, kind, back):
     endless = robot.with_limits(lower=-np.inf, upper=np.inf)
     assert endless.continuous_joints.tolist() == [back, True]
     if not back:
-        with pytest.raises(mp.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"):
+        with pytest.raises(
+            mp.errors.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"
+        ):
             mp.inverse_kinematics(endless, whole.pose(q[0], "tip"))
 
 
@@ -592,7 +596,7 @@ def test_any_tree(tmp_path_factory, tree, data):
     file.write_text(text)
     try:
         robot = mp.Robot.from_urdf(file, tool=tool, lower=-1.0, upper=1.0, velocity=1.0)
-    except mp.InvalidInputError as error:
+    except mp.errors.InvalidInputError as error:
         assert f"tool: got {tool!r}; allowed: a frame that a joint moves" in str(error)
         return
     whole = Whole.of(file, robot)
@@ -614,11 +618,11 @@ def test_any_tree(tmp_path_factory, tree, data):
 
 
 UP = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-DIRECTED = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
+DIRECTED = {"velocity_transmission": mp.measures.VelocityTransmission, "force_transmission": mp.measures.ForceTransmission}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", mp.available_measures())
+@pytest.mark.parametrize("name", mp.measures.available_measures())
 def test_every_measure_has_its_gradient(arms, name):
     _, robot, _ = arms("double")
     measure = DIRECTED[name](direction=UP) if name in DIRECTED else name

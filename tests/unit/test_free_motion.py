@@ -176,7 +176,7 @@ def test_nothing_is_free_of_a_pose():
     ],
 )
 def test_a_task_that_fixes_no_set_of_poses_is_refused(task):
-    with pytest.raises(mp.InvalidInputError, match="task: "):
+    with pytest.raises(mp.errors.InvalidInputError, match="task: "):
         FreeMotion.of(task)
 
 

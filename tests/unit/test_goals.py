@@ -83,16 +83,16 @@ def test_states_are_goals_and_starts(panda):
     plan = mp.plan(panda, GOAL, "default", POST)
     np.testing.assert_allclose(plan.trajectory.q[-1], panda.states["default"], atol=1e-9)
     assert mp.plan(panda, "default", [GOAL, "default"], POST).goal_index == 1
-    with pytest.raises(mp.UnknownNameError, match=r"goal: got 'defalt'; allowed: did you mean default\?"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"goal: got 'defalt'; allowed: did you mean default\?"):
         mp.plan(panda, GOAL, "defalt")
-    with pytest.raises(mp.UnknownNameError, match=r"goal\[1\]: got 'redy'"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"goal\[1\]: got 'redy'"):
         mp.plan(panda, "default", [GOAL, "redy"])
-    with pytest.raises(mp.UnknownNameError, match="start: got 'redy'"):
+    with pytest.raises(mp.errors.UnknownNameError, match="start: got 'redy'"):
         mp.plan(panda, "redy", GOAL)
 
 
 def test_states_of_an_arm_without_any(planar):
-    with pytest.raises(mp.UnknownNameError, match="goal: got 'home'.*no named states"):
+    with pytest.raises(mp.errors.UnknownNameError, match="goal: got 'home'.*no named states"):
         mp.plan(planar, [0, 1.5, -2], "home")
 
 
@@ -146,7 +146,7 @@ def test_a_planar_arm_reaches_position_and_angle(planar):
     free = mp.plan(planar, [0, 1.5, -2], mp.PoseGoal(goal, free_axis=[0, 0, 1]))
     np.testing.assert_allclose(tool_of(planar, free.trajectory.q[-1])[:3, 3], goal[:3, 3], atol=1e-6)
     assert free.report.min_manipulability >= plan.report.min_manipulability * (1 - 1e-6)
-    with pytest.raises(mp.InvalidInputError, match=r"goal\.free_axis.*planar arm"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"goal\.free_axis.*planar arm"):
         mp.plan(planar, [0, 1.5, -2], mp.PoseGoal(goal, free_axis=[1, 0, 0]))
 
 
@@ -215,7 +215,7 @@ def test_redundancy_is_refined_between_the_samples(panda):
 def rows(*bounds):
     """Candidates of bounds far apart from one another."""
     return ordered([
-        mp.GoalCandidate(
+        mp.results.GoalCandidate(
             goal_index=k, q=np.full(3, float(k)), manipulability=b, bound=b, straight_g=1.0, straight_length=float(k)
         )
         for k, b in enumerate(bounds)
@@ -254,10 +254,10 @@ def test_others_are_planned_where_they_can_be_better(planar):
 
 
 def test_a_candidate_without_a_path_is_left_out(planar):
-    choice, tried = chosen(rows(0.1, 0.3), {1: mp.NoPath(message="no path was found"), 0: made(planar, 0.1)})
+    choice, tried = chosen(rows(0.1, 0.3), {1: mp.results.NoPath(message="no path was found"), 0: made(planar, 0.1)})
     assert tried == [1, 0] and choice.goal_index == 0
     assert [each.status for each in choice.candidates if each.goal_index == 1] == ["left out: no path: no path was found"]
-    nothing, _ = chosen(rows(0.1, 0.3), {0: mp.NoPath(message="walls"), 1: mp.NoPath(message="more walls")})
+    nothing, _ = chosen(rows(0.1, 0.3), {0: mp.results.NoPath(message="walls"), 1: mp.results.NoPath(message="more walls")})
     assert nothing.result is None and "2 candidates tried; the first: more walls" in nothing.failure
 
 
@@ -291,7 +291,7 @@ def test_of_equal_minima_the_smaller_g_is_taken(planar):
 
 @pytest.mark.slow
 def test_what_is_out_of_reach_is_told(panda, pose):
-    with pytest.raises(mp.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* mm and .* away"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"goal: .*out of reach: .* leaves the tool .* mm and .* away"):
         mp.plan(panda, panda.neutral, moved(pose, by=[2.0, 0.0, 0.0]), POST)
     plan = mp.plan(panda, panda.neutral, [moved(pose, by=[2.0, 0.0, 0.0]), pose], POST)
     assert plan.goal_index == 1
@@ -317,15 +317,15 @@ def test_joints_that_stop_a_pose_are_named(planar):
     goal = tool_of(planar, [0.4, 0.4, 0.9])
     found = nearest(arm, [PoseGoal(goal)], arm.neutral, np.zeros(arm.n, dtype=bool))[0]
     assert "joint3" in found.stopped and "joint3" in str(found)
-    with pytest.raises(mp.InvalidInputError, match="with .*joint3.* at a limit"):
+    with pytest.raises(mp.errors.InvalidInputError, match="with .*joint3.* at a limit"):
         mp.plan(arm, [0.0, 0.1, 0.2], goal)
 
 
 def test_colliding_candidates_are_counted(panda):
-    with pytest.raises(mp.InvalidInputError, match=r"of \d+ configurations, \d+ x panda_link\d_0 collides with post"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"of \d+ configurations, \d+ x panda_link\d_0 collides with post"):
         mp.plan(panda, panda.neutral, tool_of(panda, THROUGH), POST)
     with pytest.raises(
-        mp.InvalidInputError, match=r"1 x panda_joint1 is 6\.1 rad outside its limits; 1 x .* collides with post"
+        mp.errors.InvalidInputError, match=r"1 x panda_joint1 is 6\.1 rad outside its limits; 1 x .* collides with post"
     ):
         mp.plan(panda, panda.neutral, [THROUGH, [9.0, 0, 0, -2, 0, 2, 0]], POST)
 
@@ -395,7 +395,7 @@ NOT_RIGID = np.diag([2.0, 1.0, 1.0, 1.0])
 )
 @pytest.mark.parametrize("throw", [True, False])
 def test_wrong_goals_raise_at_once(panda, goal, message, throw):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan(panda, panda.neutral, goal, POST, throw=throw)
 
 
@@ -412,7 +412,7 @@ def test_wrong_goals_raise_at_once(panda, goal, message, throw):
     ],
 )
 def test_wrong_pose_goals(options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.PoseGoal(**{"pose": np.eye(4), **options})
 
 
@@ -425,20 +425,20 @@ def test_four_joints_and_four_rows_are_a_pose_only_if_rigid():
 
 def test_a_first_path_needs_one_configuration(panda, pose):
     seeding = mp.Seeding(initial=mp.JointPath.line(panda.neutral, GOAL))
-    with pytest.raises(mp.InvalidInputError, match="seeding.initial"):
+    with pytest.raises(mp.errors.InvalidInputError, match="seeding.initial"):
         mp.plan(panda, panda.neutral, pose, seeding=seeding)
 
 
 def test_a_wrong_start_raises_before_goals_are_solved(panda, pose):
-    with pytest.raises(mp.InvalidInputError, match="start: .*overlap"):
+    with pytest.raises(mp.errors.InvalidInputError, match="start: .*overlap"):
         mp.plan(panda, THROUGH, pose, POST)
-    with pytest.raises(mp.InvalidInputError, match=r"start\[0\] \(panda_joint1\): got 9"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"start\[0\] \(panda_joint1\): got 9"):
         mp.plan(panda, [9.0, 0, 0, -2, 0, 2, 0], pose, POST)
 
 
 def test_an_end_beside_the_pose_fails_the_check(panda, pose, monkeypatch):
     monkeypatch.setattr(PoseGoal, "missed_by", lambda *_: "the tool ends 3 mm and 0° from the pose of the goal")
-    with pytest.raises(mp.PlanningError, match="the tool ends 3 mm"):
+    with pytest.raises(mp.errors.PlanningError, match="the tool ends 3 mm"):
         mp.plan(panda, panda.neutral, pose, POST)
     plan = mp.plan(panda, panda.neutral, pose, POST, throw=False)
     assert plan.status is mp.Status.CHECK_FAILED and not plan.report.passed
@@ -465,7 +465,7 @@ def test_many_problems_take_all_forms(panda, pose, plan_to_pose):
     np.testing.assert_array_equal(plans[0].trajectory.q, plan_to_pose.trajectory.q)
     assert plans[1].goal_index == 1
     assert plans[2].status is mp.Status.NOT_VALID and "collides with post" in plans[2].message
-    with pytest.raises(mp.InvalidInputError, match=r"problems\[0\]\.goal\[1\]"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"problems\[0\]\.goal\[1\]"):
         mp.plan_many([mp.Problem(robot=panda, start=GOAL, goal=[pose, [1.0]])])
 
 
@@ -489,7 +489,7 @@ def test_the_numbers_of_a_pose():
     by_quaternion = pose_of_numbers("goal_pose", [0.1, 0.2, 0.3, *Rotation.from_matrix(by_angles[:3, :3]).as_quat()])
     np.testing.assert_allclose(by_angles, by_quaternion, atol=1e-12)
     np.testing.assert_allclose(by_angles[:3, 3], [0.1, 0.2, 0.3])
-    with pytest.raises(mp.InvalidInputError, match="6 or 7 numbers, not 5"):
+    with pytest.raises(mp.errors.InvalidInputError, match="6 or 7 numbers, not 5"):
         pose_of_numbers("goal_pose", [0.0] * 5)
 
 
@@ -536,7 +536,7 @@ def test_goals_of_a_file(panda, tmp_path):
 )
 def test_wrong_files_of_goals(panda, tmp_path, text, message):
     (tmp_path / "grasps.yaml").write_text(text)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         goals_from_yaml(tmp_path / "grasps.yaml", panda)
 
 
@@ -557,6 +557,6 @@ def test_a_plan_to_a_pose_from_the_shell(tmp_path, capsys):
 def test_a_goal_by_joints_says_what_a_mapping_is(ur5):
     goal = dict(zip(ur5.joint_names, ur5.neutral, strict=True))
     with pytest.raises(
-        mp.InvalidInputError, match=r"poses by tool \(tool0\); a configuration is one value per joint, shape \(6,\)"
+        mp.errors.InvalidInputError, match=r"poses by tool \(tool0\); a configuration is one value per joint, shape \(6,\)"
     ):
         mp.plan(ur5, ur5.neutral, goal)

@@ -64,7 +64,7 @@ def test_it_gives_up_after_so_many_branches():
     assert result.branches == 100_000
     assert result.q.shape == (0, 1)
     assert (len(result.indices), result.minimum) == (0, -np.inf)
-    with pytest.raises(mp.PlanningError, match="max_min_search") as caught:
+    with pytest.raises(mp.errors.PlanningError, match="max_min_search") as caught:
         guilamo_search(each, 0.15, most_branches=0)
     assert caught.value.result.branches == 0
     assert guilamo_search(each, 0.15, memoised=True).status.ok
@@ -75,7 +75,7 @@ def test_every_candidate_up_to_the_bound_is_a_start_where_nothing_connects():
     result = guilamo_search(each, 0.5, throw=False)
     assert result.status is Status.NOT_CONNECTED
     assert (result.new_starts, result.branches) == (3, 0)
-    with pytest.raises(mp.PlanningError, match="take a larger epsilon"):
+    with pytest.raises(mp.errors.PlanningError, match="take a larger epsilon"):
         guilamo_search(each, 0.5)
 
 
@@ -100,10 +100,10 @@ def test_a_joint_that_turns_without_end():
     ],
 )
 def test_bad_arguments_are_told(arguments, words):
-    with pytest.raises(mp.InvalidInputError, match=words):
+    with pytest.raises(mp.errors.InvalidInputError, match=words):
         guilamo_search(dead_end(1, 1), **arguments)
 
 
 def test_closed_layers_are_refused():
-    with pytest.raises(mp.InvalidInputError, match="cycles"):
+    with pytest.raises(mp.errors.InvalidInputError, match="cycles"):
         guilamo_search(layers([(0.0, 1.0)], [(0.0, 1.0)], closed=True), 1.0)

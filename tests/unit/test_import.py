@@ -1,7 +1,42 @@
-"""The library is light to import."""
+"""The library is light to import, and each public name has one place."""
 
+import inspect
 import subprocess
 import sys
+from collections import Counter
+
+import pytest
+
+import manipplan as mp
+
+SPACES = ("errors", "formulations", "measures", "planar", "results", "viz")
+
+
+def test_the_top_holds_what_a_script_writes():
+    assert {name for name in mp.__all__ if inspect.ismodule(getattr(mp, name))} == set(SPACES)
+    assert len(mp.__all__) - len(SPACES) <= 66
+    assert dir(mp) == sorted([*mp.__all__, "__version__"])
+
+
+def test_a_public_name_is_in_one_namespace():
+    names = Counter(name for space in (mp, *(getattr(mp, each) for each in SPACES)) for name in space.__all__)
+    assert [name for name, count in names.items() if count > 1] == []
+
+
+def test_a_name_that_is_in_a_namespace_is_found_by_the_message():
+    with pytest.raises(AttributeError, match="manipplan has no Yoshikawa; it is manipplan.measures.Yoshikawa"):
+        mp.Yoshikawa  # noqa: B018
+    assert not hasattr(mp, "nonsense")
+
+
+def test_pictures_and_the_planar_arm_are_imported_when_used():
+    code = (
+        "import sys, manipplan as mp\n"
+        "assert not {'manipplan.planar', 'manipplan.viz'} & set(sys.modules)\n"
+        "print(mp.planar.PlanarArm.__name__, mp.viz.plan_figure.__name__)"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert out.split() == ["PlanarArm", "plan_figure"]
 
 
 def test_import_brings_no_heavy_or_optional_package():
@@ -15,7 +50,7 @@ def test_missing_descriptions_name_the_install_line():
         "import sys; sys.modules['example_robot_data'] = None\n"
         "import manipplan as mp\n"
         "try: mp.load_robot('panda')\n"
-        "except mp.MissingExtraError as error: print(error)"
+        "except mp.errors.MissingExtraError as error: print(error)"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert "pip install 'manipplan[robots]'" in out

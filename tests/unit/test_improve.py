@@ -92,7 +92,7 @@ def test_the_comparison_is_printed_and_saved(plan, tmp_path):
     assert "recorded  improved" in text and "peak jerk [rad/s³]" in text and "allowed: 20 mm and 11.5°" in text
     plan.save(tmp_path)
     assert mp.Plan.load(tmp_path).comparison == plan.comparison
-    assert mp.Report.from_json(tmp_path / "report.json").comparison == plan.comparison
+    assert mp.results.Report.from_json(tmp_path / "report.json").comparison == plan.comparison
     assert (tmp_path / "report.txt").read_text() == f"{text}\n"
 
 
@@ -104,19 +104,23 @@ def test_another_duration_is_kept(panda, recording):
 
 @pytest.mark.slow
 def test_a_duration_that_is_too_short_is_refused_with_the_shortest_one(panda, recording):
-    with pytest.raises(mp.InvalidInputError, match=r"duration: got 0\.4; allowed: at least .* s, the shortest found") as caught:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"duration: got 0\.4; allowed: at least .* s, the shortest found"
+    ) as caught:
         mp.improve(panda, recording, duration=0.4, throw=False)
     shortest = float(re.search(r"at least ([\d.]+) s", str(caught.value)).group(1))
     plan = mp.improve(panda, recording, duration=shortest)
     assert plan.report.passed and max(plan.report.limits[kind].ratio for kind in ("velocity", "acceleration")) > 0.99
-    with pytest.raises(mp.InvalidInputError, match="at least"):
+    with pytest.raises(mp.errors.InvalidInputError, match="at least"):
         mp.improve(panda, recording, duration=0.97 * shortest)
 
 
 @pytest.mark.slow
 def test_a_recording_of_a_faster_arm_is_refused_with_the_duration_it_needs(panda, recording):
     slow = panda.with_limits(velocity=0.2)
-    with pytest.raises(mp.InvalidInputError, match=r"recorded: got 'a motion of 3\.99.*; allowed: duration=[\d.]+ or") as told:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"recorded: got 'a motion of 3\.99.*; allowed: duration=[\d.]+ or"
+    ) as told:
         mp.improve(slow, recording)
     assert mp.improve(slow, recording, duration=float(re.search(r"duration=([\d.]+)", str(told.value))[1])).report.passed
 
@@ -157,7 +161,7 @@ def test_obstacles_are_avoided(panda, recording, plan):
 def test_a_recording_that_ends_in_an_obstacle_is_refused(panda, recording):
     end = panda.kinematics().pose(recording.q[-1])[:3, 3]
     scene = mp.Scene([mp.Sphere(radius=0.1, position=end, name="ball")])
-    with pytest.raises(mp.InvalidInputError, match=r"recorded goal: .*ball overlap"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"recorded goal: .*ball overlap"):
         mp.improve(panda, recording, scene)
 
 
@@ -166,7 +170,7 @@ def test_a_recording_through_an_obstacle_fails(panda, recording):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=middle, name="ball")])
     plan = mp.improve(panda, recording, scene, throw=False)
     assert plan.status is mp.Status.NOT_FOLLOWED and plan.trajectory is None and not plan.status.has_path
-    with pytest.raises(mp.PlanningError, match="clear of collisions"):
+    with pytest.raises(mp.errors.PlanningError, match="clear of collisions"):
         mp.improve(panda, recording, scene)
 
 
@@ -182,10 +186,10 @@ def test_degrees_are_recognised_with_row_and_value(panda, recording, tmp_path):
     file = tmp_path / "log.csv"
     file.write_text("\n".join(log(recording, unit=180 / np.pi)))
     wanted = r"log\.csv, row 2, panda_joint2: got -17\.\d+; .* -1\.7628 to 1\.7628 rad; .* degrees=True"
-    with pytest.raises(mp.InvalidInputError, match=wanted):
+    with pytest.raises(mp.errors.InvalidInputError, match=wanted):
         mp.improve(panda, file)
     turned = replace(recording, q=np.rad2deg(recording.q))
-    with pytest.raises(mp.InvalidInputError, match=r"recorded\.q\[0, 1\] \(panda_joint2\): got -17\."):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"recorded\.q\[0, 1\] \(panda_joint2\): got -17\."):
         mp.improve(panda, turned)
 
 
@@ -220,33 +224,33 @@ def test_what_is_wrong_in_a_log_is_named(panda, recording, tmp_path, line, text,
     }.get(text, ",".join([cells[0], first.get(text, ""), *cells[2:]]))
     file = tmp_path / "log.csv"
     file.write_text("\n".join(lines))
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.improve(panda, file)
 
 
 def test_wrong_arguments_are_refused(panda, recording):
-    with pytest.raises(mp.InvalidInputError, match="recorded: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match="recorded: got"):
         mp.improve(panda, np.zeros((3, 7)))
-    with pytest.raises(mp.InvalidInputError, match=r"trajectory\.joint_names"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"trajectory\.joint_names"):
         mp.improve(mp.load_robot("xarm7"), recording)
-    with pytest.raises(mp.FileFormatError, match="existing file"):
+    with pytest.raises(mp.errors.FileFormatError, match="existing file"):
         mp.improve(panda, "nowhere.csv")
-    with pytest.raises(mp.InvalidInputError, match="objective: got 'yoshikawa'; allowed: a PathObjective"):
+    with pytest.raises(mp.errors.InvalidInputError, match="objective: got 'yoshikawa'; allowed: a PathObjective"):
         mp.improve(panda, recording, objective="yoshikawa")
-    with pytest.raises(mp.InvalidInputError, match="tolerance: got None; allowed: a Tolerance"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tolerance: got None; allowed: a Tolerance"):
         mp.improve(panda, recording, tolerance=None)
-    with pytest.raises(mp.InvalidInputError, match="duration: got 0"):
+    with pytest.raises(mp.errors.InvalidInputError, match="duration: got 0"):
         mp.improve(panda, recording, duration=0.0)
-    with pytest.raises(mp.InvalidInputError, match="a motion in which no joint moves"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a motion in which no joint moves"):
         mp.improve(panda, replace(recording, q=np.tile(recording.q[0], (len(recording.t), 1)), qd=0 * recording.qd))
-    with pytest.raises(mp.InvalidInputError, match="degrees: got True; allowed: False with a JointPath"):
+    with pytest.raises(mp.errors.InvalidInputError, match="degrees: got True; allowed: False with a JointPath"):
         mp.improve(panda, recording.path(), degrees=True)
 
 
 @pytest.mark.slow
 def test_a_tolerance_below_the_noise_is_refused_with_the_smallest_one(panda, recording):
     with pytest.raises(
-        mp.InvalidInputError, match=r"tolerance\.position: got 1e-05; allowed: at least .* m: .* row \d+"
+        mp.errors.InvalidInputError, match=r"tolerance\.position: got 1e-05; allowed: at least .* m: .* row \d+"
     ) as caught:
         mp.improve(panda, recording, tolerance=mp.Tolerance(position=1e-5, rotation=0.2))
     least = float(re.search(r"at least ([\d.e-]+) m", str(caught.value)).group(1))
@@ -297,7 +301,7 @@ def figures(**changes):
     ],
 )
 def test_what_counts_as_better(changes, better, worse):
-    nothing = mp.Deviation(position=0.0, position_at=0.0, rotation=0.0, rotation_at=0.0)
+    nothing = mp.results.Deviation(position=0.0, position_at=0.0, rotation=0.0, rotation_at=0.0)
     found = Comparison(
         recorded=figures(),
         improved=figures(**changes),

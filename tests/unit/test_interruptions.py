@@ -50,7 +50,7 @@ def test_the_message_tells_how_many_interruptions_are_needed(panda, circle):
     found = mp.follow(panda, circle, positions=60, throw=False)
     assert found.status is mp.Status.NOT_CONNECTED and found.trajectory is None
     assert "with 1 interruption there is a motion: interruptions=1 allows it" in found.message
-    with pytest.raises(mp.PlanningError, match="1 interruption"):
+    with pytest.raises(mp.errors.PlanningError, match="1 interruption"):
         mp.follow(panda, circle, positions=60)
 
 
@@ -124,7 +124,7 @@ def test_check_judges_the_parts(panda, circle, table, plan, tmp_path):
     ],
 )
 def test_parts_that_do_not_fit_are_refused(panda, circle, plan, change, match):
-    with pytest.raises(mp.InvalidInputError, match=match):
+    with pytest.raises(mp.errors.InvalidInputError, match=match):
         mp.check(panda, plan.trajectory, path=circle, path_parts=change(list(plan.report.along)))
 
 
@@ -133,15 +133,15 @@ def test_parts_beyond_the_end_need_a_closed_path(panda, plan):
     away[0, 3] = 0.1
     line = mp.CartesianPath.line(np.eye(4), away)
     parts = [PathPart(begin=0.0, end=plan.trajectory.duration, s_begin=0.5, s_end=1.5)]
-    with pytest.raises(mp.InvalidInputError, match="from 0 to 1, as the path's last pose is not its first"):
+    with pytest.raises(mp.errors.InvalidInputError, match="from 0 to 1, as the path's last pose is not its first"):
         mp.check(panda, plan.trajectory, path=line, path_parts=parts)
 
 
 def test_parts_need_a_path_and_no_other_begin(panda, circle, plan):
     along = plan.report.along
-    with pytest.raises(mp.InvalidInputError, match="path_parts"):
+    with pytest.raises(mp.errors.InvalidInputError, match="path_parts"):
         mp.check(panda, plan.trajectory, path_parts=along)
-    with pytest.raises(mp.InvalidInputError, match="path_begin"):
+    with pytest.raises(mp.errors.InvalidInputError, match="path_begin"):
         mp.check(panda, plan.trajectory, path=circle, path_parts=along, path_begin=0.5)
 
 
@@ -192,7 +192,7 @@ def test_the_tool_leaves_the_path_where_the_retreat_is_free(panda, circle):
     ],
 )
 def test_bad_input_is_named(panda, circle, options):
-    with pytest.raises(mp.InvalidInputError, match=next(iter(options))):
+    with pytest.raises(mp.errors.InvalidInputError, match=next(iter(options))):
         mp.follow(panda, circle, **options)
 
 
@@ -219,7 +219,7 @@ def test_a_closed_path_with_a_free_axis_that_no_motion_follows_is_told_within_se
 def test_the_retreat_of_a_planar_arm_stays_in_its_plane():
     arm = mp.planar_arm([0.4, 0.4, 0.3])
     line = mp.CartesianPath.through(arm.kinematics(mp.Task.pose()).pose(np.array([[0.3, 0.8, 0.5], [0.4, 0.9, 0.5]])))
-    with pytest.raises(mp.InvalidInputError, match="retreat.*plane"):
+    with pytest.raises(mp.errors.InvalidInputError, match="retreat.*plane"):
         mp.follow(arm, line, positions=5, samples=20, interruptions=1)
 
 
@@ -257,9 +257,9 @@ def test_parts_of_a_path(circle):
     part = spline.part(spline.knots[1], spline.knots[4])
     np.testing.assert_allclose(part(part.knots), poses[1:5], atol=1e-12)
     for begin, end in ((-0.1, 0.5), (0.5, 0.5), (0.5, 1.6)):
-        with pytest.raises(mp.InvalidInputError):
+        with pytest.raises(mp.errors.InvalidInputError):
             circle.part(begin, end)
-    with pytest.raises(mp.InvalidInputError, match="end.*last pose is not its first"):
+    with pytest.raises(mp.errors.InvalidInputError, match="end.*last pose is not its first"):
         spline.part(0.5, 1.2)
 
 

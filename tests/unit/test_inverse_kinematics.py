@@ -238,7 +238,7 @@ def test_tiago_holds_its_prismatic_joint_and_another(arm, rng):
 @pytest.mark.parametrize("name", ["simple_humanoid_right_arm", "icub"])
 def test_the_elbow_of_a_spherical_arm_cannot_be_held(arm, name):
     robot = arm(name)
-    with pytest.raises(mp.InvalidInputError, match="held.*still move"):
+    with pytest.raises(mp.errors.InvalidInputError, match="held.*still move"):
         mp.inverse_kinematics(robot, pose_of(robot, robot.neutral), held=[robot.joint_names[3]])
 
 
@@ -473,9 +473,9 @@ def turned_wrong(kind):
 
 @pytest.mark.parametrize("kind", ["nan", "infinite", "scaled", "mirrored", "row"])
 def test_matrices_that_are_no_pose(panda, kind):
-    with pytest.raises(mp.InvalidInputError, match=r"^pose: got .*allowed: (finite|a rotation)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^pose: got .*allowed: (finite|a rotation)"):
         mp.inverse_kinematics(panda, turned_wrong(kind), [0.0])
-    with pytest.raises(mp.InvalidInputError, match=r"^pose\[1\]: got .*allowed: (finite|a rotation)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^pose\[1\]: got .*allowed: (finite|a rotation)"):
         mp.inverse_kinematics(panda, np.array([turned_wrong("none"), turned_wrong(kind)]), [0.0])
 
 
@@ -508,7 +508,7 @@ def test_matrices_that_are_no_pose(panda, kind):
     ],
 )
 def test_wrong_arguments(panda, options, told):
-    with pytest.raises(mp.InvalidInputError, match=told):
+    with pytest.raises(mp.errors.InvalidInputError, match=told):
         mp.inverse_kinematics(panda, pose_of(panda, panda.neutral), **options)
 
 
@@ -516,12 +516,12 @@ def test_wrong_arguments(panda, options, told):
     "pose", [np.eye(3), np.zeros((0,)), "pose", None, [1.0, 2.0], np.zeros((2, 3, 4)), [np.eye(4), np.eye(3)]]
 )
 def test_what_is_no_pose_at_all(ur5, pose):
-    with pytest.raises(mp.InvalidInputError, match=r"^pose.*allowed: "):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^pose.*allowed: "):
         mp.inverse_kinematics(ur5, pose)
 
 
 def test_a_robot_is_asked_for():
-    with pytest.raises(mp.InvalidInputError, match=r"^robot: .*allowed: a Robot"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^robot: .*allowed: a Robot"):
         mp.inverse_kinematics("panda", np.eye(4))
 
 
@@ -560,7 +560,7 @@ def test_a_limit_on_one_side_only_is_refused(lower, upper):
     limits["lower"][6], limits["upper"][6] = lower, upper
     half = robot.with_limits(**limits)
     assert not half.continuous_joints.any()
-    with pytest.raises(mp.InvalidInputError, match="limits of panda_joint7: .*both sides"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits of panda_joint7: .*both sides"):
         mp.inverse_kinematics(half, np.eye(4))
 
 
@@ -569,7 +569,7 @@ def test_a_slider_without_limits_is_refused():
     assert robot.joint_types[0] == "prismatic"
     limits = {side: getattr(robot.limits, side).copy() for side in ("lower", "upper")}
     limits["lower"][0], limits["upper"][0] = -np.inf, np.inf
-    with pytest.raises(mp.InvalidInputError, match=f"limits of {robot.joint_names[0]}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"limits of {robot.joint_names[0]}"):
         mp.inverse_kinematics(robot.with_limits(**limits), np.eye(4))
 
 

@@ -107,7 +107,7 @@ def test_singular_posture_gives_zero_not_nan(planar):
 def test_fewer_joints_than_rows_is_identically_zero(quantity):
     robot = mp.load_robot("so100")
     kinematics = robot.kinematics(mp.Task.pose())
-    with pytest.raises(mp.InvalidInputError, match="yoshikawa.*6 rows and 5 joints it is identically zero"):
+    with pytest.raises(mp.errors.InvalidInputError, match="yoshikawa.*6 rows and 5 joints it is identically zero"):
         getattr(kinematics, quantity)(robot.neutral)
     assert kinematics.jacobian(robot.neutral).shape == (6, 5)
 
@@ -126,34 +126,34 @@ def test_shapes_of_batches(panda, rng):
 
 @pytest.mark.parametrize("q", [np.zeros(6), [0.0] * 6 + [np.nan], [0.0] * 6 + [np.inf], "zeros", [None] * 7, 3.0])
 def test_wrong_configurations(panda, q):
-    with pytest.raises(mp.InvalidInputError, match="q: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match="q: got"):
         panda.kinematics().manipulability(q)
 
 
 def test_wrong_tasks(panda):
-    with pytest.raises(mp.InvalidInputError, match="length"):
+    with pytest.raises(mp.errors.InvalidInputError, match="length"):
         mp.Task.pose(length=0.0)
-    with pytest.raises(mp.InvalidInputError, match="axis"):
+    with pytest.raises(mp.errors.InvalidInputError, match="axis"):
         mp.Task.pointing((0, 0, 0))
-    with pytest.raises(mp.InvalidInputError, match="task"):
+    with pytest.raises(mp.errors.InvalidInputError, match="task"):
         panda.kinematics("pose")
-    with pytest.raises(mp.UnknownNameError, match="chain"):
+    with pytest.raises(mp.errors.UnknownNameError, match="chain"):
         panda.kinematics(backend="chian")
-    with pytest.raises(mp.UnknownNameError, match="world"):
+    with pytest.raises(mp.errors.UnknownNameError, match="world"):
         mp.Task.direction((1, 0, 0), frame="wrld")
-    with pytest.raises(mp.InvalidInputError, match="rows.*linearly independent"):
+    with pytest.raises(mp.errors.InvalidInputError, match="rows.*linearly independent"):
         mp.Task.custom([[1, 0, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0]])
-    with pytest.raises(mp.InvalidInputError, match="compiled"):
+    with pytest.raises(mp.errors.InvalidInputError, match="compiled"):
         panda.kinematics(compiled="always")
-    with pytest.raises(mp.InvalidInputError, match="threads"):
+    with pytest.raises(mp.errors.InvalidInputError, match="threads"):
         panda.kinematics(threads=0)
-    with pytest.raises(mp.UnknownNameError, match="gradient"):
+    with pytest.raises(mp.errors.UnknownNameError, match="gradient"):
         panda.kinematics().evaluator("gradiant")
 
 
 def test_ellipsoid_holds_the_singular_values(panda):
     jacobian = panda.kinematics(mp.Task.position()).jacobian(GOLDEN)
-    ellipsoid = mp.velocity_ellipsoid(jacobian)
+    ellipsoid = mp.measures.velocity_ellipsoid(jacobian)
     np.testing.assert_allclose(
         ellipsoid.axes @ np.diag(ellipsoid.radii**2) @ ellipsoid.axes.T, jacobian @ jacobian.T, atol=1e-12
     )
@@ -243,7 +243,7 @@ def test_derivatives_are_finite_on_a_singularity(compiled):
 def test_a_larger_regularisation_smooths_the_kink(planar):
     """With ρ the curvature across a singularity is that of sqrt(q² + ρ²): proportional to 1/ρ."""
     bends = [
-        np.abs(planar.kinematics(measure=mp.Yoshikawa(regularisation=rho)).hessian([0.4, 0.0, 0.0])).max()
+        np.abs(planar.kinematics(measure=mp.measures.Yoshikawa(regularisation=rho)).hessian([0.4, 0.0, 0.0])).max()
         for rho in (1e-3, 1e-2)
     ]
     assert bends[0] == pytest.approx(10 * bends[1], rel=1e-3)
@@ -261,7 +261,7 @@ def test_evaluator_gives_the_same_as_the_methods(panda, compiled, rng):
     assert evaluate(q)[1] is evaluate(np.zeros(7))[1]  # a view that the next call overwrites
     assert kinematics.jacobian(q) is not kinematics.jacobian(q)
     for wrong in (np.zeros(6), np.zeros((1, 7)), np.full(7, np.nan), np.r_[np.zeros(6), np.inf], "zeros", 1.0, None):
-        with pytest.raises(mp.InvalidInputError, match="q: got"):
+        with pytest.raises(mp.errors.InvalidInputError, match="q: got"):
             evaluate(wrong)
 
 

@@ -49,7 +49,7 @@ def test_what_is_within_the_tolerance_is_taken_to_the_limit(joint, above, off, t
 @given(joint=st.integers(0, 2), above=st.booleans(), off=st.floats(1.01e-6, 50.0))
 def test_a_message_prints_a_value_outside_the_bounds_and_by_how_much(joint, above, off):
     q = beyond(ARM, joint, above, off, MIDDLE)
-    with pytest.raises(mp.InvalidInputError) as refused:
+    with pytest.raises(mp.errors.InvalidInputError) as refused:
         ARM.configuration("q", q)
     text = str(refused.value)
     parts = re.search(r"got (\S+); allowed: (\S+) to (\S+) rad; it is (\S+) rad (above|below)", text)
@@ -73,7 +73,7 @@ def test_no_hint_where_it_cannot_be_the_cause():
     for off, hint in ((1e-5, None), (1e-3, None), (0.3, None), (90 - TURN, "90 degrees are 1.571 rad")):
         q = UR5.neutral.copy()
         q[5] = TURN + off
-        with pytest.raises(mp.InvalidInputError) as refused:
+        with pytest.raises(mp.errors.InvalidInputError) as refused:
             mp.plan(UR5, q, UR5.neutral)
         assert ("degrees" in str(refused.value)) == (hint is not None) and (hint or "") in str(refused.value)
     remedy = re.search(r"limit_tolerance=(\S+?)\)", _message(UR5, TURN + 1.234e-3))
@@ -83,7 +83,7 @@ def test_no_hint_where_it_cannot_be_the_cause():
 
 
 def _message(robot, last):
-    with pytest.raises(mp.InvalidInputError) as refused:
+    with pytest.raises(mp.errors.InvalidInputError) as refused:
         robot.configuration("q", [*robot.neutral[:-1], last])
     return str(refused.value)
 
@@ -100,14 +100,14 @@ def test_a_slide_far_outside_may_be_in_millimetres(tmp_path):
 
 @pytest.mark.parametrize("tolerance", [-1e-9, 0.11, np.nan, np.inf, "1e-6", True])
 def test_a_tolerance_is_a_small_number(tolerance):
-    with pytest.raises(mp.InvalidInputError, match="limit_tolerance"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limit_tolerance"):
         ARM.with_limits(limit_tolerance=tolerance)
 
 
 def test_a_tolerance_of_zero_refuses_the_smallest_excess():
     strict = ARM.with_limits(limit_tolerance=0.0)
     assert strict.configuration("q", strict.limits.upper)[0] == 3.0
-    with pytest.raises(mp.InvalidInputError, match=r"it is 4\.44e-16 rad above"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"it is 4\.44e-16 rad above"):
         strict.configuration("q", [np.nextafter(3.0, 4.0), 0.0, 0.0])
 
 
@@ -145,9 +145,9 @@ def test_every_job_takes_start_and_goal_to_the_limit_and_says_so(caplog, tmp_pat
     assert path.start[0] == 3.0 and path.goal[1] == -2.5
     assert mp.seed_path(robot, start, goal, mp.Scene()).start[0] == 3.0
     for job in (mp.plan, mp.optimize_path, mp.seed_path):
-        with pytest.raises(mp.InvalidInputError, match=r"start\[0\] \(joint1\).*3 rad; it is 4e-05 rad above"):
+        with pytest.raises(mp.errors.InvalidInputError, match=r"start\[0\] \(joint1\).*3 rad; it is 4e-05 rad above"):
             job(ARM, start, MIDDLE)
-    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.goal\[1\] \(joint2\)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[0\]\.goal\[1\] \(joint2\)"):
         mp.sequence(ARM, MIDDLE, [mp.MoveTo(goal)])
 
 
@@ -247,7 +247,7 @@ def test_limits_bound_the_short_way_and_all_turns_pass_their_checks():
     assert np.array_equal(one.trajectory.q, other.trajectory.q)
     narrow = UR5.with_limits(upper=np.where(np.arange(6) == 5, 3.1, TURN))
     assert mp.plan(narrow, start, goal, seeding=mp.Seeding(shifts="nearest")).path.goal[5] == -3.0
-    with pytest.raises(mp.InvalidInputError, match="'nearest' for the short way"):
+    with pytest.raises(mp.errors.InvalidInputError, match="'nearest' for the short way"):
         mp.sequence(UR5, start, [mp.MoveTo(goal)], seeding=mp.Seeding(shifts="within-limits"))
 
 

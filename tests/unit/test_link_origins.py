@@ -42,7 +42,7 @@ def write(file, origins, *, stand="0 0 0", slide=None, body=""):
 )
 def test_an_origin_in_millimetres_is_refused(tmp_path, origins, options, message):
     file = write(tmp_path / "arm.urdf", origins, **options)
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         mp.Robot.from_urdf(file)
     assert str(file) in str(caught.value)
 
@@ -70,7 +70,7 @@ def test_one_origin_in_millimetres_among_others_in_metres(tmp_path_factory, leng
     assert mp.Robot.from_urdf(file).n == len(lengths)
     lengths[wrong] *= 1000
     write(file, [f"0 0 {length!r}" for length in lengths])
-    with pytest.raises(mp.FileFormatError, match=f"joint j{wrong + 1} has link l{wrong + 1} at 0 0"):
+    with pytest.raises(mp.errors.FileFormatError, match=f"joint j{wrong + 1} has link l{wrong + 1} at 0 0"):
         mp.Robot.from_urdf(file)
 
 
@@ -85,5 +85,5 @@ def test_an_mjcf_body_in_millimetres_is_refused(tmp_path):
     file.write_text(text.format("0 0 .3"))
     assert mp.Robot.from_mjcf(file).n == 2
     file.write_text(text.format("0 0 316"))
-    with pytest.raises(mp.FileFormatError, match="joint k has link b at 0 0 316"):
+    with pytest.raises(mp.errors.FileFormatError, match="joint k has link b at 0 0 316"):
         mp.Robot.from_mjcf(file)

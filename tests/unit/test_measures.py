@@ -16,16 +16,16 @@ def singular(jacobian):
 
 
 ORACLES = [
-    (mp.Yoshikawa(), lambda J: np.sqrt(np.linalg.det(J @ J.T))),
-    (mp.LogDet(regularisation=0.1), lambda J: np.log(np.sqrt(np.linalg.det(J @ J.T + 0.01 * np.eye(len(J)))))),
-    (mp.FrobeniusNorm(), np.linalg.norm),
-    (mp.FrobeniusNorm(weights=range(1, 8)), lambda J: np.sqrt(np.trace(J @ np.diag(np.arange(1.0, 8.0)) @ J.T))),
-    (mp.ConditionNumber(), np.linalg.cond),
-    (mp.InverseCondition(), lambda J: 1 / np.linalg.cond(J)),
-    (mp.SmallestSingularValue(), lambda J: singular(J)[-1]),
-    (mp.Isotropy(), lambda J: np.linalg.det(J @ J.T) ** (1 / len(J)) / (np.trace(J @ J.T) / len(J))),
-    (mp.VelocityTransmission(direction=U), lambda J: (U @ np.linalg.inv(J @ J.T) @ U / (U @ U)) ** -0.5),
-    (mp.ForceTransmission(direction=U), lambda J: (U @ J @ J.T @ U / (U @ U)) ** -0.5),
+    (mp.measures.Yoshikawa(), lambda J: np.sqrt(np.linalg.det(J @ J.T))),
+    (mp.measures.LogDet(regularisation=0.1), lambda J: np.log(np.sqrt(np.linalg.det(J @ J.T + 0.01 * np.eye(len(J)))))),
+    (mp.measures.FrobeniusNorm(), np.linalg.norm),
+    (mp.measures.FrobeniusNorm(weights=range(1, 8)), lambda J: np.sqrt(np.trace(J @ np.diag(np.arange(1.0, 8.0)) @ J.T))),
+    (mp.measures.ConditionNumber(), np.linalg.cond),
+    (mp.measures.InverseCondition(), lambda J: 1 / np.linalg.cond(J)),
+    (mp.measures.SmallestSingularValue(), lambda J: singular(J)[-1]),
+    (mp.measures.Isotropy(), lambda J: np.linalg.det(J @ J.T) ** (1 / len(J)) / (np.trace(J @ J.T) / len(J))),
+    (mp.measures.VelocityTransmission(direction=U), lambda J: (U @ np.linalg.inv(J @ J.T) @ U / (U @ U)) ** -0.5),
+    (mp.measures.ForceTransmission(direction=U), lambda J: (U @ J @ J.T @ U / (U @ U)) ** -0.5),
 ]
 
 
@@ -54,7 +54,7 @@ def test_dynamic_measures_of_an_arm(panda, rng):
 
 
 def test_penalty_of_the_position_limits(panda):
-    kinematics = panda.kinematics(mp.Task.position(), measure=mp.JointLimitPenalised(k=5.0))
+    kinematics = panda.kinematics(mp.Task.position(), measure=mp.measures.JointLimitPenalised(k=5.0))
     plain = panda.kinematics(mp.Task.position())
     middle = (panda.limits.lower + panda.limits.upper) / 2
     factor = 1 - np.exp(-5.0)
@@ -69,13 +69,13 @@ def test_penalty_of_the_position_limits(panda):
 
 def choose(name, rows):
     direction = np.arange(1.0, rows + 1)
-    given = {"velocity_transmission": mp.VelocityTransmission, "force_transmission": mp.ForceTransmission}
+    given = {"velocity_transmission": mp.measures.VelocityTransmission, "force_transmission": mp.measures.ForceTransmission}
     return given[name](direction=direction) if name in given else measure_of(name)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("task", [mp.Task.pose(0.4), mp.Task.position(), mp.Task.pointing()], ids=lambda task: task.name)
-@pytest.mark.parametrize("name", mp.available_measures())
+@pytest.mark.parametrize("name", mp.measures.available_measures())
 def test_derivatives_equal_central_differences(panda, name, task):
     kinematics = panda.kinematics(task, measure=choose(name, task.rows), compiled=False)
     step = 1e-5
@@ -88,7 +88,7 @@ def test_derivatives_equal_central_differences(panda, name, task):
         np.testing.assert_allclose(kinematics.hessian(q), hessian, atol=1e-5 * np.abs(hessian).max())
 
 
-@pytest.mark.parametrize("name", [n for n in mp.available_measures() if n != "condition_number"])
+@pytest.mark.parametrize("name", [n for n in mp.measures.available_measures() if n != "condition_number"])
 def test_values_on_a_singularity_are_finite(name, planar):
     kinematics = planar.kinematics(measure=choose(name, 2))
     value = kinematics.manipulability([0.3, 0.0, 0.0])
@@ -102,9 +102,9 @@ def test_transmission_along_what_is_left_on_a_singularity(planar):
     angle = 0.3
     across, along = (-np.sin(angle), np.cos(angle)), (np.cos(angle), np.sin(angle))
     q = [angle, 0.0, 0.0]
-    free = planar.kinematics(measure=mp.VelocityTransmission(direction=across)).manipulability(q)
+    free = planar.kinematics(measure=mp.measures.VelocityTransmission(direction=across)).manipulability(q)
     assert free == pytest.approx(np.sqrt(9 + 4 + 1), rel=1e-6)
-    stuck = planar.kinematics(measure=mp.VelocityTransmission(direction=along)).manipulability(q)
+    stuck = planar.kinematics(measure=mp.measures.VelocityTransmission(direction=along)).manipulability(q)
     assert stuck == pytest.approx(0.0, abs=1e-7)
 
 
@@ -140,12 +140,12 @@ def test_golden_numbers_of_the_panda(panda):
 
 
 def test_units():
-    assert mp.Yoshikawa().unit(mp.Task.position()) == "m^3"
-    assert mp.SmallestSingularValue().unit(mp.Task.pose(0.5)) == "m"
-    assert mp.SmallestSingularValue().unit(mp.Task.orientation()) == "1"
-    assert "mixed" in mp.SmallestSingularValue().unit(mp.Task.pose(1.0))
+    assert mp.measures.Yoshikawa().unit(mp.Task.position()) == "m^3"
+    assert mp.measures.SmallestSingularValue().unit(mp.Task.pose(0.5)) == "m"
+    assert mp.measures.SmallestSingularValue().unit(mp.Task.orientation()) == "1"
+    assert "mixed" in mp.measures.SmallestSingularValue().unit(mp.Task.pose(1.0))
     assert mp.Task.direction((1, 0, 0)).unit == "m"
-    for name in mp.available_measures():
+    for name in mp.measures.available_measures():
         measure = choose(name, 6)
         assert measure.unit(mp.Task.pose()) and measure.formula and measure.source
 
@@ -155,9 +155,9 @@ def test_ellipsoids(panda, rng):
     kinematics = panda.kinematics(mp.Task.position())
     jacobian, mass = kinematics.jacobian(q), kinematics.mass_matrix(q)
     velocity, force, dynamic = (
-        mp.velocity_ellipsoid(jacobian),
-        mp.force_ellipsoid(jacobian),
-        mp.dynamic_ellipsoid(jacobian, mass),
+        mp.measures.velocity_ellipsoid(jacobian),
+        mp.measures.force_ellipsoid(jacobian),
+        mp.measures.dynamic_ellipsoid(jacobian, mass),
     )
     np.testing.assert_allclose(velocity.radii[::-1] * force.radii, 1.0)
     np.testing.assert_allclose(np.abs(np.sum(velocity.axes[:, ::-1] * force.axes, axis=0)), 1.0)
@@ -167,31 +167,33 @@ def test_ellipsoids(panda, rng):
     torque = rng.normal(size=7)
     inside = jacobian @ np.linalg.solve(mass, torque / np.linalg.norm(torque))
     assert np.linalg.norm(np.linalg.solve(dynamic.axes * dynamic.radii, inside)) <= 1 + 1e-12
-    assert mp.force_ellipsoid([[1.0, 0.0], [0.0, 0.0]]).radii.tolist() == [np.inf, 1.0]
-    with pytest.raises(mp.InvalidInputError, match="mass_matrix"):
-        mp.dynamic_ellipsoid(jacobian, -mass)
+    assert mp.measures.force_ellipsoid([[1.0, 0.0], [0.0, 0.0]]).radii.tolist() == [np.inf, 1.0]
+    with pytest.raises(mp.errors.InvalidInputError, match="mass_matrix"):
+        mp.measures.dynamic_ellipsoid(jacobian, -mass)
 
 
 def test_wrong_measures(panda):
-    with pytest.raises(mp.UnknownNameError, match="yoshikawa"):
+    with pytest.raises(mp.errors.UnknownNameError, match="yoshikawa"):
         panda.kinematics(measure="yosikawa")
-    with pytest.raises(mp.InvalidInputError, match="needs a direction"):
+    with pytest.raises(mp.errors.InvalidInputError, match="needs a direction"):
         panda.kinematics(measure="velocity_transmission")
-    with pytest.raises(mp.InvalidInputError, match="3 numbers, one per task row"):
-        panda.kinematics(mp.Task.position(), measure=mp.VelocityTransmission(direction=(1, 0))).manipulability(np.zeros(7))
-    with pytest.raises(mp.InvalidInputError, match="length of direction"):
-        mp.ForceTransmission(direction=(0, 0, 0))
-    with pytest.raises(mp.InvalidInputError, match="weights"):
-        mp.FrobeniusNorm(weights=[1, -1])
-    with pytest.raises(mp.InvalidInputError, match="weights"):
-        panda.kinematics(measure=mp.FrobeniusNorm(weights=[1, 1])).manipulability(np.zeros(7))
-    with pytest.raises(mp.InvalidInputError, match="regularisation"):
-        mp.Yoshikawa(regularisation=0.0)
-    with pytest.raises(mp.InvalidInputError, match="identically zero"):
-        mp.Yoshikawa()(np.ones((3, 2)))
-    with pytest.raises(mp.InvalidInputError, match="finite matrices"):
-        mp.Yoshikawa()([[np.nan]])
-    with pytest.raises(mp.InvalidInputError, match="measure"):
+    with pytest.raises(mp.errors.InvalidInputError, match="3 numbers, one per task row"):
+        panda.kinematics(mp.Task.position(), measure=mp.measures.VelocityTransmission(direction=(1, 0))).manipulability(
+            np.zeros(7)
+        )
+    with pytest.raises(mp.errors.InvalidInputError, match="length of direction"):
+        mp.measures.ForceTransmission(direction=(0, 0, 0))
+    with pytest.raises(mp.errors.InvalidInputError, match="weights"):
+        mp.measures.FrobeniusNorm(weights=[1, -1])
+    with pytest.raises(mp.errors.InvalidInputError, match="weights"):
+        panda.kinematics(measure=mp.measures.FrobeniusNorm(weights=[1, 1])).manipulability(np.zeros(7))
+    with pytest.raises(mp.errors.InvalidInputError, match="regularisation"):
+        mp.measures.Yoshikawa(regularisation=0.0)
+    with pytest.raises(mp.errors.InvalidInputError, match="identically zero"):
+        mp.measures.Yoshikawa()(np.ones((3, 2)))
+    with pytest.raises(mp.errors.InvalidInputError, match="finite matrices"):
+        mp.measures.Yoshikawa()([[np.nan]])
+    with pytest.raises(mp.errors.InvalidInputError, match="measure"):
         panda.kinematics(measure=3)
 
 
@@ -203,19 +205,21 @@ def test_drawn_ellipsoids_lie_where_the_matrix_says(panda):
 
     jacobian = np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.3]])
     ax = Figure().add_subplot()
-    plot_ellipsoid(mp.velocity_ellipsoid(jacobian), (1.0, 2.0), ax=ax, scale=0.5, axes=True)
+    plot_ellipsoid(mp.measures.velocity_ellipsoid(jacobian), (1.0, 2.0), ax=ax, scale=0.5, axes=True)
     outline = (ax.patches[0].get_path().vertices[:-1] - (1.0, 2.0)) / 0.5
     form = np.linalg.inv(jacobian @ jacobian.T)
     np.testing.assert_allclose(np.einsum("ki,ij,kj->k", outline, form, outline), 1.0)
     space = Figure().add_subplot(projection="3d")
-    plot_ellipsoid(mp.velocity_ellipsoid(panda.kinematics(mp.Task.position()).jacobian(panda.neutral)), (0, 0, 0), ax=space)
+    plot_ellipsoid(
+        mp.measures.velocity_ellipsoid(panda.kinematics(mp.Task.position()).jacobian(panda.neutral)), (0, 0, 0), ax=space
+    )
     assert len(space.collections) == 1
-    stretched = mp.force_ellipsoid([[1.0, 0.0], [0.0, 0.0]])
-    with pytest.raises(mp.InvalidInputError, match="largest"):
+    stretched = mp.measures.force_ellipsoid([[1.0, 0.0], [0.0, 0.0]])
+    with pytest.raises(mp.errors.InvalidInputError, match="largest"):
         plot_ellipsoid(stretched, (0, 0), ax=ax)
     plot_ellipsoid(stretched, (0, 0), ax=ax, largest=4.0)
-    with pytest.raises(mp.InvalidInputError, match="2 or 3 radii"):
-        plot_ellipsoid(mp.velocity_ellipsoid(np.eye(6)), np.zeros(6), ax=ax)
+    with pytest.raises(mp.errors.InvalidInputError, match="2 or 3 radii"):
+        plot_ellipsoid(mp.measures.velocity_ellipsoid(np.eye(6)), np.zeros(6), ax=ax)
 
 
 def test_sources_are_in_the_bibliography():
@@ -228,7 +232,7 @@ def test_sources_are_in_the_bibliography():
         assert f"{{{kind.source}," in bibliography
 
 
-class Several(mp.Measure):
+class Several(mp.measures.Measure):
     """A measure that gives three numbers by mistake."""
 
     name, formula, source = "several", "", ""
@@ -241,20 +245,22 @@ class Several(mp.Measure):
 
 
 def test_a_measure_that_is_no_number_is_refused(panda):
-    with pytest.raises(mp.InvalidInputError, match="several"):
+    with pytest.raises(mp.errors.InvalidInputError, match="several"):
         panda.kinematics(measure=Several()).manipulability(np.zeros((100, 7)))
 
 
-@pytest.mark.parametrize("measure", [mp.LogDet(), mp.ConditionNumber(), mp.ForceTransmission(direction=(1, 0, 0))])
+@pytest.mark.parametrize(
+    "measure", [mp.measures.LogDet(), mp.measures.ConditionNumber(), mp.measures.ForceTransmission(direction=(1, 0, 0))]
+)
 def test_limits_penalise_only_measures_that_grow(measure):
-    with pytest.raises(mp.InvalidInputError, match=measure.name):
-        mp.JointLimitPenalised(measure=measure)
+    with pytest.raises(mp.errors.InvalidInputError, match=measure.name):
+        mp.measures.JointLimitPenalised(measure=measure)
 
 
 @pytest.mark.parametrize("weights", [np.inf, [1.0, np.inf], [], 0.0, [[1.0], [1.0, 2.0]]])
 def test_weights_are_finite_and_positive(weights):
-    with pytest.raises(mp.InvalidInputError, match="weights"):
-        mp.FrobeniusNorm(weights=weights)
+    with pytest.raises(mp.errors.InvalidInputError, match="weights"):
+        mp.measures.FrobeniusNorm(weights=weights)
 
 
 @pytest.mark.parametrize("measure", ["asada", "isotropy", "inverse_condition"])

@@ -60,7 +60,7 @@ def test_each_format_gives_the_same_body(tmp_path, name):
     ],
 )
 def test_ply_files_of_robots(tmp_path, text, message):
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         robot(tmp_path, "m.ply", text.encode())
 
 
@@ -72,7 +72,7 @@ def test_a_mesh_is_judged_wherever_its_name_points(tmp_path, scheme):
     assert "package://m.ply" in text
     place = tmp_path / "pack" / "m.ply" if scheme == "file://" else "pack/m.ply"
     (tmp_path / "arm.urdf").write_text(text.replace("package://m.ply", f"{scheme}{place}"))
-    with pytest.raises(mp.FileFormatError, match="no end_header"):
+    with pytest.raises(mp.errors.FileFormatError, match="no end_header"):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
@@ -80,20 +80,20 @@ def test_lines_of_a_ply_file_that_are_swapped(tmp_path):
     lines = MESHES["text.ply"].decode().splitlines()
     corner, face = lines.index("0 0 0.2"), lines.index("3 2 3 4")
     lines[corner], lines[face] = lines[face], lines[corner]
-    with pytest.raises(mp.FileFormatError, match="a line of"):
+    with pytest.raises(mp.errors.FileFormatError, match="a line of"):
         robot(tmp_path, "m.ply", "\n".join(lines).encode())
 
 
 @pytest.mark.parametrize("name", ["m", "m.bin", "m.ply ", "m.blend"])
 def test_the_format_of_a_mesh_is_that_of_its_name(tmp_path, name):
     """By its contents the loader would take it for a PLY file, which nobody has judged."""
-    with pytest.raises(mp.FileFormatError, match=r"ends with \.stl, \.obj, \.ply, \.dae"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"ends with \.stl, \.obj, \.ply, \.dae"):
         robot(tmp_path, name, MESHES["wedge.ply"])
 
 
 def test_a_name_of_a_mesh_that_is_too_long(tmp_path):
     (tmp_path / "arm.urdf").write_bytes(samples.urdf("9" * 4000 + ".ply"))
-    with pytest.raises(mp.FileFormatError, match="names of meshes that can be files .File name too long., unlike"):
+    with pytest.raises(mp.errors.FileFormatError, match="names of meshes that can be files .File name too long., unlike"):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
@@ -103,7 +103,7 @@ def test_meshes_of_an_mjcf_are_in_mujoco_s_formats(tmp_path):
     assert mp.Robot.from_mjcf(tmp_path / "arm.xml", velocity=1.0).geometry.ngeoms == 5
     (tmp_path / "wedge.ply").write_bytes(MESHES["wedge.ply"])
     (tmp_path / "arm.xml").write_text(samples.MJCF.replace("wedge.stl", "wedge.ply"))
-    with pytest.raises(mp.FileFormatError, match=r"MuJoCo says: .*wedge\.ply"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"MuJoCo says: .*wedge\.ply"):
         mp.Robot.from_mjcf(tmp_path / "arm.xml", velocity=1.0)
 
 
@@ -130,13 +130,13 @@ def test_collada_files(tmp_path, old, new, message):
     text = MESHES["wedge.dae"].decode()
     assert old in text
     data = text.replace(old, new).encode("latin-1" if "é" in new else "utf-8")
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         robot(tmp_path, "m.dae", data)
 
 
 def test_collada_files_are_not_too_deep(tmp_path):
     deep = MESHES["wedge.dae"].decode().replace("<scene>", "<scene>" * 1000)
-    with pytest.raises(mp.FileFormatError, match="nested at most 500 deep"):
+    with pytest.raises(mp.errors.FileFormatError, match="nested at most 500 deep"):
         robot(tmp_path, "m.dae", deep.encode())
 
 
@@ -148,7 +148,7 @@ def test_ply_files_of_obstacles_are_read_without_the_mesh_loader(tmp_path, name)
     points = np.array([hull.point(i) for i in range(hull.num_points)])
     np.testing.assert_allclose(np.unique(points.round(6), axis=0), np.unique(2 * samples.CORNERS, axis=0), atol=1e-6)
     file.write_bytes(MESHES[name].replace(b"face 6", b"face 600"))
-    with pytest.raises(mp.FileFormatError, match="cut off"):
+    with pytest.raises(mp.errors.FileFormatError, match="cut off"):
         mp.Mesh(file=file)
 
 
@@ -169,23 +169,23 @@ def test_ply_files_of_obstacles_are_read_without_the_mesh_loader(tmp_path, name)
     ],
 )
 def test_obj_files(tmp_path, text, message):
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         robot(tmp_path, "m.obj", text.encode())
     assert "mesh of link upper in" in str(caught.value) and "arm.urdf" in str(caught.value)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Mesh(file=tmp_path / "m.obj")
 
 
 @pytest.mark.parametrize("name", ["wedge.stl", "text.stl"])
 def test_stl_files_that_are_cut_off(tmp_path, name):
     for share in (0.3, 0.7, 0.95):
-        with pytest.raises(mp.FileFormatError, match="announces|cut off|is expected"):
+        with pytest.raises(mp.errors.FileFormatError, match="announces|cut off|is expected"):
             robot(tmp_path, name, MESHES[name][: int(share * len(MESHES[name]))])
 
 
 @pytest.mark.parametrize("header", [b"solid of a CAD program", b"made elsewhere"])
 def test_bytes_behind_a_binary_stl_are_told(tmp_path, header):
-    with pytest.raises(mp.FileFormatError, match="its header announces 6 facets, but it holds 6.04"):
+    with pytest.raises(mp.errors.FileFormatError, match="its header announces 6 facets, but it holds 6.04"):
         robot(tmp_path, "wedge.stl", header.ljust(80) + MESHES["wedge.stl"][80:] + bytes(2))
 
 
@@ -267,7 +267,7 @@ def test_gltf_meshes_of_a_robot(tmp_path, name, monkeypatch):
     vertices = np.unique(np.array(body.geometry.vertices()).round(6), axis=0)
     np.testing.assert_allclose(vertices, np.unique(0.5 * samples.CORNERS, axis=0), atol=1e-6)
     monkeypatch.setitem(sys.modules, "trimesh", None)
-    with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[mesh\]'"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[mesh\]'"):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
@@ -282,11 +282,11 @@ def test_bodies_that_are_drawn_in_another_unit(tmp_path):
     for good in (corners, 50 * corners, corners + [18.0, 0, 0]):
         robot(tmp_path, "m.obj", obj(good))
     with pytest.raises(
-        mp.FileFormatError, match=r"body upper_1 of link upper \(mesh .*m\.obj\) is 100 m long.*scale=\"0.001"
+        mp.errors.FileFormatError, match=r"body upper_1 of link upper \(mesh .*m\.obj\) is 100 m long.*scale=\"0.001"
     ) as caught:
         robot(tmp_path, "m.obj", obj(1000 * corners))
     assert str(tmp_path / "arm.urdf") in str(caught.value)
-    with pytest.raises(mp.FileFormatError, match=r"body upper_1 of link upper .* is 150 m away from its link"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"body upper_1 of link upper .* is 150 m away from its link"):
         robot(tmp_path, "m.obj", obj(corners + [300.0, 0, 0]))
 
 
@@ -298,7 +298,7 @@ def test_thirty_triangles_of_all_sizes(tmp_path, seed, lowest):
     directions = rng.normal(size=(30, 3, 3))
     directions /= np.linalg.norm(directions, axis=2, keepdims=True)
     triangles = 10 ** rng.uniform(lowest, 5, size=(30, 3, 1)) * directions
-    with pytest.raises(mp.FileFormatError, match=r"m\.obj\) is .* m long"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"m\.obj\) is .* m long"):
         robot(tmp_path, "m.obj", obj(triangles))
 
 
@@ -309,10 +309,12 @@ def test_large_primitives_stand_on_no_joint(tmp_path):
     (tmp_path / "arm.urdf").write_text(text.replace('<link name="base">', floor))
     assert mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip").geometry.ngeoms == 5
     (tmp_path / "arm.urdf").write_text(text.replace('<sphere radius="0.08"/>', '<sphere radius="80"/>'))
-    with pytest.raises(mp.FileFormatError, match=r"body fore_0 of link fore \(a Sphere\) is 160 m long.*lengths are in metres"):
+    with pytest.raises(
+        mp.errors.FileFormatError, match=r"body fore_0 of link fore \(a Sphere\) is 160 m long.*lengths are in metres"
+    ):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
     (tmp_path / "arm.urdf").write_text(text.replace('<origin xyz="0.2 0 0"/>', '<origin xyz="200 0 0"/>'))
-    with pytest.raises(mp.FileFormatError, match=r"body fore_0 of link fore \(a Sphere\) is 200 m away"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"body fore_0 of link fore \(a Sphere\) is 200 m away"):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
@@ -320,7 +322,7 @@ def test_missing_meshes_are_named_together(tmp_path):
     text = samples.urdf("one.stl").decode()
     more = '<link name="tip"><collision><geometry><mesh filename="package://pack/two.stl"/></geometry></collision></link>'
     (tmp_path / "arm.urdf").write_text(text.replace('<link name="tip"/>', more))
-    with pytest.raises(mp.FileFormatError) as caught:
+    with pytest.raises(mp.errors.FileFormatError) as caught:
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
     message = str(caught.value)
     assert "not found: package://one.stl (link upper), package://pack/two.stl (link tip)" in message
@@ -336,7 +338,7 @@ def test_a_mesh_does_not_leave_its_package(tmp_path, name):
     (tmp_path / "a" / "x.stl").write_bytes(MESHES["wedge.stl"])
     file = tmp_path / "a" / "b" / "arm.urdf"
     file.write_text(samples.urdf("x.stl").decode().replace("package://x.stl", name))
-    with pytest.raises(mp.FileFormatError, match="stay inside their package, unlike"):
+    with pytest.raises(mp.errors.FileFormatError, match="stay inside their package, unlike"):
         mp.Robot.from_urdf(file, tool="tip")
 
 
@@ -352,7 +354,7 @@ def test_names_of_meshes(tmp_path, name, monkeypatch):
     file.write_text(samples.urdf("x.stl").decode().replace("package://x.stl", name))
     monkeypatch.chdir(tmp_path / "elsewhere")
     if name.startswith("http"):
-        with pytest.raises(mp.FileFormatError, match="package://, model://, file:// or a path, unlike http://x"):
+        with pytest.raises(mp.errors.FileFormatError, match="package://, model://, file:// or a path, unlike http://x"):
             mp.Robot.from_urdf(file, tool="tip")
     else:
         assert mp.Robot.from_urdf(file, tool="tip").geometry.ngeoms == 4
@@ -360,7 +362,7 @@ def test_names_of_meshes(tmp_path, name, monkeypatch):
 
 @pytest.mark.parametrize("faces", ["f 1 1 2\n", "f 1 2 4\n", "f 1 1 1\nf 1 2 4\n"])
 def test_meshes_without_an_area(tmp_path, faces):
-    with pytest.raises(mp.FileFormatError, match=r"one triangle with an area, unlike .*m\.obj of upper_1"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"one triangle with an area, unlike .*m\.obj of upper_1"):
         robot(tmp_path, "m.obj", f"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\n{faces}".encode())
 
 
@@ -368,5 +370,5 @@ def test_distances_to_an_obj_with_a_face_less(tmp_path):
     """`F` for `f` was passed over: the distance to the open box was -1.8e308 m."""
     text = MESHES["wedge.obj"].decode()
     (tmp_path / "m.obj").write_text(text.replace("\nf ", "\nF ", 1))
-    with pytest.raises(mp.FileFormatError, match="it has lines 'F', which are not read"):
+    with pytest.raises(mp.errors.FileFormatError, match="it has lines 'F', which are not read"):
         mp.Scene([mp.Mesh(file=tmp_path / "m.obj")])

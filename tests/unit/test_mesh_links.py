@@ -84,7 +84,7 @@ def test_a_small_part_inside_a_large_closed_mesh_touches(tmp_path, rng):
     hits = mp.Scene().in_collision(robot, q)
     np.testing.assert_array_equal(hits, mp.Scene().in_collision(filled, q))
     assert 60 < hits.sum() < 200
-    with pytest.raises(mp.InvalidInputError, match="overlap"):
+    with pytest.raises(mp.errors.InvalidInputError, match="overlap"):
         mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])
 
 

@@ -198,7 +198,7 @@ def test_distances_to_thin_triangles(height, rng):
     ],
 )
 def test_triangles_that_are_refused(triangles, message, fill):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Mesh(triangles=triangles, fill=fill)
 
 
@@ -208,7 +208,7 @@ def test_plates_of_any_thickness(thickness):
     [part] = mp.Mesh(triangles=BOX * [1.0, 1.0, thickness]).parts()
     assert distance(part, [0.2, 0.1, 1.0], 0.1) == pytest.approx(0.9 - thickness / 2, abs=1e-5)
     if thickness < 5e-7:
-        with pytest.raises(mp.InvalidInputError, match="one is flat"):
+        with pytest.raises(mp.errors.InvalidInputError, match="one is flat"):
             mp.Mesh(triangles=BOX * [1.0, 1.0, thickness], fill="hull")
 
 
@@ -225,7 +225,7 @@ def test_plates_of_any_thickness(thickness):
     ],
 )
 def test_options_that_are_refused(options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Mesh(triangles=BOX, **options)
 
 
@@ -247,7 +247,7 @@ def test_a_mesh_survives_pickle_and_moves():
 def test_meshes_can_be_carried_and_clouds_cannot(panda):
     for mesh in (mp.Mesh(triangles=0.05 * BOX), mp.Mesh(triangles=0.05 * RING), mp.Mesh(triangles=0.05 * RING, fill="hull")):
         assert "part" in panda.attach(mesh).carried
-    with pytest.raises(mp.InvalidInputError, match="shape: got .*without a distance around it"):
+    with pytest.raises(mp.errors.InvalidInputError, match="shape: got .*without a distance around it"):
         panda.attach(mp.PointCloud(points=[[0, 0, 0.1]], radius=0.01))
 
 
@@ -410,14 +410,14 @@ def test_gltf_that_is_not_read(tmp_path, monkeypatch):
     }
     for said, data in cases.items():
         (tmp_path / "m.gltf").write_bytes(data)
-        with pytest.raises(mp.FileFormatError, match=said):
+        with pytest.raises(mp.errors.FileFormatError, match=said):
             mp.Mesh(file=tmp_path / "m.gltf")
     (tmp_path / "m.glb").write_bytes(two_boxes().export(file_type="glb")[:-100])
-    with pytest.raises(mp.FileFormatError, match="cut off"):
+    with pytest.raises(mp.errors.FileFormatError, match="cut off"):
         mp.Mesh(file=tmp_path / "m.glb")
     (tmp_path / "m.gltf").write_bytes(document)
     monkeypatch.setitem(sys.modules, "trimesh", None)
-    with pytest.raises(mp.MissingExtraError, match=re.escape("manipplan[mesh]")):
+    with pytest.raises(mp.errors.MissingExtraError, match=re.escape("manipplan[mesh]")):
         mp.Mesh(file=tmp_path / "m.gltf")
 
 
@@ -556,7 +556,7 @@ VERTEX = '<input semantic="VERTEX" source="#v" offset="0"/>'
 )
 def test_files_that_are_refused(tmp_path, name, data, message):
     (tmp_path / name).write_bytes(data)
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         mp.Mesh(file=tmp_path / name, name="part")
     assert caught.value.argument == "part.file" and name in str(caught.value.value)
 
@@ -575,7 +575,7 @@ def test_scene_files_hold_all_options(tmp_path):
     [again] = mp.Scene.from_yaml(tmp_path / "scene.yaml").obstacles
     assert (again.scale, again.up, again.fill) == (0.5, "y", "hull") and isinstance(again.shapes()[0], coal.ConvexBase)
     (tmp_path / "scene.yaml").write_text("obstacles: [{shape: mesh, file: bin.stl, fill: convex}]")
-    with pytest.raises(mp.InvalidInputError, match=r"obstacles\[0\].*fill.*'convex'.*'hull'"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"obstacles\[0\].*fill.*'convex'.*'hull'"):
         mp.Scene.from_yaml(tmp_path / "scene.yaml")
 
 

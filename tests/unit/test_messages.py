@@ -22,8 +22,8 @@ numbers = st.one_of(
 
 @given(st.recursive(numbers, lambda inner: st.one_of(st.lists(inner, max_size=4), st.tuples(inner, inner)), max_leaves=8))
 def test_numbers_in_messages_are_plain(value):
-    error = mp.InvalidInputError("limits", value, f"below {value}")
-    for each in (error, pickle.loads(pickle.dumps(error)), mp.PlanningError(f"at {value!r}")):
+    error = mp.errors.InvalidInputError("limits", value, f"below {value}")
+    for each in (error, pickle.loads(pickle.dumps(error)), mp.errors.PlanningError(f"at {value!r}")):
         assert "np." not in str(each)
 
 
@@ -36,11 +36,11 @@ def test_bounds_are_rounded_to_the_safe_side(value, digits):
 
 @pytest.mark.parametrize("value", [10**5000, -(10**5000), [10**5000], {"a": 10**400}], ids=("long", "negative", "list", "dict"))
 def test_a_number_too_long_to_write_is_told_by_its_size(value):
-    assert " bits" in str(mp.InvalidInputError("seed", value, "less"))
+    assert " bits" in str(mp.errors.InvalidInputError("seed", value, "less"))
 
 
 def test_limits_and_their_order_are_told_in_plain_numbers(ur5):
-    with pytest.raises(mp.InvalidInputError, match=r"limits\.lower") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match=r"limits\.lower") as told:
         ur5.with_limits(lower=[np.float64(1.0)] * 6, upper=[np.float64(0.0)] * 6)
     assert "np.float64" not in str(told.value)
 
@@ -58,7 +58,7 @@ def test_limits_and_their_order_are_told_in_plain_numbers(ur5):
     ],
 )
 def test_odd_arguments_of_a_robot_are_refused(ur5, call, named):
-    with pytest.raises(mp.InvalidInputError, match=rf"^{named}: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match=rf"^{named}: got"):
         call(ur5)
 
 
@@ -76,7 +76,7 @@ def test_a_joint_that_does_not_move_the_tool_is_named(tmp_path):
     text = str(plan.report)
     assert "j3 does not move the tool" in text and "robot.with_tool" in text
     assert "crosses a singularity at" not in text  # it is singular everywhere
-    with pytest.raises(mp.PlanningError, match="j3 does not move the tool"):
+    with pytest.raises(mp.errors.PlanningError, match="j3 does not move the tool"):
         mp.optimize_path(arm, [0, 0, 0], [1, 0.5, 0.3], objective=mp.PathObjective(floor=0.0, task=mp.Task.position()))
     moved = np.eye(4)
     moved[0, 3] = 0.1
@@ -98,7 +98,7 @@ def test_five_joints_follow_position_and_direction(tmp_path):
     end = begin.copy()
     end[:3, 3] += [0.05, 0.05, -0.03]
     path = mp.CartesianPath.line(begin, end)
-    with pytest.raises(mp.InvalidInputError, match=r"Task\.position\(\) or.*Task\.pointing\(axis\)"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"Task\.position\(\) or.*Task\.pointing\(axis\)"):
         mp.follow(arm, path)
     plan = mp.follow(arm, path, objective=mp.PathObjective(task=mp.Task.pointing([1.0, 0.0, 0.0])))
     assert plan.report.passed

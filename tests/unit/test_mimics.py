@@ -100,7 +100,7 @@ def test_a_follower_is_not_locked_against_its_leader(two_link_urdf):
         ({"mirror": 0.02}, "0.01: .* as 2 \\* finger \\+ 0.01; lock finger, which is at 0"),
         ({"mirror": 0.07, "finger": 0.04}, "0.09"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=rf"locked\['mirror'\]: got 0.0.; allowed: {where}"):
+        with pytest.raises(mp.errors.InvalidInputError, match=rf"locked\['mirror'\]: got 0.0.; allowed: {where}"):
             mp.Robot.from_urdf(file, tool="tip", locked=locked)
 
 
@@ -141,9 +141,13 @@ def test_a_chain_with_leader_and_follower(urdf):
         joint("level", "b", "tip", axis="0 1 0", mimic=follows("lift", -1.0)),
     )
     assert mp.load_robot(file).joint_names == ("turn", "lift")
-    with pytest.raises(mp.UnsupportedJointError, match=r"got 'level'.*mimics another, as -1 \* lift \+ 0.*name lift instead"):
+    with pytest.raises(
+        mp.errors.UnsupportedJointError, match=r"got 'level'.*mimics another, as -1 \* lift \+ 0.*name lift instead"
+    ):
         mp.load_robot(file, joints=["turn", "level"])
-    with pytest.raises(mp.InvalidInputError, match=r"locked\['level'\].*level mimics another, as -1 \* lift \+ 0; lock lift"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"locked\['level'\].*level mimics another, as -1 \* lift \+ 0; lock lift"
+    ):
         mp.load_robot(file, locked={"level": 0.3})
     robot = mp.load_robot(file, joints=["turn"], locked={"lift": 0.7})
     [mine], [expected] = (
@@ -164,7 +168,7 @@ def test_a_leader_beside_the_tool(two_link_urdf):
         np.testing.assert_allclose(mine, expected, atol=1e-14)
     robot = mp.Robot.from_urdf(two_link_urdf(), tool="left", joints=["turn", "slide"], locked={"finger": 0.03})
     assert robot.locked == pytest.approx({"finger": 0.03, "mirror": 0.07})
-    with pytest.raises(mp.UnsupportedJointError, match="mirror mimics another, as 2 .*name finger instead"):
+    with pytest.raises(mp.errors.UnsupportedJointError, match="mirror mimics another, as 2 .*name finger instead"):
         mp.Robot.from_urdf(two_link_urdf(), tool="right", joints=["turn", "slide", "mirror"])
 
 
@@ -189,7 +193,7 @@ def test_wrong_mimics(urdf, mimic, message):
     file = urdf(
         joint("turn", "base", "tip"), joint("f", "tip", "a", mimic=mimic), joint("g", "tip", "b", mimic=follows("f")), drift
     )
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Robot.from_urdf(file, tool="tip")
 
 
@@ -255,7 +259,7 @@ def test_couplings_of_mujoco(mjcf, equality, refs):
     ],
 )
 def test_wrong_couplings(mjcf, equality, message):
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Robot.from_mjcf(mjcf(equality), tool="arm", velocity=1.0)
 
 

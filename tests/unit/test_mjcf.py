@@ -249,7 +249,7 @@ def test_geoms_of_the_world_are_checked_against_the_first_link(written, rng):
     assert {"post", "arm1"} in pairs and {"stand", "arm1"} not in pairs
     try:
         plan = mp.plan(robot, [0, 2, 0.5], [3, 2, 0.5], objective=mp.PathObjective(task=mp.Task.planar()))
-    except mp.PlanningError:
+    except mp.errors.PlanningError:
         return
     assert judge.deepest(robot, plan.path) == 0.0
 
@@ -336,7 +336,7 @@ def test_bodies_joints_and_geoms_without_names(written, rng):
 def test_nothing_is_called_as_pinocchio_calls_the_world(arm, old):
     file = arm(tip='<site name="s"/>')
     file.write_text(file.read_text().replace(old, f'{old.split()[0]} name="universe"'))
-    with pytest.raises(mp.FileFormatError, match="other names than 'universe'"):
+    with pytest.raises(mp.errors.FileFormatError, match="other names than 'universe'"):
         mp.Robot.from_mjcf(file, velocity=1.0)
 
 
@@ -435,7 +435,7 @@ def test_primitives_fitted_to_a_mesh(arm, rng, tmp_path):
 
 def test_ball_joints_are_held(arm, rng):
     tip = '<body name="hand" pos="0 0 .1"><joint name="ball" type="ball"/><geom size=".02"/><body name="tcp" pos="0 0 .1"/></body>'
-    with pytest.raises(mp.UnsupportedJointError, match="ball"):
+    with pytest.raises(mp.errors.UnsupportedJointError, match="ball"):
         mp.Robot.from_mjcf(arm(tip=tip), velocity=1.0, tool="tcp")
     assert judged(arm(tip=tip), rng, tool="tcp", joints=["j1", "j2", "j3"]).locked == {"ball": 0.0}
 
@@ -454,7 +454,7 @@ def test_the_chain_of_one_arm_beside_a_head(written, kind):
 
 
 def test_a_file_without_bodies_is_refused(written):
-    with pytest.raises(mp.FileFormatError, match="at least one body"):
+    with pytest.raises(mp.errors.FileFormatError, match="at least one body"):
         mp.Robot.from_mjcf(written("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>"))
 
 
@@ -514,7 +514,7 @@ def test_what_is_not_taken_over_is_named(arm, caplog):
 
 def test_a_joint_with_two_leaders(arm):
     after = '<equality><joint joint1="j3" joint2="j2"/><joint joint1="j3" joint2="j1"/></equality>'
-    with pytest.raises(mp.FileFormatError, match="one <equality> per joint that follows; j3 follows"):
+    with pytest.raises(mp.errors.FileFormatError, match="one <equality> per joint that follows; j3 follows"):
         mp.Robot.from_mjcf(arm(after=after), velocity=1.0, tool="b")
 
 
@@ -545,7 +545,7 @@ def test_bombs(written, bomb, read):
     file = written(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
     if read == mp.Scene.from_mjcf and bomb in ("bodies", "geoms"):
         return  # obstacles may be many
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         read(file)
 
 
@@ -555,7 +555,7 @@ def test_what_takes_too_long(written, monkeypatch):
     monkeypatch.setattr(mjcf_files, "MOST_ELEMENTS", 10**12)
     monkeypatch.setattr(mjcf_files, "PROCESSOR", 3)
     file = written(f"<mujoco><worldbody>{nested(1_000_000, 1)}</worldbody></mujoco>")
-    with pytest.raises(mp.FileFormatError, match="takes MuJoCo more than 3 s"):
+    with pytest.raises(mp.errors.FileFormatError, match="takes MuJoCo more than 3 s"):
         mp.Robot.from_mjcf(file)
 
 
@@ -575,7 +575,7 @@ LARGE = {
 def test_large_assets(written, kind):
     asset, inside, message = LARGE[kind]
     file = written(f"<mujoco><asset>{asset}</asset><worldbody>{BODY}{inside}</worldbody></mujoco>")
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Robot.from_mjcf(file, velocity=1.0)
 
 
@@ -602,7 +602,7 @@ def test_a_large_height_field_is_refused(written):
         f'<mujoco><asset><hfield name="h" nrow="600" ncol="600" size="1 1 1 1"/></asset><worldbody>{ground}'
         '<body name="a"><joint/><geom size=".1"/></body></worldbody></mujoco>'
     )
-    with pytest.raises(mp.FileFormatError, match=r"at most 250000 heights; h has 600 x 600"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"at most 250000 heights; h has 600 x 600"):
         mp.Robot.from_mjcf(file, velocity=1.0)
 
 
@@ -612,14 +612,14 @@ def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path):
     (fake / "mujoco").mkdir(parents=True)
     (fake / "mujoco" / "__init__.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
     monkeypatch.syspath_prepend(fake)
-    with pytest.raises(mp.FileFormatError, match="MuJoCo ended by SIGSEGV"):
+    with pytest.raises(mp.errors.FileFormatError, match="MuJoCo ended by SIGSEGV"):
         mp.Robot.from_mjcf(arm(), velocity=1.0)
 
 
 def test_nothing_is_printed_or_written(arm, tmp_path, monkeypatch, capfd):
     monkeypatch.chdir(tmp_path)
     file = arm(tip='<geom type="mesh" mesh="none"/>')
-    with pytest.raises(mp.FileFormatError, match="MuJoCo says"):
+    with pytest.raises(mp.errors.FileFormatError, match="MuJoCo says"):
         mp.Robot.from_mjcf(file, velocity=1.0)
     mp.Robot.from_mjcf(arm(), velocity=1.0)
     assert capfd.readouterr() == ("", "")
@@ -643,13 +643,13 @@ def test_nothing_is_printed_or_written(arm, tmp_path, monkeypatch, capfd):
     ],
 )
 def test_wrong_files(arm, parts, message):
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Robot.from_mjcf(arm(**parts), velocity=1.0)
 
 
 def test_without_mujoco_the_error_says_how_to_install_it(arm, monkeypatch):
     monkeypatch.setitem(sys.modules, "mujoco", None)
-    with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[mujoco\]'"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[mujoco\]'"):
         mp.Robot.from_mjcf(arm())
 
 
@@ -777,7 +777,7 @@ def test_a_mesh_in_millimetres_is_refused(tmp_path):
         '<geom name="part" type="mesh" mesh="cube"/><body name="tcp" pos="0.3 0 0"/></body></worldbody></mujoco>'
     )
     (tmp_path / "arm.xml").write_text(text.format(""))
-    with pytest.raises(mp.FileFormatError, match=r"part of link a \(mesh\) is 100 m long.*scale=\"0.001"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"part of link a \(mesh\) is 100 m long.*scale=\"0.001"):
         mp.load_robot(tmp_path / "arm.xml")
     (tmp_path / "arm.xml").write_text(text.format(' scale="0.001 0.001 0.001"'))
     assert mp.load_robot(tmp_path / "arm.xml", tool="tcp").n == 1
@@ -810,7 +810,7 @@ def test_a_part_inside_a_closed_mesh_touches(tmp_path):
         touching.append(any(contact.dist <= 0 for contact in data.contact))
     assert 50 < sum(touching) < 350
     np.testing.assert_array_equal(mp.Scene().in_collision(robot, q), touching)
-    with pytest.raises(mp.InvalidInputError, match="tip and cabinet overlap"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tip and cabinet overlap"):
         mp.plan(robot, [-0.15, 0, 0.25], [0.15, 0.1, 0.3])
 
 

@@ -81,7 +81,7 @@ def test_a_pose_goal_and_a_path(arm):
 def test_a_pose_that_is_out_of_reach_is_told_with_a_true_distance(arm):
     high = arm.kinematics().pose(START)
     high[2, 3] = 3.0
-    with pytest.raises(mp.InvalidInputError, match="out of reach") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match="out of reach") as told:
         mp.plan(arm, START, high)
     missed = float(str(told.value).split("leaves the tool ")[1].split(" mm")[0])
     assert 1300 < missed < 2000  # 3 m against 0.22 + 0.12 + 0.4 + 0.35 + 0.2 m and some width

@@ -197,10 +197,10 @@ def test_frames_are_followed_to_one_root(tmp_path):
         "world": {"collision_objects": [*message["world"]["collision_objects"], {**changed()["world"]["collision_objects"][0]}]}
     }
     two["world"]["collision_objects"][1] |= {"id": "other", "header": {"frame_id": "camera"}}
-    with pytest.raises(mp.FileFormatError, match=r"'camera', 'tray'.*one frame for all"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"'camera', 'tray'.*one frame for all"):
         read(tmp_path, two)
     loop = [{**transforms[0], "header": {"frame_id": "tray"}}, transforms[1]]
-    with pytest.raises(mp.FileFormatError, match="not a loop"):
+    with pytest.raises(mp.errors.FileFormatError, match="not a loop"):
         read(tmp_path, {**message, "fixed_frame_transforms": loop})
 
 
@@ -266,7 +266,7 @@ def test_pairs_of_an_object_and_a_link_may_touch(tmp_path):
     ],
 )
 def test_wrong_files(tmp_path, content, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         read(tmp_path, content)
 
 
@@ -276,7 +276,7 @@ def test_a_text_without_objects_is_an_empty_scene(tmp_path):
 
 @pytest.mark.parametrize("packages", [["x"], {"parts": 5}, {"parts": "nowhere"}])
 def test_wrong_packages(tmp_path, packages):
-    with pytest.raises(mp.InvalidInputError, match="packages"):
+    with pytest.raises(mp.errors.InvalidInputError, match="packages"):
         read(tmp_path, MESSAGE, packages=packages)
 
 
@@ -294,7 +294,7 @@ def test_spoilt_text_is_refused_or_read(tmp_path_factory, data):
         words[at : at + 1] = data.draw(
             st.sampled_from([[], [words[at]] * 2, ["-1"], ["1e400"], ["*"], ["nan"], ["\n.\n"], ["mesh"]])
         )
-    with contextlib.suppress(mp.InvalidInputError):
+    with contextlib.suppress(mp.errors.InvalidInputError):
         assert read(tmp_path_factory.mktemp("spoilt"), " ".join(words)).names
 
 
@@ -311,5 +311,5 @@ def test_spoilt_text_is_refused_or_read(tmp_path_factory, data):
 def test_huge_numbers(tmp_path, shape, pose, message):
     file = tmp_path / "cell.scene"
     file.write_text(f"cell\n* a\n0 0 0\n0 0 0 1\n1\n{shape}\n{pose}\n0 0 0 0\n0\n.\n")
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Scene.from_moveit(file)

@@ -83,7 +83,7 @@ def test_distances_are_those_of_mujoco(cell, panda, rng):
 def test_wrong_files(tmp_path, text, message):
     file = tmp_path / "bad.xml"
     file.write_text(text)
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Scene.from_mjcf(file)
 
 
@@ -117,18 +117,18 @@ def test_names_are_in_utf_8(tmp_path):
     whole = "<mujoco><include file='part.xml'/></mujoco>"
     for text in ((tmp_path / "part.xml").read_bytes(), whole.encode()):
         (tmp_path / "cell.xml").write_bytes(text)
-        with pytest.raises(mp.FileFormatError, match="UTF-8"):
+        with pytest.raises(mp.errors.FileFormatError, match="UTF-8"):
             mp.Scene.from_mjcf(tmp_path / "cell.xml")
 
 
 @pytest.mark.parametrize("size", ["1e308", "1e7"])
 def test_sizes_are_bounded(tmp_path, size):
     (tmp_path / "cell.xml").write_text(f"<mujoco><worldbody><geom type='box' size='1 1 {size}'/></worldbody></mujoco>")
-    with pytest.raises(mp.InvalidInputError, match=r"size: got .*from -1e\+06 to 1e\+06|finite numbers"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"size: got .*from -1e\+06 to 1e\+06|finite numbers"):
         mp.Scene.from_mjcf(tmp_path / "cell.xml")
 
 
 def test_without_mujoco_the_error_says_how_to_install_it(cell, monkeypatch):
     monkeypatch.setitem(sys.modules, "mujoco", None)
-    with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[mujoco\]'"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[mujoco\]'"):
         mp.Scene.from_mjcf(cell)

@@ -36,9 +36,9 @@ def test_states_of_all_active_joints_are_known(arm):
 
 
 def test_another_name_is_told_with_the_nearest(arm, planar):
-    with pytest.raises(mp.UnknownNameError, match=r"named state: got 'redy'; allowed: did you mean ready"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"named state: got 'redy'; allowed: did you mean ready"):
         arm.states["redy"]
-    with pytest.raises(mp.UnknownNameError, match="read without an SRDF"):
+    with pytest.raises(mp.errors.UnknownNameError, match="read without an SRDF"):
         planar.states["home"]
     assert "redy" not in arm.states
     assert arm.states.get("redy") is None
@@ -148,9 +148,9 @@ def test_what_cannot_be_written_is_told(panda, tmp_path):
         ([1], "states"),
         ({"": [0.0] * 7}, "states"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             panda.to_srdf(tmp_path / "x.srdf", states)
-    with pytest.raises(mp.InvalidInputError, match="group"):
+    with pytest.raises(mp.errors.InvalidInputError, match="group"):
         panda.to_srdf(tmp_path / "x.srdf", group="")
     assert not list(tmp_path.iterdir())
 
@@ -158,5 +158,5 @@ def test_what_cannot_be_written_is_told(panda, tmp_path):
 def test_a_state_without_a_name_is_told(two_link_urdf, tmp_path):
     file = tmp_path / "arm.srdf"
     file.write_text('<robot name="two"><group_state group="arm"><joint name="turn" value="0"/></group_state></robot>')
-    with pytest.raises(mp.FileFormatError, match="a name for every <group_state>"):
+    with pytest.raises(mp.errors.FileFormatError, match="a name for every <group_state>"):
         mp.Robot.from_urdf(two_link_urdf(), tool="tip", srdf=file)

@@ -101,11 +101,11 @@ raise GitCommandError("Cmd('git') failed")
 """
     descriptions(gone_description=text, broken_description="raise OSError('no space left')")
     with pytest.raises(
-        mp.RobotNotFetchedError, match=r"gone_description could not be fetched: fatal: could not resolve host; run: "
+        mp.errors.RobotNotFetchedError, match=r"gone_description could not be fetched: fatal: could not resolve host; run: "
     ) as caught:
         mp.load_robot("gone_description")
     assert "ROBOT_DESCRIPTIONS_CACHE" in str(caught.value)
-    with pytest.raises(mp.RobotNotFetchedError, match="no space left"):
+    with pytest.raises(mp.errors.RobotNotFetchedError, match="no space left"):
         mp.load_robot("broken_description")
     assert capfd.readouterr() == ("", "")
 
@@ -128,26 +128,26 @@ URDF_PATH = PACKAGE_PATH + "/arm.urdf"
 
 def test_a_process_that_ends_without_an_answer(descriptions, monkeypatch):
     descriptions(own_description="import os\nos._exit(3)", slow_description="import time\ntime.sleep(60)")
-    with pytest.raises(mp.RobotNotFetchedError, match="ended with code 3"):
+    with pytest.raises(mp.errors.RobotNotFetchedError, match="ended with code 3"):
         mp.load_robot("own_description")
     monkeypatch.setattr(collections, "TIME_LIMIT", 1.0)
-    with pytest.raises(mp.RobotNotFetchedError, match="takes more than 1 s"):
+    with pytest.raises(mp.errors.RobotNotFetchedError, match="takes more than 1 s"):
         mp.load_robot("slow_description")
 
 
 def test_names_of_robot_descriptions(descriptions):
     descriptions(ur5e_description="")
-    with pytest.raises(mp.UnknownNameError, match="did you mean ur5e_description"):
+    with pytest.raises(mp.errors.UnknownNameError, match="did you mean ur5e_description"):
         mp.load_robot("ur5f_description")
 
 
 def test_the_packages_that_are_missing(monkeypatch):
     monkeypatch.setattr(collections, "find_spec", lambda name: None)
     monkeypatch.delenv("MUJOCO_MENAGERIE", raising=False)
-    with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[descriptions\]'"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[descriptions\]'"):
         mp.load_robot("ur5e_description")
     with pytest.raises(
-        mp.MissingExtraError, match=r"checkout of MuJoCo Menagerie in MUJOCO_MENAGERIE.*'manipplan\[menagerie\]'"
+        mp.errors.MissingExtraError, match=r"checkout of MuJoCo Menagerie in MUJOCO_MENAGERIE.*'manipplan\[menagerie\]'"
     ):
         mp.load_robot("menagerie:franka_fr3")
 
@@ -161,7 +161,7 @@ def test_the_package_itself_with_a_cache_and_without(tmp_path, monkeypatch, capf
     monkeypatch.setenv("GIT_CONFIG_KEY_0", f"url.{tmp_path / 'nothing'}/.insteadOf")
     monkeypatch.setenv("GIT_CONFIG_VALUE_0", "https://")
     with pytest.raises(
-        mp.RobotNotFetchedError, match=r"panda_description could not be fetched: .*python -m robot_descriptions pull"
+        mp.errors.RobotNotFetchedError, match=r"panda_description could not be fetched: .*python -m robot_descriptions pull"
     ):
         mp.load_robot("panda_description")
     assert capfd.readouterr() == ("", "")
@@ -208,12 +208,12 @@ def menagerie(tmp_path, monkeypatch):
 
 
 def test_a_misspelt_prefix_of_menagerie():
-    with pytest.raises(mp.UnknownNameError, match="did you mean menagerie:franka_fr3"):
+    with pytest.raises(mp.errors.UnknownNameError, match="did you mean menagerie:franka_fr3"):
         mp.load_robot("menagrie:franka_fr3")
 
 
 def test_a_part_of_a_name_is_enough_for_a_suggestion():
-    error = mp.UnknownNameError(
+    error = mp.errors.UnknownNameError(
         "name", "fr3", [*("panda", "kinova", "baxter", "talos", "tiago", "icub", "romeo"), "franka_fr3", "franka_fr3_v2"]
     )
     assert "did you mean franka_fr3, franka_fr3_v2?" in str(error)
@@ -233,14 +233,14 @@ def test_the_folder_of_a_checkout(menagerie, tmp_path):
 @pytest.mark.parametrize(
     ("name", "error", "message"),
     [
-        ("hands", mp.FileFormatError, "choose one: menagerie:hands/left.xml, menagerie:hands/right.xml"),
-        ("empty", mp.FileFormatError, "choose one: it has none"),
-        ("hands/lift.xml", mp.UnknownNameError, "did you mean left.xml"),
-        ("maker_arn", mp.UnknownNameError, "did you mean maker_arm"),
-        ("assets", mp.UnknownNameError, "one of empty, hands"),
-        ("..", mp.UnknownNameError, "one of"),
-        ("one/../hands/left.xml", mp.UnknownNameError, "got '../hands/left.xml'"),
-        ("", mp.UnknownNameError, "one of"),
+        ("hands", mp.errors.FileFormatError, "choose one: menagerie:hands/left.xml, menagerie:hands/right.xml"),
+        ("empty", mp.errors.FileFormatError, "choose one: it has none"),
+        ("hands/lift.xml", mp.errors.UnknownNameError, "did you mean left.xml"),
+        ("maker_arn", mp.errors.UnknownNameError, "did you mean maker_arm"),
+        ("assets", mp.errors.UnknownNameError, "one of empty, hands"),
+        ("..", mp.errors.UnknownNameError, "one of"),
+        ("one/../hands/left.xml", mp.errors.UnknownNameError, "got '../hands/left.xml'"),
+        ("", mp.errors.UnknownNameError, "one of"),
     ],
 )
 def test_folders_and_files_that_are_not_there(menagerie, name, error, message):
@@ -250,7 +250,7 @@ def test_folders_and_files_that_are_not_there(menagerie, name, error, message):
 
 def test_a_checkout_that_is_not_there(monkeypatch):
     monkeypatch.setenv("MUJOCO_MENAGERIE", "/nowhere")
-    with pytest.raises(mp.InvalidInputError, match="MUJOCO_MENAGERIE: got '/nowhere'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="MUJOCO_MENAGERIE: got '/nowhere'"):
         mp.load_robot("menagerie:franka_fr3")
 
 
@@ -281,10 +281,10 @@ def get(name): return Robot(name)
     monkeypatch.delitem(sys.modules, "mujoco_menagerie", raising=False)
     assert mp.load_robot("menagerie:maker_arm").tool == "second"
     assert mp.load_robot("menagerie:maker_arm/first.xml").tool == "first"
-    with pytest.raises(mp.UnknownNameError, match="did you mean maker_arm"):
+    with pytest.raises(mp.errors.UnknownNameError, match="did you mean maker_arm"):
         mp.load_robot("menagerie:maker_arn")
     with pytest.raises(
-        mp.RobotNotFetchedError, match="gone could not be fetched: HTTP 404; run: mujoco-menagerie prefetch gone"
+        mp.errors.RobotNotFetchedError, match="gone could not be fetched: HTTP 404; run: mujoco-menagerie prefetch gone"
     ):
         mp.load_robot("menagerie:gone")
     assert capfd.readouterr() == ("", "")
@@ -309,9 +309,9 @@ def test_own_robots_by_an_entry_point(tmp_path, monkeypatch):
     assert mp.available_robots().count("panda") == 1
     robot = mp.load_robot("cell_arm", velocity=1.0)
     assert (robot.n, robot.source.load().limits.velocity[0]) == (2, 1.0)
-    with pytest.raises(mp.InvalidInputError, match="returns a Robot, not 3"):
+    with pytest.raises(mp.errors.InvalidInputError, match="returns a Robot, not 3"):
         mp.load_robot("wrong_arm")
-    with pytest.raises(mp.UnknownNameError, match="did you mean cell_arm"):
+    with pytest.raises(mp.errors.UnknownNameError, match="did you mean cell_arm"):
         mp.load_robot("cel_arm")
 
 
@@ -383,12 +383,14 @@ def test_the_table_of_an_fr3_keeps_velocities_that_depend_on_the_position(tmp_pa
     )
     # the same motion next to the limit of joint 1, where 1.09 rad/s is too fast
     shift = np.array([2.7437 - 1.0 - 0.0, 0, 0, 0, 0, 0, 0])
-    with pytest.raises(mp.InvalidInputError, match=r"joint 1 at .*a velocity of .*at most [\d.]+ rad/s at this position"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"joint 1 at .*a velocity of .*at most [\d.]+ rad/s at this position"
+    ):
         motion([READY + shift, far + shift]).to_franka_csv(tmp_path / "limit.csv")
-    with pytest.raises(mp.InvalidInputError, match=r"joint 1 at .*an acceleration of .*at most 10 rad/s²"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"joint 1 at .*an acceleration of .*at most 10 rad/s²"):
         motion([READY, far], duration=0.85).to_franka_csv(tmp_path / "fast.csv")
     outside = far + np.array([2.0, 0, 0, 0, 0, 0, 0])
-    with pytest.raises(mp.InvalidInputError, match="a Franka Research 3 from -2.7437 to 2.7437"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a Franka Research 3 from -2.7437 to 2.7437"):
         motion([READY, outside], duration=9.0).to_franka_csv(tmp_path / "outside.csv")
     assert not (tmp_path / "limit.csv").exists()
 

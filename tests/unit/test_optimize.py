@@ -233,7 +233,10 @@ def test_any_measure_that_grows_is_raised(planar, measure):
 
 def test_a_measure_with_a_direction(planar):
     result = mp.optimize_path(
-        planar, [0, 1.5, -2], [np.pi, -2, 2], objective=mp.PathObjective(measure=mp.VelocityTransmission(direction=[1.0, 0.0]))
+        planar,
+        [0, 1.5, -2],
+        [np.pi, -2, 2],
+        objective=mp.PathObjective(measure=mp.measures.VelocityTransmission(direction=[1.0, 0.0])),
     )
     assert result.status.ok
     assert result.g < result.seed_cost.g
@@ -274,7 +277,7 @@ def test_an_interior_singularity_is_seen():
     no_floor = mp.PathObjective(floor=0.0)
     result = mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], objective=no_floor, throw=False)
     assert result.status is mp.Status.SINGULAR
-    with pytest.raises(mp.PlanningError, match="manipulability is zero"):
+    with pytest.raises(mp.errors.PlanningError, match="manipulability is zero"):
         mp.optimize_path(arm, [0.0, -1.0], [0.5, np.sqrt(2.0)], objective=no_floor)
 
 
@@ -427,7 +430,7 @@ def test_end_derivatives_are_met(planar, conditions, least):
     assert (np.diff(costs[1:]) < 1e-6).all()
     assert free.g * (1 - 1e-4) < costs[-1] < 1.3 * free.g
     too_low = mp.PathShape(degree=least - 1, **conditions)
-    with pytest.raises(mp.InvalidInputError, match=f"degree: got {least - 1}; allowed: at least {least}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"degree: got {least - 1}; allowed: at least {least}"):
         mp.optimize_path(planar, start, goal, shape=too_low, objective=mp.PathObjective(power=2))
 
 
@@ -538,7 +541,7 @@ def test_a_certificate_names_the_nearest_pair(planar):
 
 def test_a_singular_start_is_told(planar):
     options = {"shape": mp.PathShape(degree=1), "objective": mp.PathObjective(floor=0.0)}
-    with pytest.raises(mp.PlanningError, match="manipulability is zero"):
+    with pytest.raises(mp.errors.PlanningError, match="manipulability is zero"):
         mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], **options)
     result = mp.optimize_path(planar, [0.0, 0.0, 0.0], [0.0, 0.0, np.pi], **options, throw=False)
     assert result.min_manipulability == pytest.approx(0, abs=1e-12)
@@ -608,7 +611,7 @@ def test_a_path_that_a_result_may_be_is_taken_as_initial(planar, beyond):
     arm = planar.with_limits(upper=[4.0, 1.5 - beyond, 4.0])
     seeding = mp.Seeding(initial=bend)
     if beyond > 1e-7:
-        with pytest.raises(mp.InvalidInputError, match="initial"):
+        with pytest.raises(mp.errors.InvalidInputError, match="initial"):
             mp.optimize_path(arm, bend.start, bend.goal, seeding=seeding)
     else:
         assert mp.optimize_path(arm, bend.start, bend.goal, seeding=seeding).path is not None
@@ -659,17 +662,17 @@ GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Se
         ({"objective": {"measure": "condition_number"}}, "measure: got 'condition_number'.*better when larger"),
         ({"objective": {"measure": "force_transmission"}}, "measure.*direction"),
         (
-            {"objective": {"measure": mp.ForceTransmission(direction=[1, 0])}},
+            {"objective": {"measure": mp.measures.ForceTransmission(direction=[1, 0])}},
             "measure: got 'force_transmission'.*better when larger",
         ),
-        ({"objective": {"measure": mp.VelocityTransmission(direction=[1, 0, 0])}}, "direction.*2 numbers"),
+        ({"objective": {"measure": mp.measures.VelocityTransmission(direction=[1, 0, 0])}}, "direction.*2 numbers"),
         ({"objective": {"measure": "yosikawa"}}, "yoshikawa"),
         ({"seeding": {"initial": mp.JointPath.line([0, 0, 0], [1, 1, 1])}}, "initial"),
     ],
 )
 def test_wrong_arguments(planar, change, message):
     arguments = {"start": [0.0, 1.5, -2.0], "goal": [np.pi, -2.0, 2.0], **change}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.optimize_path(
             planar, **{name: GROUPS[name](**value) if name in GROUPS else value for name, value in arguments.items()}
         )
@@ -678,7 +681,7 @@ def test_wrong_arguments(planar, change, message):
 def test_an_executor_that_takes_no_work(planar):
     pool = ThreadPoolExecutor(1)
     pool.shutdown()
-    with pytest.raises(mp.InvalidInputError, match="executor: got .*takes work.*after shutdown"):
+    with pytest.raises(mp.errors.InvalidInputError, match="executor: got .*takes work.*after shutdown"):
         mp.optimize_path(planar, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], executor=pool)
 
 

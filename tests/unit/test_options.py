@@ -60,7 +60,7 @@ GROUPS = {"objective": mp.PathObjective, "shape": mp.PathShape, "seeding": mp.Se
     ],
 )
 def test_a_wrong_value_raises_where_the_options_are_made(kind, values, message):
-    with pytest.raises(mp.InvalidInputError, match=f"^{message}") as caught:
+    with pytest.raises(mp.errors.InvalidInputError, match=f"^{message}") as caught:
         kind(**values)
     assert caught.value.argument in values
 
@@ -71,7 +71,7 @@ def test_options_are_frozen_named_and_validated_again_when_they_are_replaced(kin
     name, value = {"PathObjective": ("power", -1), "PathShape": ("degree", 0), "Seeding": ("seed", -1)}[kind.__name__]
     with pytest.raises(dataclasses.FrozenInstanceError):
         setattr(made, name, 3)
-    with pytest.raises(mp.InvalidInputError, match=f"{name}: got {value}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"{name}: got {value}"):
         dataclasses.replace(made, **{name: value})
     with pytest.raises(TypeError):
         kind(2)
@@ -107,7 +107,7 @@ def test_each_planner_is_accepted(planner):
     ],
 )
 def test_options_of_another_type_are_refused(planar, job, name, value):
-    with pytest.raises(mp.InvalidInputError, match=f"^{name}: got .*; allowed: a {GROUPS[name].__name__}$"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"^{name}: got .*; allowed: a {GROUPS[name].__name__}$"):
         job(planar, START, GOAL, POST, throw=False, **{name: value})
 
 
@@ -203,7 +203,7 @@ def test_the_spline_of_a_plan_keeps_the_end_derivatives(planar, monkeypatch):
 def test_end_derivatives_that_do_not_fit_are_refused_before_the_work(planar):
     told = []
     for shape in (mp.PathShape(degree=2, start_slope=[0.0] * 3, goal_slope=[0.0] * 3), mp.PathShape(start_slope=[0.0] * 4)):
-        with pytest.raises(mp.InvalidInputError, match=r"degree: got 2|start_slope: got"):
+        with pytest.raises(mp.errors.InvalidInputError, match=r"degree: got 2|start_slope: got"):
             mp.optimize_path(
                 planar, [0.0, 1.5, -2.0], [1.0, 1.0, -1.0], mp.Scene(), shape=shape, progress=lambda *each: told.append(each)
             )

@@ -109,12 +109,12 @@ def test_paths_are_the_same_compiled_or_not(panda, rng):
 def test_without_a_compiler():
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     assert mp.optimize_path(arm, START, GOAL, objective=mp.PathObjective(power=2)).status is mp.Status.OPTIMAL
-    with pytest.raises(mp.CompilerError, match="there is no C compiler; install one with: "):
+    with pytest.raises(mp.errors.CompilerError, match="there is no C compiler; install one with: "):
         mp.optimize_path(arm, START, GOAL, objective=mp.PathObjective(power=2), compiled=True)
 
 
 def test_compiled_has_to_be_known(planar):
-    with pytest.raises(mp.InvalidInputError, match="compiled.*'auto', True or False"):
+    with pytest.raises(mp.errors.InvalidInputError, match="compiled.*'auto', True or False"):
         mp.optimize_path(planar, START, GOAL, compiled="yes")
 
 

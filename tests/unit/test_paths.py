@@ -54,7 +54,7 @@ def test_joined_paths_are_their_parts(rng):
         np.testing.assert_allclose(whole(begin + (end - begin) * s), part(s), atol=1e-9)
     assert whole.length == pytest.approx(sum(part.length for part in parts), rel=1e-9)
     for wrong in ([], [first, third], [first, mp.JointPath(breaks=np.array([0.0, 1.0]), control=np.zeros((1, 2, 3)))]):
-        with pytest.raises(mp.InvalidInputError):
+        with pytest.raises(mp.errors.InvalidInputError):
             mp.JointPath.joined(wrong)
 
 
@@ -106,13 +106,13 @@ def test_a_corner_that_cannot_be_rounded_stays_sharp():
     ],
 )
 def test_wrong_paths(breaks, control):
-    with pytest.raises(mp.InvalidInputError):
+    with pytest.raises(mp.errors.InvalidInputError):
         mp.JointPath(breaks=breaks, control=control)
 
 
 @pytest.mark.parametrize("s", [-0.1, 1.1, np.nan])
 def test_parameters_outside(rng, s):
-    with pytest.raises(mp.InvalidInputError, match="s: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match="s: got"):
         random_path(rng)(s)
 
 
@@ -140,7 +140,7 @@ def test_odd_joint_names_come_back(tmp_path, rng, kind, names):
 @pytest.mark.parametrize("names", [("a", "a", "b"), ("a", "b", "c\r"), (1, 2, 3), "abc", ("a", "b")])
 def test_joint_names_are_different_names(rng, names):
     plain = random_trajectory(rng)
-    with pytest.raises(mp.InvalidInputError, match="joint_names"):
+    with pytest.raises(mp.errors.InvalidInputError, match="joint_names"):
         mp.Trajectory(t=plain.t, q=plain.q, qd=plain.qd, joint_names=names)
 
 
@@ -192,12 +192,12 @@ def test_ros_message_has_the_fields_of_trajectory_msgs(tmp_path, rng):
 def test_broken_files_are_told(tmp_path, kind, text):
     file = tmp_path / "broken"
     file.write_text(text)
-    with pytest.raises(mp.FileFormatError, match="broken"):
+    with pytest.raises(mp.errors.FileFormatError, match="broken"):
         getattr(mp.Trajectory, f"from_{kind}")(file)
 
 
 def test_writing_where_nothing_can_be_written(tmp_path, rng):
-    with pytest.raises(mp.InvalidInputError, match="path that can be written"):
+    with pytest.raises(mp.errors.InvalidInputError, match="path that can be written"):
         random_trajectory(rng).to_csv(tmp_path / "missing" / "file.csv")
 
 
@@ -219,10 +219,10 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, rng):
 
 @pytest.mark.parametrize(("t", "count"), [([0.0], 1), ([0.0, 0.0], 2), ([0.1, 0.2], 2), ([0.0, np.nan], 2), ([0.0, 1.0], 3)])
 def test_wrong_trajectories(t, count):
-    with pytest.raises(mp.InvalidInputError):
+    with pytest.raises(mp.errors.InvalidInputError):
         mp.Trajectory(t=t, q=np.zeros((count, 1)), qd=np.zeros((count, 1)), joint_names=("a",))
 
 
 def test_places_of_a_spline_are_named_as_given(rng):
-    with pytest.raises(mp.InvalidInputError, match=r"^s: got .*; allowed: 3 increasing numbers from 0 to 1"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^s: got .*; allowed: 3 increasing numbers from 0 to 1"):
         mp.JointPath.spline([0, 1, 2], rng.normal(size=(3, 2)))

@@ -70,17 +70,17 @@ def test_no_cpp_compiler_is_told_with_the_line_that_installs_it(panda, monkeypat
     monkeypatch.setenv("CXX", "")
     find_compiler.cache_clear()
     _bridge.cache_clear()
-    with pytest.raises(mp.CompilerError, match="there is no C\\+\\+ compiler; install one with: "):
+    with pytest.raises(mp.errors.CompilerError, match="there is no C\\+\\+ compiler; install one with: "):
         mp.pinocchio_casadi(mp.planar_arm([1.0, 1.0]), source="bridge")
     monkeypatch.undo()
     find_compiler.cache_clear()
 
 
 def test_wrong_arguments(panda):
-    with pytest.raises(mp.UnknownNameError, match="bridge"):
+    with pytest.raises(mp.errors.UnknownNameError, match="bridge"):
         mp.pinocchio_casadi(panda, source="brige")
-    with pytest.raises(mp.InvalidInputError, match="robot"):
+    with pytest.raises(mp.errors.InvalidInputError, match="robot"):
         mp.pinocchio_casadi("panda")
     if not bindings_installed():
-        with pytest.raises(mp.InvalidInputError, match="has no pinocchio.casadi"):
+        with pytest.raises(mp.errors.InvalidInputError, match="has no pinocchio.casadi"):
             panda.kinematics(backend="bindings")

@@ -41,7 +41,7 @@ def test_files_have_a_way_back(tmp_path, demo_plan):
         again = getattr(mp.Trajectory, read)(tmp_path / "out" / f"trajectory.{name}")
         np.testing.assert_array_equal(again.q, demo_plan.trajectory.q)
         np.testing.assert_array_equal(again.t, demo_plan.trajectory.t)
-    assert mp.Report.from_json(tmp_path / "out" / "report.json") == demo_plan.report
+    assert mp.results.Report.from_json(tmp_path / "out" / "report.json") == demo_plan.report
     picture = (tmp_path / "out" / "plan.png").read_bytes()
     assert picture[:8] == b"\x89PNG\r\n\x1a\n"
     assert 50_000 < len(picture) < 300_000
@@ -49,8 +49,8 @@ def test_files_have_a_way_back(tmp_path, demo_plan):
 
 def test_a_broken_report_is_told(tmp_path):
     (tmp_path / "report.json").write_text(json.dumps({"robot": "panda"}))
-    with pytest.raises(mp.FileFormatError, match="a report written by manipplan"):
-        mp.Report.from_json(tmp_path / "report.json")
+    with pytest.raises(mp.errors.FileFormatError, match="a report written by manipplan"):
+        mp.results.Report.from_json(tmp_path / "report.json")
 
 
 @pytest.mark.slow
@@ -83,11 +83,11 @@ def test_planar_arm_among_obstacles(planar):
 
 def test_wrong_kinds_of_things(demo_problem):
     start, goal = demo_problem.start, demo_problem.goal
-    with pytest.raises(mp.InvalidInputError, match="robot: got 'panda'; allowed: a Robot"):
+    with pytest.raises(mp.errors.InvalidInputError, match="robot: got 'panda'; allowed: a Robot"):
         mp.plan("panda", start, goal)
-    with pytest.raises(mp.InvalidInputError, match="scene: got 'scene.yaml'; allowed: a Scene"):
+    with pytest.raises(mp.errors.InvalidInputError, match="scene: got 'scene.yaml'; allowed: a Scene"):
         mp.plan(demo_problem.robot, start, goal, "scene.yaml")
-    with pytest.raises(mp.InvalidInputError, match="a list of obstacles"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a list of obstacles"):
         mp.Scene(mp.Sphere(radius=1.0))
 
 
@@ -98,7 +98,7 @@ def test_a_singular_start_is_planned_and_told(planar, tmp_path):
     assert "at the start, which all paths" in plan.report.minimum_note
     plan.report.to_json(tmp_path / "report.json")
     assert json.loads((tmp_path / "report.json").read_text(), parse_constant=pytest.fail)["g"] == "inf"
-    assert mp.Report.from_json(tmp_path / "report.json") == plan.report
+    assert mp.results.Report.from_json(tmp_path / "report.json") == plan.report
 
 
 def test_progress_tells_each_step(planar):
@@ -191,7 +191,7 @@ def test_wrong_arguments_raise_at_once(demo_problem, change, message, throw):
     arguments = {"start": demo_problem.start, "goal": demo_problem.goal, **change}
     start, goal = arguments.pop("start"), arguments.pop("goal")
     steps = []
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan(
             demo_problem.robot,
             start,
@@ -210,13 +210,15 @@ def test_an_unreachable_goal_is_told(planar):
     start, goal = [0.5, 0.5, 0.5], [-0.5, -0.5, -0.5]
     # a second wall between the two on the other side
     cage = mp.Scene([*wall.obstacles, mp.Box(size=(5.0, 0.02, 1.0), position=(2.6, 0.0, 0.0), name="shelf")])
-    with pytest.raises(mp.PlanningError, match=r"proven .* joint1 .* into contact; at the goal link1_0 and shelf") as caught:
+    with pytest.raises(
+        mp.errors.PlanningError, match=r"proven .* joint1 .* into contact; at the goal link1_0 and shelf"
+    ) as caught:
         mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5))
     assert caught.value.result.status is mp.Status.NO_PATH
     failed = mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5), throw=False)
     assert failed.trajectory is None
     assert not failed.status.has_path
-    with pytest.raises(mp.PlanningError, match="no trajectory to save"):
+    with pytest.raises(mp.errors.PlanningError, match="no trajectory to save"):
         failed.save("nowhere")
 
 
@@ -227,7 +229,7 @@ def test_the_optimiser_tells_that_there_is_no_path(planar):
     start, goal = [0.0, 0.1, 0.0], [np.pi, -0.1, 0.0]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("manipplan.optimize.problem.seed_path", _no_seed)
-        with pytest.raises(mp.PlanningError, match="nothing") as caught:
+        with pytest.raises(mp.errors.PlanningError, match="nothing") as caught:
             mp.optimize_path(planar, start, goal, scene=cage)
         result = mp.optimize_path(planar, start, goal, scene=cage, throw=False)
     assert caught.value.result.status is result.status is mp.Status.NO_PATH
@@ -236,14 +238,14 @@ def test_the_optimiser_tells_that_there_is_no_path(planar):
 
 
 def _no_seed(*_, **__):
-    raise mp.PlanningError("nothing was found")
+    raise mp.errors.PlanningError("nothing was found")
 
 
 @pytest.mark.slow
 def test_no_motion_within_the_limits_is_told(panda):
     weak = panda.with_limits(effort=np.array([87.0, 3.0, 87, 87, 12, 12, 12]))
     goal = weak.neutral + 0.3
-    with pytest.raises(mp.PlanningError, match="gravity alone loads panda_joint2"):
+    with pytest.raises(mp.errors.PlanningError, match="gravity alone loads panda_joint2"):
         mp.plan(weak, weak.neutral, goal, torque=True)
     failed = mp.plan(weak, weak.neutral, goal, torque=True, throw=False)
     assert failed.status is mp.Status.NO_TIMING
@@ -253,7 +255,7 @@ def test_no_motion_within_the_limits_is_told(panda):
 
 def test_unlimited_speed_is_told_before_work_starts(panda):
     steps = []
-    with pytest.raises(mp.InvalidInputError, match=r"limits\.velocity.*give velocity="):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"limits\.velocity.*give velocity="):
         mp.plan(
             panda.with_limits(velocity=np.inf), panda.neutral, panda.neutral + 0.3, progress=lambda *told: steps.append(told)
         )
@@ -268,7 +270,7 @@ def test_seed_path_is_deterministic_and_free(demo_problem):
     assert problem.scene.collision_model(problem.robot).path_is_free(first, 1e-3)
     other = mp.seed_path(problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(seed=4))
     assert abs(other.length - first.length) > 1e-6
-    with pytest.raises(mp.UnknownNameError, match="RRTConnect"):
+    with pytest.raises(mp.errors.UnknownNameError, match="RRTConnect"):
         mp.seed_path(
             problem.robot, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(planner="RRTconnect", time_limit=3)
         )

@@ -192,14 +192,14 @@ def test_failures_are_results(hard, executor, caplog, tmp_path):
     assert re.search(r"goal\[0\].*3\.1", found[1].message)
     assert re.search("start.*post overlap", found[2].message)
     assert "cannot be reached" in found[4].message
-    assert all(type(each) is mp.PartialPlan and not each.status.has_path and each.path is None for each in found[1:5])
+    assert all(type(each) is mp.results.PartialPlan and not each.status.has_path and each.path is None for each in found[1:5])
     assert_same([found[5]], [found[0]])
     assert "problems[4] (caged): NO_PATH" in caplog.text
     again = mp.plan_many(hard, folder=tmp_path)
     assert [each.message for each in again] == [each.message for each in found]
     failed = next(file for file in tmp_path.iterdir() if "NO_PATH" in file.read_text())
     with pytest.raises(
-        mp.FileFormatError, match="a plan with a trajectory; this one has none, with status NO_PATH: it is proven"
+        mp.errors.FileFormatError, match="a plan with a trajectory; this one has none, with status NO_PATH: it is proven"
     ):
         mp.Plan.load(failed)
 
@@ -256,14 +256,14 @@ def test_progress_names_each_result(hard):
 def test_wrong_values_of_a_problem_are_told_with_its_number(planar, monkeypatch, change, message):
     monkeypatch.setattr(dispatch, "plan", None)
     good = mp.Problem(robot=planar, start=PAIRS[0][0], goal=PAIRS[0][1])
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan_many([good, good, replace(good, **change), good])
 
 
 def test_robots_without_speed_limits_are_told(planar, monkeypatch):
     good = mp.Problem(robot=planar, start=PAIRS[0][0], goal=PAIRS[0][1])
     fast = replace(good, robot=planar.with_limits(velocity=np.inf))
-    with pytest.raises(mp.InvalidInputError, match=r"problems\[1\]\.limits\.velocity: .*give velocity="):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"problems\[1\]\.limits\.velocity: .*give velocity="):
         mp.plan_many([good, fast])
 
 
@@ -282,7 +282,7 @@ def test_robots_without_speed_limits_are_told(planar, monkeypatch):
     ],
 )
 def test_wrong_arguments(problems, arguments, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan_many(**{"problems": problems, **arguments})
 
 
@@ -296,18 +296,18 @@ def test_a_problem_holds_each_option_of_plan():
 
 
 def test_what_cannot_be_sent_is_told(planar):
-    class Local(mp.Yoshikawa):
+    class Local(mp.measures.Yoshikawa):
         pass
 
     given = [mp.Problem(robot=planar, start=PAIRS[0][0], goal=PAIRS[0][1], objective=mp.PathObjective(measure=Local()))]
-    with pytest.raises(mp.InvalidInputError, match=r"problems\[0\]: .*a problem that can be pickled"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"problems\[0\]: .*a problem that can be pickled"):
         mp.plan_many(given, 1)
 
 
 def test_an_executor_that_was_shut_down_is_told(problems):
     pool = ThreadPoolExecutor(1)
     pool.shutdown()
-    with pytest.raises(mp.InvalidInputError, match="executor: .*an executor that takes work"):
+    with pytest.raises(mp.errors.InvalidInputError, match="executor: .*an executor that takes work"):
         mp.plan_many(problems, pool)
 
 
@@ -335,7 +335,7 @@ class Failing(Executor):
     ],
 )
 def test_an_executor_that_fails_is_told(problems, executor, message):
-    with pytest.raises(mp.InvalidInputError, match=f"executor: .*{message}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"executor: .*{message}"):
         mp.plan_many(problems, executor)
 
 
@@ -407,7 +407,7 @@ def test_a_lost_worker_is_replaced_and_its_problem_redone(with_deaths, tmp_path)
 def test_a_problem_that_kills_each_worker_is_a_failure(with_deaths, tmp_path, expected, workers):
     found = mp.plan_many(given := with_deaths(100), workers, folder=tmp_path / "results")
     assert deaths(tmp_path) == 2
-    assert (found[1].status, type(found[1])) == (Status.WORKER_LOST, mp.PartialPlan)
+    assert (found[1].status, type(found[1])) == (Status.WORKER_LOST, mp.results.PartialPlan)
     assert "signal 9, Killed" in found[1].message
     assert_same([found[0], *found[2:]], expected[:5])
     assert len(list((tmp_path / "results").iterdir())) == len(given) - 1
@@ -451,7 +451,7 @@ def test_a_dask_cluster_survives_a_deadly_problem(with_deaths, tmp_path, expecte
 
 def test_processes_that_do_not_start_are_told(problems, monkeypatch):
     monkeypatch.setattr("manipplan.support.processes.workers.BEGIN", "import sys; sys.exit(5)")
-    with pytest.raises(mp.InvalidInputError, match=r"executor: .*processes that can start.*exit code 5"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"executor: .*processes that can start.*exit code 5"):
         mp.plan_many(problems, 2)
 
 
@@ -537,7 +537,7 @@ def test_a_file_is_whole_or_not_there(problems, tmp_path, monkeypatch):
         raise FullError(28, "No space left on device")
 
     monkeypatch.setattr("pathlib.Path.replace", full)
-    with pytest.raises(mp.InvalidInputError, match="No space left"):
+    with pytest.raises(mp.errors.InvalidInputError, match="No space left"):
         mp.plan_many(problems[:1], folder=tmp_path)
     assert list(tmp_path.iterdir()) == []
 

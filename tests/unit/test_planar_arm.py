@@ -177,5 +177,5 @@ def test_manipulability_is_not_convex(lengths):
     ],
 )
 def test_wrong_arguments(call, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         call()

@@ -362,5 +362,5 @@ def test_best_lengths_of_three_links_by_grid():
     ],
 )
 def test_wrong_arguments(call, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         call()

@@ -196,5 +196,5 @@ def test_the_thesis_limits_leave_radii_from_1_to_3():
     ],
 )
 def test_wrong_arguments(call, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         call()

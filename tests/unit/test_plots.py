@@ -96,11 +96,11 @@ def test_joints_as_share_of_their_range(demo_plan, flat, planar_plan):
     t = flat.lines[0].get_xdata()
     shares = (demo_plan.trajectory(t) - limits.lower) / (limits.upper - limits.lower)
     np.testing.assert_allclose([line.get_ydata() for line in flat.lines], shares.T)
-    with pytest.raises(mp.InvalidInputError, match="share"):
+    with pytest.raises(mp.errors.InvalidInputError, match="share"):
         viz.plot_joints(planar_plan.trajectory, planar_plan.robot.limits, share=True)
-    with pytest.raises(mp.InvalidInputError, match="limits of 7 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits of 7 joints"):
         viz.plot_joints(demo_plan.trajectory, planar_plan.robot.limits)
-    with pytest.raises(mp.InvalidInputError, match="order"):
+    with pytest.raises(mp.errors.InvalidInputError, match="order"):
         viz.plot_joints(demo_plan.trajectory, order=4)
 
 
@@ -117,9 +117,9 @@ def test_manipulability_over_the_length_with_its_least_and_a_bound(demo_plan, fl
     assert 0.02 in dashed(flat)
     assert "yoshikawa [m⁶]" in flat.get_ylabel()
     assert [text.get_text() for text in flat.get_legend().get_texts()][-2:] == ["straight", "bound"]
-    with pytest.raises(mp.InvalidInputError, match="paths"):
+    with pytest.raises(mp.errors.InvalidInputError, match="paths"):
         viz.plot_manipulability(kinematics, {}, ax=flat)
-    with pytest.raises(mp.InvalidInputError, match="7 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="7 joints"):
         viz.plot_manipulability(kinematics, {"other": mp.JointPath.line([0.0], [1.0])}, ax=flat)
 
 
@@ -276,7 +276,7 @@ def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     assert side.get_path().vertices[:, 0].max() == pytest.approx(-2.2)
     flat.figure.draw_without_rendering()
     assert flat.get_xlim()[0] < -2.2
-    with pytest.raises(mp.InvalidInputError, match="planar arm"):
+    with pytest.raises(mp.errors.InvalidInputError, match="planar arm"):
         viz.plot_planar_arm(mp.load_robot("panda"), mp.JointPath.line(np.zeros(7), np.ones(7)))
 
 
@@ -289,7 +289,7 @@ def test_tool_path_beside_what_it_follows(tracked, planar, demo_plan, space, fla
     assert np.abs(distance).max() < 0.0205
     viz.plot_tool_path(demo_plan.robot, demo_plan.trajectory, ax=space)
     assert len(space.lines) == 1 + 9 + 1
-    with pytest.raises(mp.InvalidInputError, match="CartesianPath"):
+    with pytest.raises(mp.errors.InvalidInputError, match="CartesianPath"):
         viz.plot_tool_path(planar, tracking, 3)
 
 
@@ -324,7 +324,7 @@ def test_deviation_of_a_followed_path_by_brute_force(demo_plan):
         )  # the nearest point may lie between two samples
         assert 1e3 * (apart.min() - between) <= position[k] < 5.0
     assert [dashed(axes) for axes in ax.figure.axes] == [[5.0], [pytest.approx(np.rad2deg(0.1))]]
-    with pytest.raises(mp.InvalidInputError, match="follow or improve"):
+    with pytest.raises(mp.errors.InvalidInputError, match="follow or improve"):
         viz.plot_deviation(demo_plan)
 
 
@@ -345,7 +345,7 @@ def test_layers_show_candidates_and_the_path_that_was_found(rng, flat):
     np.testing.assert_array_equal(path.get_ydata(), [value[k] for value, k in zip(layers.m, found.indices, strict=True)])
     assert least.get_ydata()[0] == found.minimum
     assert dashed(flat) == [found.bound]
-    with pytest.raises(mp.InvalidInputError, match="6 layers"):
+    with pytest.raises(mp.errors.InvalidInputError, match="6 layers"):
         viz.plot_layers(layers, replace(found, manipulability=found.manipulability[1:]))
 
 
@@ -369,7 +369,7 @@ def test_convergence_shows_every_solve(demo_plan, flat):
     assert result.g in dashed(flat)
     labels = " ".join(text.get_text() for text in flat.get_legend().get_texts())
     assert f"seed: {result.seed_cost.g:.4g}, above" in labels
-    with pytest.raises(mp.InvalidInputError, match="at least one solve"):
+    with pytest.raises(mp.errors.InvalidInputError, match="at least one solve"):
         viz.plot_convergence(replace(result, history=()))
 
 
@@ -417,11 +417,11 @@ def test_new_axes_are_made_and_returned(demo_plan):
         assert ax.name == "3d"
         assert ax.figure.number in plt.get_fignums()
     assert viz.plot_joints(demo_plan.trajectory).name == "rectilinear"
-    with pytest.raises(mp.InvalidInputError, match="without projection"):
+    with pytest.raises(mp.errors.InvalidInputError, match="without projection"):
         viz.plot_joints(demo_plan.trajectory, ax=ax)
-    with pytest.raises(mp.InvalidInputError, match="with projection='3d'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="with projection='3d'"):
         viz.plot_arm(demo_plan.robot, demo_plan.path, ax=Figure().add_subplot())
-    with pytest.raises(mp.InvalidInputError, match="ax"):
+    with pytest.raises(mp.errors.InvalidInputError, match="ax"):
         viz.plot_convergence(demo_plan.result, ax="here")
 
 
@@ -481,7 +481,7 @@ def test_an_mp4_has_as_many_frames_in_as_much_time(planar_plan, tmp_path):
 
 def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, tmp_path, monkeypatch):
     for name in ("plan.avi", "plan"):
-        with pytest.raises(mp.InvalidInputError, match=r"\.gif or \.mp4"):
+        with pytest.raises(mp.errors.InvalidInputError, match=r"\.gif or \.mp4"):
             viz.animate(planar_plan, tmp_path / name)
     for change in (
         {"fps": 0},
@@ -495,18 +495,19 @@ def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, t
         {"size": (1e3, 1)},
         {"progress": 3},
     ):
-        with pytest.raises(mp.InvalidInputError, match=next(iter(change))):
+        with pytest.raises(mp.errors.InvalidInputError, match=next(iter(change))):
             viz.animate(planar_plan, tmp_path / "plan.gif", **change)
-    with pytest.raises(mp.InvalidInputError, match="can be written"):
+    with pytest.raises(mp.errors.InvalidInputError, match="can be written"):
         viz.animate(planar_plan, tmp_path / "nowhere" / "plan.gif")
-    with pytest.raises(mp.PlanningError, match="no trajectory"):
+    with pytest.raises(mp.errors.PlanningError, match="no trajectory"):
         viz.animate(
-            mp.PartialPlan(robot=planar_plan.robot, scene=planar_plan.scene, status=mp.Status.NO_PATH), tmp_path / "plan.gif"
+            mp.results.PartialPlan(robot=planar_plan.robot, scene=planar_plan.scene, status=mp.Status.NO_PATH),
+            tmp_path / "plan.gif",
         )
-    with pytest.raises(mp.InvalidInputError, match="plan"):
+    with pytest.raises(mp.errors.InvalidInputError, match="plan"):
         viz.animate(planar_plan.trajectory, tmp_path / "plan.gif")
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(mp.MissingProgramError, match="sudo apt-get install ffmpeg"):
+    with pytest.raises(mp.errors.MissingProgramError, match="sudo apt-get install ffmpeg"):
         viz.animate(planar_plan, tmp_path / "plan.mp4")
     assert list(tmp_path.iterdir()) == []
 

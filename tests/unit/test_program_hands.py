@@ -98,7 +98,7 @@ def test_a_part_between_fingers_that_may_touch_it_is_not_far(hand, cell):
 )
 def test_what_two_hands_cannot_do_is_refused(baxter, steps, message):
     scene = mp.Scene([ball_at(baxter, RIGHT, baxter.neutral)])
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.sequence(baxter, baxter.neutral, steps, scene)
 
 
@@ -128,10 +128,13 @@ def left(baxter):
 def test_a_part_in_the_other_hand_is_no_goal(left):
     goal = mp.PoseGoal(left.kinematics().pose(left.neutral + 0.1), of="ball")
     with pytest.raises(
-        mp.InvalidInputError, match=r"steps\[0\]\.goal\.of: .* a part in the hand left_gripper: ball is in the hand right"
+        mp.errors.InvalidInputError,
+        match=r"steps\[0\]\.goal\.of: .* a part in the hand left_gripper: ball is in the hand right",
     ):
         mp.sequence(left, left.neutral, [mp.MoveTo(goal)])
-    with pytest.raises(mp.InvalidInputError, match=r"goal\.of: .* a part in the hand left_gripper: ball is in the hand right"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"goal\.of: .* a part in the hand left_gripper: ball is in the hand right"
+    ):
         mp.plan(left, left.neutral, goal)
     where = frame_pose(left.model, RIGHT, left.neutral) @ left.carried["ball"].solid.pose.homogeneous
     assert mp.PoseGoal(where, of="ball").missed_by(left, left.neutral + 0.3) == ""  # it does not move with the left arm
@@ -144,7 +147,7 @@ def test_the_other_hand_puts_a_part_down_where_it_is(left, baxter, tmp_path):
     made = mp.sequence(left, left.neutral, steps)
     np.testing.assert_allclose(placed_ball(made), where, atol=1e-9)
     made.save(tmp_path / "made")
-    with pytest.raises(mp.FileFormatError, match="give robot="):
+    with pytest.raises(mp.errors.FileFormatError, match="give robot="):
         mp.Program.load(tmp_path / "made")
     again = mp.Program.load(tmp_path / "made", robot=left)
     assert again.marks == made.marks
@@ -153,7 +156,7 @@ def test_the_other_hand_puts_a_part_down_where_it_is(left, baxter, tmp_path):
     assert again.parts[0].robot.carried["ball"].frame == RIGHT
     bare = mp.Program.load(tmp_path / "made", robot=left.detach("ball"))
     assert bare.robot.carried.keys() == {"ball"}
-    with pytest.raises(mp.FileFormatError, match="give the right robot="):
+    with pytest.raises(mp.errors.FileFormatError, match="give the right robot="):
         mp.Program.load(tmp_path / "made", robot=baxter.arm(RIGHT))
 
 
@@ -166,5 +169,5 @@ def test_a_program_file_names_the_hand(baxter, tmp_path):
     assert (first.part, first.tool, second.tool) == ("ball", LEFT, "")
     for entry, message in (("{part: 3}", r"attach\.part"), ("{prt: ball}", "part and, where wanted, tool")):
         file.write_text(f"start: [0]\nsteps:\n- attach: {entry}\n")
-        with pytest.raises(mp.FileFormatError, match=message):
+        with pytest.raises(mp.errors.FileFormatError, match=message):
             ProgramFile.read(file).steps(baxter)

@@ -39,7 +39,7 @@ def test_the_grasp_goes_with_the_place_of_the_part(place):
     for grasp in grasps:
         try:
             least.append(mp.sequence(arm, start, [mp.MoveTo(grasp), *ends], scene).min_manipulability)
-        except mp.InvalidInputError as error:
+        except mp.errors.InvalidInputError as error:
             least.append(0.0)
             assert "out of reach" in str(error) or "in collision" in str(error) or "collides" in str(error)
     assert max(least) > 1.05 * min(least)
@@ -78,9 +78,9 @@ def test_plan_to_a_pose_of_a_carried_part(hand):
     made = mp.plan(carrying, "default", mp.PoseGoal(place @ DOWN, of="bar"))
     reached = carrying.kinematics().pose(made.trajectory.q[-1]) @ carrying.carried["bar"].solid.pose.homogeneous
     np.testing.assert_allclose(reached, place @ DOWN, atol=3e-6)
-    with pytest.raises(mp.UnknownNameError, match=r"goal\.of: got 'bra'; allowed: one of bar"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"goal\.of: got 'bra'; allowed: one of bar"):
         mp.plan(carrying, "default", mp.PoseGoal(place, of="bra"))
-    with pytest.raises(mp.InvalidInputError, match=r"goal\.free_axis: .* it is 8\.81 mm beside that of bar"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"goal\.free_axis: .* it is 8\.81 mm beside that of bar"):
         mp.plan(carrying, "default", mp.PoseGoal(place, of="bar", free_axis=[0, 0, 1]))
 
 

@@ -89,18 +89,18 @@ def test_saved_and_loaded(program, tmp_path):
     np.testing.assert_allclose(ros.q, program.trajectory.q, atol=1e-9)
     text = (tmp_path / "made" / "program.json").read_text()
     (tmp_path / "made" / "program.json").write_text(text.replace('"begin"', '"begin" ', 1).replace("MoveTo", "MoveAt", 1))
-    with pytest.raises(mp.FileFormatError, match="changed since"):
+    with pytest.raises(mp.errors.FileFormatError, match="changed since"):
         mp.Program.load(tmp_path / "made")
     (tmp_path / "made" / "program.json").write_text(text.replace('"version": 1', '"version": 7', 1))
-    with pytest.raises(mp.FileFormatError, match="this is version 7"):
+    with pytest.raises(mp.errors.FileFormatError, match="this is version 7"):
         mp.Program.load(tmp_path / "made")
     (tmp_path / "made" / "program.json").write_text(text)
     part = tmp_path / "made" / "part_1.json"
     part.write_text(part.read_text().replace('"version": ', '"version": 9', 1))
-    with pytest.raises(mp.FileFormatError, match=r"part_1\.json.*this is version 9"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"part_1\.json.*this is version 9"):
         mp.Program.load(tmp_path / "made")
     part.unlink()
-    with pytest.raises(mp.FileFormatError, match=r"part_1\.json"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"part_1\.json"):
         mp.Program.load(tmp_path / "made")
 
 

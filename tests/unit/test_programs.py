@@ -127,12 +127,14 @@ def test_the_tool_speed_is_constant(hand, blend, tmp_path):
 @pytest.mark.slow
 def test_a_tool_speed_that_is_not_possible_is_refused_with_the_fastest(hand):
     steps = seam_steps(3.0)
-    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 3\.0; allowed: at most [\d.]+ m/s") as caught:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 3\.0; allowed: at most [\d.]+ m/s"
+    ) as caught:
         mp.sequence(hand, "default", steps)
     fastest = float(caught.value.allowed.split()[2])
     made = mp.sequence(hand, "default", seam_steps(fastest))
     assert made.marks[0].tool_speed.is_steady
-    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[0\]\.tool_speed"):
         mp.sequence(hand, "default", seam_steps(1.1 * fastest))
 
 
@@ -259,7 +261,7 @@ BAD = {
 @pytest.mark.parametrize("name", BAD)
 def test_bad_programs(hand, cell, name):
     given, message = BAD[name]
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.sequence(hand, "default", given, cell)
 
 
@@ -281,7 +283,7 @@ def test_bad_programs(hand, cell, name):
     ],
 )
 def test_ways_that_do_not_exist_are_told(hand, cell, steps, message):
-    with pytest.raises(mp.PlanningError, match=message):
+    with pytest.raises(mp.errors.PlanningError, match=message):
         mp.sequence(hand, "default", steps, cell)
 
 
@@ -322,7 +324,7 @@ def test_a_part_that_touches_is_told(hand, cell, picked, placed, message):
     scene = cell.without("part") + mp.Scene([mp.Box(size=(0.04, 0.04, 0.1), position=(0.45, 0.3, picked), name="part")])
     steps = [mp.MoveTo(pose_at(0.45, 0.3, 0.09), approach=0.1), mp.Attach("part")]
     steps += [mp.MoveTo(pose_at(0.45, -0.3, placed), approach=0.1), mp.Detach("part"), mp.MoveTo("default")]
-    with pytest.raises(mp.PlanningError, match=message):
+    with pytest.raises(mp.errors.PlanningError, match=message):
         mp.sequence(hand, "default", steps, scene, seeding=mp.Seeding(time_limit=2.0))
 
 
@@ -367,7 +369,7 @@ def test_a_motion_that_does_not_do_its_step_fails_the_check(hand, step):
     ],
 )
 def test_bad_steps(make, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         make()
 
 
@@ -388,7 +390,9 @@ def test_the_fastest_speed_around_a_sharp_corner(hand, blend):
         return mp.sequence(hand, "default", [mp.MoveAlong(path, tool_speed=speed), mp.MoveTo("default")], blend=blend)
 
     began = time.process_time()
-    with pytest.raises(mp.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 0\.3; allowed: at most [\d.]+ m/s") as caught:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"steps\[0\]\.tool_speed: got 0\.3; allowed: at most [\d.]+ m/s"
+    ) as caught:
         weld(0.3)
     assert time.process_time() - began < 20  # 80 s before
     fastest = float(caught.value.allowed.split()[2])
@@ -410,7 +414,7 @@ def test_a_corner_that_no_motion_takes_is_refused_before_work_starts(hand, monke
     path = mp.CartesianPath.through(poses)
     monkeypatch.setattr("manipplan.jobs.programs.sequence.nodes_of", None)  # where work starts
     with pytest.raises(
-        mp.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
+        mp.errors.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
     ) as caught:
         mp.sequence(hand, "default", [mp.Wait(0.1), mp.MoveAlong(path, tool_speed=0.6)])
     assert "split the path there" in caught.value.allowed
@@ -429,7 +433,7 @@ def test_the_bound_on_corners_is_none_of_motions(hand):
     assert 0.2 * bound < largest < bound
     arc = mp.CartesianPath.circle(pose_at(0.5, 0.0, 0.3), (0.45, 0.0, 0.3), (0, 0, 1))
     check_corners(np.sqrt(0.9 * bound * 0.05), arc, hand, position=1e-4)
-    with pytest.raises(mp.InvalidInputError, match="turns a corner"):
+    with pytest.raises(mp.errors.InvalidInputError, match="turns a corner"):
         check_corners(np.sqrt(1.2 * bound * 0.05), arc, hand, position=1e-4)
 
 
@@ -443,7 +447,7 @@ def test_a_straight_way_stays_inside_the_limits(hand):
     narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
     assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", outside_limits(made, narrow))
     blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
-    with pytest.raises(mp.InvalidInputError, match="lid"):
+    with pytest.raises(mp.errors.InvalidInputError, match="lid"):
         straight_finder(hand, blocked, path, measure=None, clearance=0.0)
 
 

@@ -68,7 +68,7 @@ def around(carrier):
     """A cage around that ball in the posture DOWN; the hand reaches in through its hole, through which the ball cannot pass."""
     pose = carrier.kinematics().pose(DOWN)
     scene = cage(pose[:3, 3] + 0.15 * pose[:3, 2])
-    with pytest.raises(mp.PlanningError):  # compiles and loads what the searches need
+    with pytest.raises(mp.errors.PlanningError):  # compiles and loads what the searches need
         mp.seed_path(carrier, BESIDE, DOWN, scene)
     return scene
 
@@ -76,7 +76,9 @@ def around(carrier):
 @pytest.mark.parametrize(("start", "goal", "end"), [(BESIDE, DOWN, "goal"), (DOWN, BESIDE, "start")])
 def test_an_enclosed_body_is_told_with_what_encloses_it(carrier, around, start, goal, end):
     began = work_time()
-    with pytest.raises(mp.PlanningError, match=rf"proven .* globe is enclosed at the {end}, and \w+ is .* radius 120 mm"):
+    with pytest.raises(
+        mp.errors.PlanningError, match=rf"proven .* globe is enclosed at the {end}, and \w+ is .* radius 120 mm"
+    ):
         mp.seed_path(carrier, start, goal, around)
     assert work_time() - began < 2.0  # 0.2 s
 
@@ -88,7 +90,7 @@ def test_every_job_and_planner_tells_it(carrier, around):
     assert part.status is mp.Status.NO_PATH and "globe is enclosed at the goal" in part.message
     began = work_time()
     for planner in ("RRTConnect", "connect-star"):
-        with pytest.raises(mp.PlanningError, match="globe is enclosed at the goal"):
+        with pytest.raises(mp.errors.PlanningError, match="globe is enclosed at the goal"):
             mp.seed_path(carrier, BESIDE, DOWN, around, seeding=mp.Seeding(planner=planner))
     assert work_time() - began < 4.0
 
@@ -131,7 +133,7 @@ def test_a_mesh_and_a_cloud_enclose_as_well(carrier, around):
 
 def test_walls_that_the_first_joint_cannot_pass(planar):
     began = work_time()
-    with pytest.raises(mp.PlanningError, match=r"every motion of joint1 .* two bodies into contact; .* (north|south)"):
+    with pytest.raises(mp.errors.PlanningError, match=r"every motion of joint1 .* two bodies into contact; .* (north|south)"):
         mp.seed_path(planar, EAST, WEST, mp.Scene([NORTH, SOUTH]))
     assert work_time() - began < 2.0
     found = why_unreachable(task(planar, EAST, WEST, mp.Scene([NORTH, SOUTH]), clearance=0.01))
@@ -209,7 +211,7 @@ def test_an_upper_arm_that_cannot_pass_the_head(tmp_path):
         assert pin.computeCollision(geometry, found, 0)
     began = work_time()
     with pytest.raises(
-        mp.PlanningError, match="every motion of lift and roll within their limits .* brings head_0 and upper_0"
+        mp.errors.PlanningError, match="every motion of lift and roll within their limits .* brings head_0 and upper_0"
     ):
         mp.seed_path(robot, start, goal)
     assert work_time() - began < 3.0
@@ -233,7 +235,7 @@ def test_there_is_no_proof_of_joints_inside_the_arm_where_there_is_a_path(tmp_pa
                 mp.seed_path(arm, start, goal, seeding=mp.Seeding(time_limit=0.1))
                 found += 1
                 assert not is_proven
-            except mp.PlanningError:
+            except mp.errors.PlanningError:
                 pass
     assert proven >= 5 and found >= 20, (proven, found)
 
@@ -262,7 +264,7 @@ def test_there_is_no_proof_where_there_is_a_path(rng):
                 mp.seed_path(arm, start, goal, scene, seeding=mp.Seeding(time_limit=0.03))
                 found += 1
                 assert not is_proven
-            except mp.PlanningError:
+            except mp.errors.PlanningError:
                 pass
     assert proven >= 10 and found >= 25, (proven, found)
 
@@ -297,7 +299,7 @@ def test_a_search_that_ends_soon_does_not_ask(panda, monkeypatch):
 def test_without_a_proof_the_nearest_bodies_at_the_goal_are_named(planar, monkeypatch):
     monkeypatch.setattr(reachable, "find_barrier", lambda _: None)
     with pytest.raises(
-        mp.PlanningError, match=r"in 0.05 s; .* reached: there link\d_0 and (north|south) are the nearest .* mm"
+        mp.errors.PlanningError, match=r"in 0.05 s; .* reached: there link\d_0 and (north|south) are the nearest .* mm"
     ):
         mp.seed_path(planar, EAST, WEST, mp.Scene([NORTH, SOUTH]), seeding=mp.Seeding(time_limit=0.05))
 
@@ -311,7 +313,9 @@ def test_huge_limits(planar, job, scene):
     far = round(1e6 / (2 * np.pi) - 1) * 2 * np.pi
     job(arm, [far, 0.5, 0.3], [far - np.pi, 0.5, 0.3], scene)
     began = work_time()
-    with pytest.raises(mp.InvalidInputError, match=r"goal\[0\]: got 1000000.0; allowed: -1000 to 1000: at most 1000 rad"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"goal\[0\]: got 1000000.0; allowed: -1000 to 1000: at most 1000 rad"
+    ):
         job(arm, EAST, [1e6, 0.5, 0.3], scene)
     assert work_time() - began < 1.0
 
@@ -341,7 +345,7 @@ def test_prismatic_joints_with_huge_limits(tmp_path):
     path = mp.seed_path(arm, [-1.0, 0, 0], [1.0, 0, 0], scene)
     assert scene.path_clearance(arm, path).proven
     assert np.abs(path.control).max() < 10.0
-    with pytest.raises(mp.InvalidInputError, match="at most 1000 rad or m"):
+    with pytest.raises(mp.errors.InvalidInputError, match="at most 1000 rad or m"):
         mp.plan(arm, [-1.0, 0, 0], [1e6, 0, 0], scene)
 
 
@@ -350,7 +354,7 @@ def test_a_gantry_among_boxes_that_close_a_room(tmp_path):
     arm = gantry(tmp_path, 2.0)
     wall = mp.Box(size=[0.02, 5.0, 5.0], name="wall")
     began = work_time()
-    with pytest.raises(mp.PlanningError, match="hoist_0 and wall into contact"):
+    with pytest.raises(mp.errors.PlanningError, match="hoist_0 and wall into contact"):
         mp.seed_path(arm, [-0.5, 0, 0], [0.5, 0, 0], mp.Scene([wall]))
     assert work_time() - began < 2.0
     wall = replace(wall, size=[0.02, 5.0, 4.0], position=(0.0, 0.0, -0.4))  # it ends at z = 1.6 m

@@ -196,9 +196,9 @@ def test_a_planar_arm(planar):
 def test_what_cannot_be_refined_is_refused(panda, problem):
     layers, found = problem
     given = mp.Layers.from_arrays([np.zeros((1, 7))] * 2, [np.ones(1)] * 2)
-    with pytest.raises(mp.InvalidInputError, match="layers of sample_layers, which hold their robot and poses"):
+    with pytest.raises(mp.errors.InvalidInputError, match="layers of sample_layers, which hold their robot and poses"):
         mp.refine(given, mp.max_min_search(given, 1.0))
-    with pytest.raises(mp.InvalidInputError, match="found: got 'NOT_CONNECTED'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="found: got 'NOT_CONNECTED'"):
         mp.refine(layers, mp.max_min_search(layers, 1e-6, throw=False))
     for change, message in (
         ({"layers": "layers"}, "layers: got 'layers'"),
@@ -207,7 +207,7 @@ def test_what_cannot_be_refined_is_refused(panda, problem):
         ({"resample": 1.5}, "resample: got 1.5"),
         ({"tolerance": 0.01}, "tolerance: got 0.01"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             mp.refine(**{"layers": layers, "found": found, **change})
 
 
@@ -216,9 +216,11 @@ def test_a_path_of_other_layers_is_refused(panda, problem):
     layers, found = problem
     start = panda.kinematics().pose(panda.neutral)
     elsewhere = mp.sample_layers(panda, CartesianPath.line(start, moved(start, [0, -0.2, 0])), 6, samples=9)
-    with pytest.raises(mp.InvalidInputError, match=r"found: .*another candidate at position \d.*a search in these layers"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"found: .*another candidate at position \d.*a search in these layers"
+    ):
         mp.refine(layers, mp.max_min_search(elsewhere, 0.7))
-    with pytest.raises(mp.InvalidInputError, match="another candidate at position 3"):
+    with pytest.raises(mp.errors.InvalidInputError, match="another candidate at position 3"):
         mp.refine(layers, replace(found, q=found.q + 0.01 * (np.arange(6) == 3)[:, None]))
 
 

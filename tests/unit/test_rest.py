@@ -51,10 +51,10 @@ def test_a_drive_does_not_hold_the_arm_away_from_its_target(panda, controllers):
     start[3] = -0.08
     held = mp.Controller(panda, mp.formulations.LogDrive(yields=False), dt=DT).rollout(start, standing(target, 20.0))
     assert distance(panda, held.q[-1], target) > 0.1
-    assert held["status"][-1] == mp.StepStatus.STALLED
+    assert held["status"][-1] == mp.results.StepStatus.STALLED
     run = controllers["LogDrive"].rollout(start, standing(target, 20.0))
     assert distance(panda, run.q[-1], target) < 1e-3
-    assert run["status"][-1] == mp.StepStatus.SOLVED
+    assert run["status"][-1] == mp.results.StepStatus.SOLVED
 
 
 @pytest.mark.slow
@@ -67,7 +67,7 @@ def test_an_arm_reaches_its_target_or_says_that_it_stalled(panda, controllers, s
     run = controllers[name].rollout(start, standing(target, 120.0))
     away = distance(panda, run.q[-1], target)
     closer = away < 0.97 * distance(panda, run.q[-1001], target)  # may take minutes along a joint limit
-    assert away < 1e-3 or run["status"][-1] == mp.StepStatus.STALLED or closer
+    assert away < 1e-3 or run["status"][-1] == mp.results.StepStatus.STALLED or closer
 
 
 @pytest.mark.slow
@@ -109,15 +109,15 @@ def test_a_target_out_of_reach_stalls_within_the_stated_time_and_ends_when_it_mo
         qd = controller.step(q, qd, target)
         q = q + DT * qd
         found.append(controller.report.status)
-    assert found[-1] is mp.StepStatus.STALLED
+    assert found[-1] is mp.results.StepStatus.STALLED
     assert not found[-1].brakes
-    assert mp.StepStatus.STALLED not in found[: round(STALLING / DT)]
+    assert mp.results.StepStatus.STALLED not in found[: round(STALLING / DT)]
     target[:2, 3] *= 0.5
     qd = controller.step(q, qd, target)
-    assert controller.report.status is mp.StepStatus.SOLVED
+    assert controller.report.status is mp.results.StepStatus.SOLVED
     controller.reset()
     controller.step(q, qd, target)
-    assert controller.report.status is mp.StepStatus.SOLVED
+    assert controller.report.status is mp.results.StepStatus.SOLVED
 
 
 def test_an_arm_that_follows_or_has_arrived_has_not_stalled():
@@ -128,7 +128,7 @@ def test_an_arm_that_follows_or_has_arrived_has_not_stalled():
     moving = np.repeat(pose[None], 600, axis=0)
     moving[:, 1, 3] -= np.minimum(np.arange(600) / 300, 1.0) * 0.3
     run = controller.rollout(start, moving)
-    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert (run["status"] == mp.results.StepStatus.SOLVED).all()
     assert run["position_deviation"][-1] < AWAY
 
 
@@ -140,7 +140,7 @@ def test_inside_its_tolerance_an_arm_has_not_stalled():
     tube = mp.Tolerance(position=0.02, rotation=0.05)
     controller = mp.Controller(arm, mp.formulations.LogDrive(), dt=DT, tolerance=tube, compiled=False)
     run = controller.rollout(start, standing(pose, 5.0))
-    assert (run["status"] == mp.StepStatus.SOLVED).all()
+    assert (run["status"] == mp.results.StepStatus.SOLVED).all()
     assert 0.002 < run["position_deviation"][-1] < 0.0205
     exact = mp.Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False).rollout(start, standing(pose, 5.0))
     assert exact["position_deviation"][-1] < 2e-4

@@ -112,7 +112,7 @@ def test_given_limits_stand_in_for_bad_ones(two_link_urdf):
 def test_wrong_numbers_in_an_srdf(two_link_urdf, tmp_path, value):
     srdf = tmp_path / "two.srdf"
     srdf.write_text(f'<robot name="two"><group_state name="a"><joint name="turn" value="{value}"/></group_state></robot>')
-    with pytest.raises(mp.FileFormatError, match="srdf.*joint values"):
+    with pytest.raises(mp.errors.FileFormatError, match="srdf.*joint values"):
         mp.Robot.from_urdf(two_link_urdf(), tool="tip", srdf=srdf)
 
 
@@ -124,10 +124,10 @@ def test_a_part_of_a_known_arm():
 @pytest.mark.parametrize(
     "error",
     [
-        mp.InvalidInputError("a", 1, "b"),
-        mp.UnknownNameError("a", "pnada", ["panda"]),
-        mp.MissingExtraError("viser", "viewer"),
-        mp.PlanningError("no path", 3),
+        mp.errors.InvalidInputError("a", 1, "b"),
+        mp.errors.UnknownNameError("a", "pnada", ["panda"]),
+        mp.errors.MissingExtraError("viser", "viewer"),
+        mp.errors.PlanningError("no path", 3),
     ],
 )
 def test_errors_travel_between_processes(error):
@@ -139,7 +139,7 @@ def test_a_changed_copy_has_its_own_kinematics(panda):
     panda.kinematics()
     other = dataclasses.replace(panda, tool="panda_link4")
     assert np.abs(other.kinematics().pose(panda.neutral) - panda.kinematics().pose(panda.neutral)).max() > 0.1
-    with pytest.raises(mp.InvalidInputError, match="task: got 'self'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="task: got 'self'"):
         panda.kinematics("self")
 
 
@@ -147,7 +147,7 @@ def test_another_tool_of_a_humanoid():
     robot = mp.load_robot("icub", tool="r_forearm")
     assert robot.tool == "r_forearm"
     assert robot.joint_names[0] == "r_shoulder_pitch"
-    with pytest.raises(mp.UnknownNameError, match="r_forearm"):
+    with pytest.raises(mp.errors.UnknownNameError, match="r_forearm"):
         mp.load_robot("icub", tool="r_foream")
 
 
@@ -169,18 +169,18 @@ def test_every_arm_of_the_catalogue_loads_with_a_free_usual_posture(name):
 
 
 def test_unknown_robot_names_the_nearest():
-    with pytest.raises(mp.UnknownNameError, match=r"name: got 'pandas'.*panda"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"name: got 'pandas'.*panda"):
         mp.load_robot("pandas")
 
 
 def test_missing_file_names_the_nearest(two_link_urdf):
     file = two_link_urdf(name="robot_arm.urdf")
-    with pytest.raises(mp.FileFormatError, match=r"did you mean robot_arm\.urdf"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"did you mean robot_arm\.urdf"):
         mp.load_robot(file.replace("robot_arm", "robt_arm"))
 
 
 def test_unknown_frame_names_the_nearest(two_link_urdf):
-    with pytest.raises(mp.UnknownNameError, match=r"tool: got 'tipp'.*tip"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"tool: got 'tipp'.*tip"):
         mp.Robot.from_urdf(two_link_urdf(), tool="tipp")
 
 
@@ -200,7 +200,7 @@ def test_the_frame_beside_the_fingers_is_the_tool(two_link_urdf):
 def test_malformed_urdf(tmp_path, text, message):
     file = tmp_path / "bad.urdf"
     file.write_text(text)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.load_robot(file)
 
 
@@ -210,7 +210,7 @@ def test_missing_mesh_is_named(tmp_path):
         "<robot name='x'><link name='a'><collision><geometry><mesh filename='package://no/such.stl'/></geometry></collision>"
         "</link></robot>"
     )
-    with pytest.raises(mp.FileFormatError, match="package_dirs"):
+    with pytest.raises(mp.errors.FileFormatError, match="package_dirs"):
         mp.load_robot(file)
 
 
@@ -238,13 +238,13 @@ def test_a_package_in_a_folder_of_another_name(tmp_path, caplog):
     assert bare.geometry.ngeoms == 1 and "1 collision meshes are left out" in caplog.text
     assert bare.source.load().geometry.ngeoms == 1
     with pytest.raises(
-        mp.FileFormatError, match="packages= gives the folder of a package, .*meshes=False leaves the meshes out"
+        mp.errors.FileFormatError, match="packages= gives the folder of a package, .*meshes=False leaves the meshes out"
     ):
         mp.Robot.from_urdf(file)
-    with pytest.raises(mp.InvalidInputError, match=r"packages\['arm_description'\].*an existing folder"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"packages\['arm_description'\].*an existing folder"):
         mp.Robot.from_urdf(file, packages={"arm_description": tmp_path / "nowhere"})
     for options in ({"packages": 3}, {"package_dirs": 5}, {"packages": packages, "locked": 5}):
-        with pytest.raises(mp.InvalidInputError, match="packages: got 3|package_dirs: got 5|locked: got 5"):
+        with pytest.raises(mp.errors.InvalidInputError, match="packages: got 3|package_dirs: got 5|locked: got 5"):
             mp.Robot.from_urdf(file, **options)
 
 
@@ -254,7 +254,7 @@ def test_floating_joint_is_named(tmp_path):
         "<robot name='x'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
         "ixz='0' iyz='0'/></inertial></link><joint name='drift' type='floating'><parent link='a'/><child link='b'/></joint></robot>"
     )
-    with pytest.raises(mp.UnsupportedJointError, match="drift"):
+    with pytest.raises(mp.errors.UnsupportedJointError, match="drift"):
         mp.load_robot(file)
 
 
@@ -274,7 +274,7 @@ def test_joints_of_several_numbers_leave_the_chain_as_it_is(tmp_path, kind, wher
         text += f"<link name='{name}'/><joint name='{name}' type='{kind}'><parent link='base'/><child link='{name}'/></joint>"
     file = tmp_path / "x.urdf"
     file.write_text(text + "</robot>")
-    with pytest.raises(mp.UnsupportedJointError, match=f"j{where}"):
+    with pytest.raises(mp.errors.UnsupportedJointError, match=f"j{where}"):
         mp.Robot.from_urdf(file, tool="l3")
     others = [f"j{k}" for k in range(4) if k != where]
     robot = mp.Robot.from_urdf(file, tool="l3", joints=others)
@@ -303,18 +303,18 @@ def test_joints_of_several_numbers_leave_the_chain_as_it_is(tmp_path, kind, wher
     ],
 )
 def test_wrong_options(two_link_urdf, options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Robot.from_urdf(two_link_urdf(), tool="tip", **options)
 
 
 def test_zero_velocity_in_the_file_is_an_error(two_link_urdf):
-    with pytest.raises(mp.InvalidInputError, match=r"velocity limit of turn.*above zero"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"velocity limit of turn.*above zero"):
         mp.Robot.from_urdf(two_link_urdf(velocity="0"), tool="tip")
 
 
 @pytest.mark.parametrize("lengths", [[1.0], [1.0, 0.0], [1.0, -1.0], [1.0, np.nan], "abc", [[1.0, 1.0]]])
 def test_wrong_lengths(lengths):
-    with pytest.raises(mp.InvalidInputError, match="lengths"):
+    with pytest.raises(mp.errors.InvalidInputError, match="lengths"):
         mp.planar_arm(lengths)
 
 
@@ -336,7 +336,7 @@ def test_a_used_robot_can_be_pickled(panda):
 
 @pytest.mark.parametrize("name", [None, 3, ["panda"]])
 def test_a_name_has_to_be_text(name):
-    with pytest.raises(mp.InvalidInputError, match="name: got"):
+    with pytest.raises(mp.errors.InvalidInputError, match="name: got"):
         mp.load_robot(name)
 
 

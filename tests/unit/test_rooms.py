@@ -78,7 +78,7 @@ def points_down(module, target):
 def test_contributing_lists_the_rooms():
     folders = {each.name for each in PACKAGE.iterdir() if (each / "__init__.py").is_file()}
     assert folders == set(ROOMS) and len(ROOMS) == len(set(ROOMS))
-    assert {each.name for each in PACKAGE.glob("*.py")} == {"__init__.py", "__main__.py"}
+    assert {each.name for each in PACKAGE.glob("*.py")} == {"__init__.py", "__main__.py", "errors.py", "results.py"}
 
 
 @pytest.mark.parametrize("room", ROOMS)

@@ -131,11 +131,13 @@ def test_joints_are_found_by_name(tmp_path, rng):
     np.testing.assert_allclose(found.t, t - 3.0, atol=1e-9)
     np.testing.assert_array_equal(found.q, q[:, [2, 0, 1]])
     np.testing.assert_array_equal(found.qd, qd[:, [2, 0, 1]])
-    with pytest.raises(mp.FileFormatError, match=r"message 2 has finger, and message 1 has .*; select joints with joints="):
+    with pytest.raises(
+        mp.errors.FileFormatError, match=r"message 2 has finger, and message 1 has .*; select joints with joints="
+    ):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.UnknownNameError, match=r"joints: got 'fingers'; allowed: did you mean finger"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"joints: got 'fingers'; allowed: did you mean finger"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=["fingers"])
-    with pytest.raises(mp.FileFormatError, match=r"all of a, finger in every message; message 1 lacks finger"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"all of a, finger in every message; message 1 lacks finger"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=["a", "finger"])
 
 
@@ -159,7 +161,7 @@ def test_without_a_header_stamp_the_bag_tells_the_time(tmp_path):
 )
 def test_stamps_that_do_not_rise_are_told(tmp_path, times, relation):
     write_states(tmp_path / "bag", [(t, "ab", [0, 0], [0, 0]) for t in times])
-    with pytest.raises(mp.FileFormatError, match=f"increasing stamps, but message 3 {relation} message 2"):
+    with pytest.raises(mp.errors.FileFormatError, match=f"increasing stamps, but message 3 {relation} message 2"):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
 
 
@@ -168,13 +170,13 @@ def test_too_little_is_told(tmp_path):
     write_states(tmp_path / "one", [(1.0, "ab", [0, 0], [0, 0])])
     write_states(tmp_path / "short", [(1.0, "ab", [0, 0], []), (1.1, "ab", [0], [])])
     write_states(tmp_path / "nan", [(1.0, "ab", [0, 0], []), (1.1, "ab", [0, np.nan], [])])
-    with pytest.raises(mp.FileFormatError, match="at least two messages"):
+    with pytest.raises(mp.errors.FileFormatError, match="at least two messages"):
         mp.Trajectory.from_rosbag(tmp_path / "none")
-    with pytest.raises(mp.FileFormatError, match="at least two times"):
+    with pytest.raises(mp.errors.FileFormatError, match="at least two times"):
         mp.Trajectory.from_rosbag(tmp_path / "one")
-    with pytest.raises(mp.FileFormatError, match="a position for every joint; message 2 has 1"):
+    with pytest.raises(mp.errors.FileFormatError, match="a position for every joint; message 2 has 1"):
         mp.Trajectory.from_rosbag(tmp_path / "short")
-    with pytest.raises(mp.FileFormatError, match=r"q\[1, 1\] \(b\): got nan; allowed: a finite number"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"q\[1, 1\] \(b\): got nan; allowed: a finite number"):
         mp.Trajectory.from_rosbag(tmp_path / "nan")
 
 
@@ -183,20 +185,22 @@ def test_the_topic_is_chosen_or_asked_for(motion, tmp_path):
         for topic in ("/left/joint_states", "/right/joint_states"):
             bag.add_connection(topic, STATE, typestore=STORE)
         bag.add_connection("/chatter", "std_msgs/msg/String", typestore=STORE)
-    with pytest.raises(mp.InvalidInputError, match=r"topic: got None; allowed: one of /left/joint_states, /right/joint_states"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"topic: got None; allowed: one of /left/joint_states, /right/joint_states"
+    ):
         mp.Trajectory.from_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.UnknownNameError, match=r"did you mean /left/joint_states"):
+    with pytest.raises(mp.errors.UnknownNameError, match=r"did you mean /left/joint_states"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", "/left/joint_state")
     with Writer(tmp_path / "chat", version=9) as bag:
         bag.add_connection("/chatter", "std_msgs/msg/String", typestore=STORE)
-    with pytest.raises(mp.FileFormatError, match=r"this one has /chatter \(std_msgs/msg/String\)"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"this one has /chatter \(std_msgs/msg/String\)"):
         mp.Trajectory.from_rosbag(tmp_path / "chat")
-    with pytest.raises(mp.UnknownNameError, match="has no JointState"):
+    with pytest.raises(mp.errors.UnknownNameError, match="has no JointState"):
         mp.Trajectory.from_rosbag(tmp_path / "chat", "/chatter")
     motion.to_rosbag(tmp_path / "ours")
     command = "/joint_trajectory_controller/joint_trajectory"
     assert mp.Trajectory.from_rosbag(tmp_path / "ours", command, joints=["b"]).q.shape == (12, 1)
-    with pytest.raises(mp.UnknownNameError, match="joints: got 'd'"):
+    with pytest.raises(mp.errors.UnknownNameError, match="joints: got 'd'"):
         mp.Trajectory.from_rosbag(tmp_path / "ours", command, joints=["d"])
 
 
@@ -240,33 +244,33 @@ def test_what_is_no_bag_is_told(tmp_path, content):
     (tmp_path / "folder" / "metadata.yaml").write_text(content)
     (tmp_path / "file.bag").write_text(content)
     for file in (tmp_path / "folder", tmp_path / "file.bag"):
-        with pytest.raises(mp.FileFormatError, match="a ROS bag that can be read"):
+        with pytest.raises(mp.errors.FileFormatError, match="a ROS bag that can be read"):
             mp.Trajectory.from_rosbag(file)
 
 
 def test_wrong_arguments_are_told(motion, tmp_path):
-    with pytest.raises(mp.FileFormatError, match=r"the folder of a ROS 2 bag"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"the folder of a ROS 2 bag"):
         mp.Trajectory.from_rosbag(tmp_path / "nowhere")
     motion.to_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.FileFormatError, match=r"the folder of a ROS 2 bag, with its metadata.yaml"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"the folder of a ROS 2 bag, with its metadata.yaml"):
         mp.Trajectory.from_rosbag(tmp_path / "bag" / "bag.mcap")
-    with pytest.raises(mp.InvalidInputError, match="never overwritten"):
+    with pytest.raises(mp.errors.InvalidInputError, match="never overwritten"):
         motion.to_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.InvalidInputError, match="a path that can be written"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a path that can be written"):
         motion.to_rosbag(tmp_path / "no" / "folder")
     for wrong, message in (
         ({"storage": "zip"}, "storage: got 'zip'"),
         ({"rate": 0}, "rate: got 0"),
         ({"rate": np.nan}, "rate"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             motion.to_rosbag(tmp_path / "other", **wrong)
     for wrong in ("abc", [], [1]):
-        with pytest.raises(mp.InvalidInputError, match="joints: got"):
+        with pytest.raises(mp.errors.InvalidInputError, match="joints: got"):
             mp.Trajectory.from_rosbag(tmp_path / "bag", joints=wrong)
-    with pytest.raises(mp.InvalidInputError, match="file: got 3"):
+    with pytest.raises(mp.errors.InvalidInputError, match="file: got 3"):
         mp.Trajectory.from_rosbag(3)
-    with pytest.raises(mp.InvalidInputError, match="file: got 3"):
+    with pytest.raises(mp.errors.InvalidInputError, match="file: got 3"):
         motion.to_rosbag(3)
     assert {each.name for each in tmp_path.iterdir()} == {"bag"}
 
@@ -275,7 +279,7 @@ def test_without_rosbags_the_line_that_installs_it_is_told(motion, tmp_path, mon
     motion.to_rosbag(tmp_path / "bag")
     monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
     for call in (lambda: motion.to_rosbag(tmp_path / "more"), lambda: mp.Trajectory.from_rosbag(tmp_path / "bag")):
-        with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[ros\]'"):
+        with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[ros\]'"):
             call()
     assert not (tmp_path / "more").exists()
 
@@ -310,9 +314,9 @@ def test_a_killed_write_leaves_no_bag(tmp_path):
 def test_times_that_ros_cannot_tell_are_refused(tmp_path, t, message):
     """Written all the same, they would be a message that no reader takes."""
     motion = mp.Trajectory(t=t, q=np.zeros((len(t), 1)), qd=np.zeros((len(t), 1)), joint_names=("a",))
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         motion.to_ros(tmp_path / "motion.yaml")
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         motion.to_rosbag(tmp_path / "bag")
     assert list(tmp_path.iterdir()) == []
 
@@ -320,7 +324,7 @@ def test_times_that_ros_cannot_tell_are_refused(tmp_path, t, message):
 def test_a_joint_that_is_there_twice_is_told(tmp_path):
     write_states(tmp_path / "bag", [(1 + 0.1 * k, ["a", "a", "b"], [k, 2 * k, 3], []) for k in range(3)])
     for joints in (None, ["a", "b"]):
-        with pytest.raises(mp.FileFormatError, match="every joint once; message 1 has a, a, b"):
+        with pytest.raises(mp.errors.FileFormatError, match="every joint once; message 1 has a, a, b"):
             mp.Trajectory.from_rosbag(tmp_path / "bag", joints=joints)
 
 
@@ -339,7 +343,7 @@ def test_a_damaged_bag_is_told(motion, tmp_path, rng):
             data = np.frombuffer(whole, np.uint8).copy()
             data[rng.integers(0, len(data), len(data) // 100)] = rng.integers(128, 256)
             damaged.write_bytes(data.tobytes())
-            with pytest.raises(mp.FileFormatError):
+            with pytest.raises(mp.errors.FileFormatError):
                 mp.Trajectory.from_rosbag(tmp_path / "bag")
         damaged.write_bytes(whole)
 
@@ -347,19 +351,19 @@ def test_a_damaged_bag_is_told(motion, tmp_path, rng):
 @pytest.mark.parametrize("joints", [{"a", "b"}, 7, np.array(["a", "b"]), iter("ab")])
 def test_joints_are_a_list(motion, tmp_path, joints):
     motion.to_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.InvalidInputError, match="joints: got .* a list of names"):
+    with pytest.raises(mp.errors.InvalidInputError, match="joints: got .* a list of names"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", joints=joints)
 
 
 def test_topics_and_places_that_are_none(motion, tmp_path):
     motion.to_rosbag(tmp_path / "bag")
-    with pytest.raises(mp.UnknownNameError, match="topic"):
+    with pytest.raises(mp.errors.UnknownNameError, match="topic"):
         mp.Trajectory.from_rosbag(tmp_path / "bag", ["/joint_states"])
     for name in ("x" * 300, "a\0b"):
         for write in (motion.to_rosbag, motion.to_ros, motion.to_csv):
-            with pytest.raises(mp.InvalidInputError, match="file: got .*can be"):
+            with pytest.raises(mp.errors.InvalidInputError, match="file: got .*can be"):
                 write(tmp_path / name)
-        with pytest.raises(mp.FileFormatError, match="an existing file"):
+        with pytest.raises(mp.errors.FileFormatError, match="an existing file"):
             mp.Trajectory.from_ros(tmp_path / name)
 
 
@@ -370,8 +374,8 @@ def test_names_in_one_text_are_no_list(motion, tmp_path):
     (tmp_path / "motion.yaml").write_text(yaml_text.replace("joint_names: [a, b, c]", "joint_names: abc"))
     (tmp_path / "motion.json").write_text(json_text.replace('["a", "b", "c"]', '"abc"'))
     for read, name in ((mp.Trajectory.from_ros, "motion.yaml"), (mp.Trajectory.from_json, "motion.json")):
-        with pytest.raises(mp.FileFormatError, match="joint_names: got 'abc'"):
+        with pytest.raises(mp.errors.FileFormatError, match="joint_names: got 'abc'"):
             read(tmp_path / name)
     (tmp_path / "motion.json").write_text("[" * 100_000)
-    with pytest.raises(mp.FileFormatError, match="recursion"):
+    with pytest.raises(mp.errors.FileFormatError, match="recursion"):
         mp.Trajectory.from_json(tmp_path / "motion.json")

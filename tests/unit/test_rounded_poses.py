@@ -58,7 +58,7 @@ def test_an_exact_pose_is_kept_bit_by_bit(pose):
 @given(POSES, st.sampled_from(sorted(SPOILT)))
 def test_what_is_no_pose_is_refused_with_the_error(pose, kind):
     spoil, message = SPOILT[kind]
-    with pytest.raises(mp.InvalidInputError, match=f"pose: got .*({message})"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"pose: got .*({message})"):
         pose_matrix("pose", spoil(pose))
 
 
@@ -73,7 +73,7 @@ def test_the_bound_is_that_of_the_entries(pose, exponent, seed):
     if 10**exponent < 0.99e-5:
         assert np.abs(pose_matrix("pose", given_pose) - pose).max() < 1e-9
     elif 10**exponent > 1.01e-5:
-        with pytest.raises(mp.InvalidInputError, match="differs by .*at most 1e-05"):
+        with pytest.raises(mp.errors.InvalidInputError, match="differs by .*at most 1e-05"):
             pose_matrix("pose", given_pose)
 
 
@@ -137,7 +137,7 @@ def test_every_entrance_takes_rounded_poses_and_refuses_others(entrance):
     for rounded in ROUNDED.values():
         call(rounded(pose))
     for kind in ("zero rotation", "mirrored", "scaled"):
-        with pytest.raises(mp.InvalidInputError, match=SPOILT[kind][1]):
+        with pytest.raises(mp.errors.InvalidInputError, match=SPOILT[kind][1]):
             call(SPOILT[kind][0](pose))
 
 

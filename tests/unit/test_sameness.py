@@ -92,5 +92,5 @@ def test_a_spline_takes_knots_that_are_one_as_one(seed, gap):
 
 @pytest.mark.parametrize("way", [[[0, 0], [0, 0]], [[0, 0], [1e-8, 0], [0, 1e-9]], [[0.1, 0.2]]])
 def test_one_point_is_no_path(way):
-    with pytest.raises(mp.InvalidInputError, match="waypoints: .*at least two points"):
+    with pytest.raises(mp.errors.InvalidInputError, match="waypoints: .*at least two points"):
         mp.JointPath.through(way)

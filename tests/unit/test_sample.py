@@ -168,7 +168,7 @@ def test_a_closed_path_does_not_repeat_its_first_position(six):
     np.testing.assert_allclose(layers.s, [0, 0.2, 0.4, 0.6, 0.8])
     np.testing.assert_allclose(np.linalg.norm(np.diff(layers.poses[:, :3, 3], axis=0), axis=1), 0.2 * np.sin(np.pi / 5))
     arc = CartesianPath.circle(start, moved(start, [-0.1, 0, 0])[:3, 3], [0, 0, 1], 6.0)
-    with pytest.raises(mp.InvalidInputError, match="closed: .*the path's last pose is not its first"):
+    with pytest.raises(mp.errors.InvalidInputError, match="closed: .*the path's last pose is not its first"):
         mp.sample_layers(six, arc, 5, closed=True)
 
 
@@ -262,7 +262,9 @@ def test_an_interrupt_between_positions_is_not_swallowed(panda, line):
 
 def test_memory_is_refused_before_work_starts(six):
     told = []
-    with pytest.raises(mp.InvalidInputError, match=r"samples: got '60 at each of 6 positions'.*need .* GB.*allows 1.3e-05 GB"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"samples: got '60 at each of 6 positions'.*need .* GB.*allows 1.3e-05 GB"
+    ):
         six_layers(six, memory=13_000.0, progress=lambda share, text: told.append(share))
     assert told == []
     assert 13_000 < six_layers(six, memory=1e6).nbytes < 1e6
@@ -276,7 +278,7 @@ def test_memory_is_refused_before_work_starts(six):
     ],
 )
 def test_a_grid_larger_than_memory_is_refused_before_it_is_made(panda, line, change, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.sample_layers(panda, line, **{"positions": 3, **change})
 
 
@@ -286,7 +288,9 @@ def test_a_position_out_of_reach_is_named_with_the_distance(planar):
     start = planar.kinematics().pose(PLANAR_START)
     end = np.eye(4)
     end[:3, 3] = [3.5, 0.0, start[2, 3]]
-    with pytest.raises(mp.InvalidInputError, match=r"path, position 3 of 0 to 3 \(s = 1\): .*stays 500 mm and") as caught:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"path, position 3 of 0 to 3 \(s = 1\): .*stays 500 mm and"
+    ) as caught:
         mp.sample_layers(planar, CartesianPath.line(start, end), 4, samples=8, task=mp.Task.planar())
     assert "within reach" in caught.value.allowed
 
@@ -296,7 +300,9 @@ def test_a_pose_between_the_samples_is_told_as_reachable(planar):
     """Stretched out, only one tool rotation reaches; a grid of seven passes it by."""
     start = planar.kinematics().pose([0.1, 0.0, 0.0])
     end = planar.kinematics().pose([0.2, 0.0, 0.0])
-    with pytest.raises(mp.InvalidInputError, match="within reach, but no value on the grid reaches it; take more samples"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="within reach, but no value on the grid reaches it; take more samples"
+    ):
         mp.sample_layers(planar, CartesianPath.line(start, end), 2, samples=7, task=mp.Task.planar(), collisions=False)
 
 
@@ -306,12 +312,12 @@ def test_positions_inside_an_obstacle_are_told(planar):
     ball = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3], name="ball")])
     path = CartesianPath.line(start, moved(start, [0.0, 0.05, 0.0]))
     with pytest.raises(
-        mp.InvalidInputError,
+        mp.errors.InvalidInputError,
         match=r"\d+ reach it, and in the best of them link3_0 and ball overlap by \d+ mm; needed: no collision",
     ):
         mp.sample_layers(planar, path, 2, samples=6, scene=ball)
     near = mp.Scene([mp.Sphere(radius=0.2, position=start[:3, 3] + [0, 0, 0.4], name="ball")])
-    with pytest.raises(mp.InvalidInputError, match=r"link3_0 and ball are \d+ mm apart; needed: clearance 300 mm"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"link3_0 and ball are \d+ mm apart; needed: clearance 300 mm"):
         mp.sample_layers(planar, path, 2, samples=6, scene=near, clearance=0.3)
 
 
@@ -329,10 +335,10 @@ class Broken(CartesianPath):
 
 def test_a_pose_with_nan_is_refused(planar):
     pose = np.array(planar.kinematics().pose(PLANAR_START))
-    with pytest.raises(mp.InvalidInputError, match="path, position 1 of 0 to 2.*finite numbers"):
+    with pytest.raises(mp.errors.InvalidInputError, match="path, position 1 of 0 to 2.*finite numbers"):
         mp.sample_layers(planar, Broken(pose), 3, samples=10)
     pose[0, 3] = np.nan
-    with pytest.raises(mp.InvalidInputError, match="finite"):
+    with pytest.raises(mp.errors.InvalidInputError, match="finite"):
         CartesianPath.line(pose, np.eye(4))
 
 
@@ -368,7 +374,7 @@ def test_a_pose_with_nan_is_refused(planar):
     ],
 )
 def test_wrong_arguments(panda, line, change, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.sample_layers(**{"robot": panda, "path": line, "positions": 2, "samples": 4, "collisions": False, **change})
 
 
@@ -376,7 +382,7 @@ def test_wrong_arguments(panda, line, change, message):
     ("epsilon", "message"), [(0, "above zero"), (-1.0, "above zero"), ([0.1, 0.1], "7 of them"), ("a", "real")]
 )
 def test_epsilon_is_checked(layers, epsilon, message):
-    with pytest.raises(mp.InvalidInputError, match=f"epsilon: .*{message}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"epsilon: .*{message}"):
         mp.max_min_search(layers, epsilon)
 
 

@@ -37,7 +37,7 @@ def test_an_error_leaves_the_old_files(tmp_path):
 
 def test_a_folder_that_cannot_be_written(tmp_path):
     (tmp_path / "file").write_text("")
-    wanted = pytest.raises(mp.InvalidInputError, match="folder: got .*file.*a folder that can be written")
+    wanted = pytest.raises(mp.errors.InvalidInputError, match="folder: got .*file.*a folder that can be written")
     with wanted, replacing(tmp_path / "file"):
         pass
 

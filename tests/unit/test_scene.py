@@ -153,13 +153,13 @@ def test_yaml_round_trip(tmp_path, panda):
 def test_wrong_scene_files(tmp_path, text, message):
     file = tmp_path / "scene.yaml"
     file.write_text(text)
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Scene.from_yaml(file)
 
 
 def test_a_file_that_is_no_mesh(tmp_path):
     (tmp_path / "bad.stl").write_text("not a mesh")
-    with pytest.raises(mp.FileFormatError, match="a mesh"):
+    with pytest.raises(mp.errors.FileFormatError, match="a mesh"):
         mp.Mesh(file=tmp_path / "bad.stl")
 
 
@@ -167,7 +167,7 @@ def test_obstacles_need_a_robot_with_geometry(tmp_path):
     file = tmp_path / "bare.urdf"
     file.write_text("""<robot name="bare"><link name="base"/><link name="b"/><joint name="x" type="prismatic"><parent link="base"/>
       <child link="b"/><axis xyz="1 0 0"/><limit lower="-5" upper="5" velocity="1" effort="1"/></joint></robot>""")
-    with pytest.raises(mp.InvalidInputError, match="no collision geometry to check; collision='visual' checks"):
+    with pytest.raises(mp.errors.InvalidInputError, match="no collision geometry to check; collision='visual' checks"):
         mp.Scene([mp.Sphere(radius=1.0)]).in_collision(mp.load_robot(file), [0.0])
 
 
@@ -187,7 +187,7 @@ def test_meshes_that_are_flat_or_far_away(tmp_path, stretch, message):
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) * stretch
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in corners.tolist()] + ["f 1 3 2", "f 1 2 4", "f 2 3 4", "f 3 1 4"]
     (tmp_path / "m.obj").write_text("\n".join(lines) + "\n")
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Mesh(file=tmp_path / "m.obj", fill="hull")
     if "flat" in message:
         assert isinstance(mp.Mesh(file=tmp_path / "m.obj").shapes()[0], coal.BVHModelOBBRSS)
@@ -225,12 +225,12 @@ def test_faces_of_a_ply_file(tmp_path, form):
     [hull] = mp.Mesh(file=ply(tmp_path / "m.ply", form=form)).shapes()
     assert hull.num_points == 4
     for last in (4, -1, 100, 10_000_000):
-        with pytest.raises(mp.FileFormatError, match=re.escape(f"a face names corner {last:g} of 4")):
+        with pytest.raises(mp.errors.FileFormatError, match=re.escape(f"a face names corner {last:g} of 4")):
             mp.Mesh(file=ply(tmp_path / "m.ply", form=form, last=last))
     whole = ply(tmp_path / "m.ply", form=form).read_bytes()
     for kept in (40, len(whole) - 8):
         (tmp_path / "m.ply").write_bytes(whole[:kept])
-        with pytest.raises(mp.FileFormatError, match="cut off"):
+        with pytest.raises(mp.errors.FileFormatError, match="cut off"):
             mp.Mesh(file=tmp_path / "m.ply")
 
 
@@ -243,7 +243,7 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
         '<joint name="j" type="revolute"><parent link="b"/><child link="l"/>'
         '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>'
     )
-    with pytest.raises(mp.FileFormatError, match=r"m\.ply.*a face names corner 1e\+07 of 4"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"m\.ply.*a face names corner 1e\+07 of 4"):
         mp.load_robot(tmp_path / "arm.urdf")
 
 
@@ -264,7 +264,7 @@ def test_faces_of_a_robots_ply_file(tmp_path, name):
 def test_numbers_of_obstacles_are_bounded(tmp_path, text, message):
     file = tmp_path / "scene.yaml"
     file.write_text(f"obstacles: [{{{text}}}]")
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.Scene.from_yaml(file)
 
 
@@ -272,17 +272,17 @@ def test_an_obstacle_is_not_moved_beyond_the_bounds():
     far = np.eye(4)
     far[0, 3] = 6e5
     moved = mp.Sphere(radius=1.0).at(far)
-    with pytest.raises(mp.InvalidInputError, match="pose"):
+    with pytest.raises(mp.errors.InvalidInputError, match="pose"):
         moved.at(far)
 
 
 def test_a_mesh_is_a_file_or_triangles(tmp_path):
     file = tetrahedra(tmp_path / "one.stl", [0.0])
     for given, said in (({}, "neither"), ({"file": file, "triangles": np.zeros((1, 3, 3))}, "both")):
-        with pytest.raises(mp.InvalidInputError, match=f"{said} of file and triangles"):
+        with pytest.raises(mp.errors.InvalidInputError, match=f"{said} of file and triangles"):
             mp.Mesh(**given)
     for triangles in (np.zeros((0, 3, 3)), np.zeros((2, 3, 3)), np.zeros((2, 3)), [[["a"] * 3] * 3]):
-        with pytest.raises(mp.InvalidInputError, match="triangles"):
+        with pytest.raises(mp.errors.InvalidInputError, match="triangles"):
             mp.Mesh(triangles=triangles)
 
 
@@ -294,6 +294,8 @@ def test_a_moved_obstacle_is_frozen():
 
 
 def test_angles_of_obstacles_are_no_degrees():
-    with pytest.raises(mp.InvalidInputError, match=r"rotation.*up to 25.13 rad; for degrees np.deg2rad\(\[0.0, 0.0, 90.0\]\)"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"rotation.*up to 25.13 rad; for degrees np.deg2rad\(\[0.0, 0.0, 90.0\]\)"
+    ):
         mp.Box(size=(1, 1, 1), rotation=(0, 0, 90))
     assert mp.Box(size=(1, 1, 1), rotation=(0, 0, 4 * np.pi)).pose.isApprox(mp.Box(size=(1, 1, 1)).pose)

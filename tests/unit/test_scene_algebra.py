@@ -40,7 +40,7 @@ def test_scenes_add_up(panda, scene):
     both = scene + other
     assert both.names == ("box0", "post", "plane2", "box3", "sphere4")
     assert both.allowed_names() == [["box3", "post"], ["panda_hand", "post"]]  # the second scene's box has another number
-    with pytest.raises(mp.InvalidInputError, match="'post'.*names that differ"):
+    with pytest.raises(mp.errors.InvalidInputError, match="'post'.*names that differ"):
         scene + scene
     with pytest.raises(TypeError):
         scene + 3
@@ -51,7 +51,7 @@ def test_obstacles_keep_their_names_when_one_goes(scene):
     assert left.names == ("box0", "plane2") and not left.allowed
     assert left.without("box0").names == ("plane2",)
     assert scene.without().names == scene.names
-    with pytest.raises(mp.UnknownNameError, match="'pots'.*post"):
+    with pytest.raises(mp.errors.UnknownNameError, match="'pots'.*post"):
         scene.without("pots")
 
 
@@ -87,7 +87,7 @@ def test_a_name_means_one_thing(panda):
     """An allowed name that is both an obstacle and a link would free two pairs."""
     scene = mp.Scene([mp.Sphere(radius=0.1, name="panda_link1"), mp.Sphere(radius=0.1, name="table")])
     assert scene.collision_model(panda).pair_names
-    with pytest.raises(mp.InvalidInputError, match="'panda_link1'.*another name for the obstacle"):
+    with pytest.raises(mp.errors.InvalidInputError, match="'panda_link1'.*another name for the obstacle"):
         scene.allow("panda_link1", "table").collision_model(panda)
 
 
@@ -100,13 +100,13 @@ def test_the_same_scene_twice_at_two_places():
 def test_names_of_allowed_pairs_are_checked(panda, pair):
     scene = mp.Scene([mp.Sphere(radius=0.1, name="part")], allowed=[pair])
     for check in (scene.collision_model, lambda robot: controller_among(robot, scene)):
-        with pytest.raises(mp.UnknownNameError, match=r"allowed.*(panda_hand|part)"):
+        with pytest.raises(mp.errors.UnknownNameError, match=r"allowed.*(panda_hand|part)"):
             check(panda)
 
 
 @pytest.mark.parametrize("allowed", [["ab"], [("a",)], [("a", "a")], [("a", "b", "c")], [("a", 3)], [("a", "")], [3], 5, None])
 def test_wrong_pairs(allowed):
-    with pytest.raises(mp.InvalidInputError, match="allowed.*pairs of two different names"):
+    with pytest.raises(mp.errors.InvalidInputError, match="allowed.*pairs of two different names"):
         mp.Scene(allowed=allowed)
 
 

@@ -131,13 +131,13 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
     began = time.monotonic()
     try:
         mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=0.6))
-    except mp.PlanningError as error:
+    except mp.errors.PlanningError as error:
         assert "allow more time" in str(error)
     assert time.monotonic() - began < 0.6 + 0.6
 
 
 def test_too_few_checks_are_told(planar):
-    with pytest.raises(mp.PlanningError, match=r"by BITstar with 50 checks; allow more of them \(checks\)"):
+    with pytest.raises(mp.errors.PlanningError, match=r"by BITstar with 50 checks; allow more of them \(checks\)"):
         mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="BITstar"), checks=50)
 
 
@@ -158,7 +158,7 @@ def test_too_few_checks_are_told(planar):
 )
 def test_wrong_arguments(planar, change, message):
     options = {"start": START, "goal": GOAL, "scene": POST, **change}
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.seed_path(planar, **options)
 
 
@@ -206,7 +206,7 @@ def test_wrong_first_paths(planar, tmp_path):
             r"initial: got .*post (overlapping|.* m apart) .*at s = 0\.\d+|initial: .*and post overlapping by .* at s",
         ),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             mp.optimize_path(planar, START, GOAL, scene=POST, seeding=mp.Seeding(initial=initial))
 
 
@@ -358,12 +358,14 @@ def test_a_seed_that_keeps_its_aspect_crosses_no_singularity(ur5, planner):
 
 
 def test_an_aspect_needs_a_square_jacobian_and_one_sign(ur5, panda):
-    with pytest.raises(mp.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="same_aspect: got True; allowed: False: det J of the task pose has no sign"
+    ):
         mp.seed_path(panda, panda.neutral, panda.neutral + 0.2, same_aspect=True)
     q = np.array([0.0, -1.2, 1.5, -1.0, -1.2, 0.0])
     for others, message in (
         (q * [1, 1, 1, 1, -1, 1], "start and goal lie in different aspects of the task pose"),
         (q * [1, 1, 1, 1, 0, 1], "goal is singular for the task pose"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             mp.seed_path(ur5, q, others, same_aspect=True)

@@ -55,7 +55,7 @@ def test_a_tool_on_a_fixed_joint_is_checked_against_the_link_before_the_last_joi
     """It was adjacent because the URDF fixes it to the flange: a plan went through the arm and passed."""
     robot = robot_of(tmp_path, BRACKET)
     assert ("l2", "tool") in {(pair.first, pair.second) for pair in robot.self_collisions.checked}
-    with pytest.raises(mp.PlanningError, match="tool_0 and l2_0"):
+    with pytest.raises(mp.errors.PlanningError, match="tool_0 and l2_0"):
         mp.plan(robot, [0, 0, 0.8], [0.5, 0, -2.9])
     plan = mp.plan(robot, [0, 0, 0.8], [0.5, 0, -2.9], throw=False)
     assert plan.status is mp.Status.NO_PATH
@@ -143,10 +143,10 @@ def test_a_clearance_that_own_links_never_have_comes_with_the_remedy(tmp_path):
     )
     robot, scene = robot_of(tmp_path, text), mp.Scene([mp.Sphere(radius=0.1, position=(0.155, 0.0, 0.0), name="ball")])
     wanted = r"required clearance is 0.01 m; these links of the arm are nearer than that at 100% of .*: ask for less, or .*'l1', 'l3'"
-    with pytest.raises(mp.InvalidInputError, match=wanted):
+    with pytest.raises(mp.errors.InvalidInputError, match=wanted):
         mp.plan(robot, [0, 0, 0], [1, 1, 1], clearance=0.01)
     assert mp.plan(robot, [0, 0, 0], [1, 1, 1], mp.Scene().allow("l1", "l3"), clearance=0.01).report.passed
-    with pytest.raises(mp.InvalidInputError, match=r"ball are 0.005 m apart, but the required clearance is 0.01 m$"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"ball are 0.005 m apart, but the required clearance is 0.01 m$"):
         mp.plan(robot, [0, 0, 0], [1, 1, 1], scene.allow("l1", "l3"), clearance=0.01)
 
 
@@ -162,7 +162,9 @@ def test_a_pair_that_touches_often_comes_with_the_line_that_allows_it(tmp_path):
     robot = robot_of(tmp_path, TELESCOPE)
     [pair] = robot.self_collisions.checked
     assert {pair.first, pair.second} == {"l1", "l3"} and 0.3 < pair.contact < 0.95
-    with pytest.raises(mp.InvalidInputError, match=r"touch at \d+% of random.*scene.allow\('l1', 'l3'\).*to_srdf") as error:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"touch at \d+% of random.*scene.allow\('l1', 'l3'\).*to_srdf"
+    ) as error:
         mp.plan(robot, [0, 0, 0], [1, 0.1, 0.1])
     assert "scene.allow" in str(error.value)
     allowed = mp.Scene().allow("l1", "l3")
@@ -174,7 +176,7 @@ def test_a_pair_that_touches_often_comes_with_the_line_that_allows_it(tmp_path):
     robot.self_collisions.to_srdf(file)
     assert mp.Scene().in_collision(mp.load_robot(tmp_path / "arm.urdf", srdf=file), np.zeros(3))
     for wrong in (0.0, 1.5, np.nan, "0.5"):
-        with pytest.raises(mp.InvalidInputError, match="touching"):
+        with pytest.raises(mp.errors.InvalidInputError, match="touching"):
             robot.self_collisions.to_srdf(file, touching=wrong)
 
 

@@ -95,9 +95,9 @@ def test_the_default_floor_is_a_share_of_the_typical_measure(panda):
 
 @pytest.mark.parametrize("floor", [-1e-9, np.nan, np.inf, "high", [0.1]])
 def test_floors_that_are_none(floor):
-    with pytest.raises(mp.InvalidInputError, match="floor"):
+    with pytest.raises(mp.errors.InvalidInputError, match="floor"):
         mp.PathObjective(floor=floor)
-    with pytest.raises(mp.InvalidInputError, match="floor"):
+    with pytest.raises(mp.errors.InvalidInputError, match="floor"):
         mp.path_cost(mp.JointPath.line([0.0, 1.0], [1.0, 1.0]), mp.planar_arm([1.0, 1.0]).kinematics(), 1.0, floor=floor)
 
 
@@ -374,7 +374,7 @@ def test_without_a_floor_g_is_infinite():
     start, goal = [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5]
     result = mp.optimize_path(robot, start, goal, objective=mp.PathObjective(floor=0.0), throw=False)
     assert result.status is mp.Status.SINGULAR and np.isinf(result.g)
-    with pytest.raises(mp.PlanningError, match="g is infinite"):
+    with pytest.raises(mp.errors.PlanningError, match="g is infinite"):
         mp.optimize_path(robot, start, goal, objective=mp.PathObjective(floor=0.0))
 
 

@@ -228,7 +228,7 @@ def test_a_closed_form_ends_at_the_limit_too(panda):
 
 @pytest.mark.parametrize("limit", [0, -1.0, np.nan, np.inf, "1", True, 10**400])
 def test_a_wrong_time_limit_is_refused(panda, limit):
-    with pytest.raises(mp.InvalidInputError, match=r"^time_limit"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^time_limit"):
         mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), time_limit=limit)
 
 
@@ -255,5 +255,5 @@ def test_the_log_says_how_to_get_faster(skew, caplog, monkeypatch):
     ],
 )
 def test_odd_arguments_of_inverse_kinematics_are_refused(panda, options, named):
-    with pytest.raises(mp.InvalidInputError, match=rf"^{named}"):
+    with pytest.raises(mp.errors.InvalidInputError, match=rf"^{named}"):
         mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), **options)

@@ -58,7 +58,7 @@ def test_a_standing_plan_is_saved_shown_and_read_again(tmp_path):
 
 def test_an_arm_that_stands_in_an_obstacle_is_refused():
     post = mp.Scene([mp.Sphere(radius=0.2, position=ARM.kinematics().pose(Q)[:3, 3], name="post")])
-    with pytest.raises(mp.InvalidInputError, match="start: .*post"):
+    with pytest.raises(mp.errors.InvalidInputError, match="start: .*post"):
         mp.plan(ARM, Q, POSE, post)
 
 
@@ -112,7 +112,7 @@ def test_improve_sees_at_once_that_the_hand_stays_in_a_post(panda, sweep, radius
     tolerance = mp.Tolerance(position=0.01, rotation=0.1)
     mp.check(panda, sweep, post)
     began = time.process_time()
-    with pytest.raises(mp.PlanningError, match="and post overlap by .* no point of .* moves by more than") as caught:
+    with pytest.raises(mp.errors.PlanningError, match="and post overlap by .* no point of .* moves by more than") as caught:
         mp.improve(panda, sweep, post, tolerance=tolerance)
     assert time.process_time() - began < 3.0
     assert caught.value.result.status is mp.Status.NOT_FOLLOWED
@@ -135,11 +135,11 @@ def test_a_post_that_the_tolerance_clears_is_left_to_the_solver(panda, sweep):
 def test_a_pose_in_millimetres_is_named_as_one():
     far = POSE.copy()
     far[:3, 3] *= 1000
-    with pytest.raises(mp.OutOfReachError, match="within reach if it is in millimetres: divide it by 1000"):
+    with pytest.raises(mp.errors.OutOfReachError, match="within reach if it is in millimetres: divide it by 1000"):
         mp.plan(ARM, Q + 0.1, far)
     away = POSE.copy()
     away[0, 3] += 50.0
-    with pytest.raises(mp.OutOfReachError) as caught:
+    with pytest.raises(mp.errors.OutOfReachError) as caught:
         mp.plan(ARM, Q + 0.1, away)
     assert "millimetres" in str(caught.value) or "divide" not in str(caught.value)
 
@@ -163,9 +163,9 @@ def test_a_state_of_a_gripper_can_be_locked(tmp_path):
         robot = mp.Robot.from_urdf(urdf, srdf=srdf, tool="tip", locked=state)
         assert dict(robot.locked) == {"finger": value}
         assert robot.joint_names == ("j",)
-    with pytest.raises(mp.UnknownNameError, match="locked: got 'opened'; allowed: did you mean open"):
+    with pytest.raises(mp.errors.UnknownNameError, match="locked: got 'opened'; allowed: did you mean open"):
         mp.Robot.from_urdf(urdf, srdf=srdf, tool="tip", locked="opened")
-    with pytest.raises(mp.InvalidInputError, match="locked: got 'ready'"):
+    with pytest.raises(mp.errors.InvalidInputError, match="locked: got 'ready'"):
         mp.Robot.from_urdf(urdf, srdf=srdf, tool="tip", locked="ready")
-    with pytest.raises(mp.InvalidInputError, match="locked: got 'open'; allowed: a mapping.*no SRDF"):
+    with pytest.raises(mp.errors.InvalidInputError, match="locked: got 'open'; allowed: a mapping.*no SRDF"):
         mp.Robot.from_urdf(urdf, tool="tip", locked="open")

@@ -86,11 +86,11 @@ def motions_task(robot, start, goal):
 
 
 def test_too_few_checks_are_told(planar):
-    with pytest.raises(mp.PlanningError, match=r"by connect-star with 5 checks; allow more of them \(checks\)"):
+    with pytest.raises(mp.errors.PlanningError, match=r"by connect-star with 5 checks; allow more of them \(checks\)"):
         found(planar, POST, (START, GOAL), None, 5)
 
 
 def test_with_too_many_joints_it_is_refused(planar, monkeypatch):
     monkeypatch.setattr(motions, "MOST_JOINTS", 1)
-    with pytest.raises(mp.InvalidInputError, match=r"seeding\.planner: got 'connect-star'; allowed: another one"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"seeding\.planner: got 'connect-star'; allowed: another one"):
         found(planar, POST, (START, GOAL), None, 1000)

@@ -70,12 +70,14 @@ def test_after_a_lead_in(panda, line, tmp_path):
 
 @pytest.mark.slow
 def test_the_fastest_speed_is_named_and_kept(panda, line):
-    with pytest.raises(mp.InvalidInputError, match=r"tool_speed: got 5.0; allowed: at most [\d.]+ m/s, the fastest") as told:
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=r"tool_speed: got 5.0; allowed: at most [\d.]+ m/s, the fastest"
+    ) as told:
         mp.follow(panda, line, tool_speed=5.0, positions=8, **FEW)
     fastest = float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1))
     plan = mp.follow(panda, line, tool_speed=fastest, positions=8, **FEW)
     assert plan.report.passed and plan.report.along[0].tool_speed.is_steady
-    with pytest.raises(mp.InvalidInputError, match="tool_speed"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
         mp.follow(panda, line, tool_speed=1.1 * fastest, positions=8, throw=False, **FEW)
 
 
@@ -85,7 +87,7 @@ def test_the_limits_that_bound_a_constant_speed():
     arm, path = one_joint()
     bound, reason = limits_bound(path, arm)
     assert bound == pytest.approx(2.0, rel=1e-9) and "velocity limit of joint1" in reason
-    with pytest.raises(mp.InvalidInputError, match="velocity limit of joint1") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match="velocity limit of joint1") as told:
         retime_steady(path, arm.with_limits(acceleration=50.0), 3.0)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
 
@@ -94,7 +96,7 @@ def test_the_limits_that_bound_a_constant_speed():
 def test_a_path_too_short_for_its_ramps():
     """From rest v takes v² / 2a, and a tenth of the path is 0.157 m: v = √(2a · 0.157 m)."""
     arm, path = one_joint()
-    with pytest.raises(mp.InvalidInputError, match="not reached from rest") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match="not reached from rest") as told:
         retime_steady(path, arm.with_limits(velocity=10.0), 3.0)
     most = np.sqrt(2 * 5.0 * np.pi / 20)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(most, rel=0.03)
@@ -113,7 +115,7 @@ def test_effort_limits_bound_the_speed_as_well(panda):
 def test_a_motion_that_turns_back_has_no_constant_speed():
     arm = mp.planar_arm([0.6, 0.4])
     there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])
-    with pytest.raises(mp.InvalidInputError, match="no constant speed of the tool"):
+    with pytest.raises(mp.errors.InvalidInputError, match="no constant speed of the tool"):
         retime_steady(there, arm, 0.1)
 
 
@@ -136,13 +138,13 @@ def test_a_tool_that_turns_in_place(panda):
     begin = np.array(panda.kinematics().pose(panda.neutral))
     turned = begin.copy()
     turned[:3, :3] = begin[:3, :3] @ pin.exp3(np.array([0.0, 0.0, 0.5]))
-    with pytest.raises(mp.InvalidInputError, match="turns the tool in place"):
+    with pytest.raises(mp.errors.InvalidInputError, match="turns the tool in place"):
         mp.follow(panda, mp.CartesianPath.line(begin, turned), tool_speed=0.1, positions=3, **FEW)
 
 
 @pytest.mark.parametrize("speed", [0.0, -0.1, np.nan, np.inf, "fast", True])
 def test_wrong_speeds_are_refused_before_the_work(panda, line, speed):
     told = []
-    with pytest.raises(mp.InvalidInputError, match="tool_speed"):
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
         mp.follow(panda, line, tool_speed=speed, positions=3, progress=lambda *each: told.append(each), **FEW)
     assert told == []

@@ -83,7 +83,7 @@ def quadratic(kinematics, formulation, q):
         time = formulation.sample_time or DT
         return formulation.alpha * time**2 * np.outer(slope, slope), -formulation.alpha * m * time * slope
     if isinstance(formulation, mp.formulations.LogDrive):
-        of_log = log_slope if kinematics.measure == mp.Yoshikawa() else log_slope_of_measure
+        of_log = log_slope if kinematics.measure == mp.measures.Yoshikawa() else log_slope_of_measure
         pull = of_log(kinematics, q, formulation.regularisation) + NUDGE
         return formulation.weight * np.outer(pull, pull), -formulation.weight * formulation.rate * pull
     return np.zeros((n, n)), np.zeros(n)
@@ -219,7 +219,7 @@ def test_three_solvers_of_the_same_problem_agree(panda, formulation, tube, rng):
         program = {name: found[name] for name in PROGRAM}
         of.reset()
         velocity = of.step(q, qd, target, stiffness=stiffness)
-        assert of.report.status == mp.StepStatus.SOLVED
+        assert of.report.status == mp.results.StepStatus.SOLVED
         apart = [np.abs(velocity - solved_by(solver, program)[:7]).max() for solver in OTHERS]
         assert np.sort(apart)[1] < 1e-6
         distance = np.minimum(velocity - found["lbx"].ravel()[:7], found["ubx"].ravel()[:7] - velocity)
@@ -273,7 +273,7 @@ def test_central_differences_equal_the_exact_derivatives(panda, rng):
 
 #: Every measure that a controller can raise, for two rows.
 RAISED = [
-    mp.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.VelocityTransmission else kind()
+    mp.measures.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.measures.VelocityTransmission else kind()
     for kind in MEASURES.values()
     if kind.larger_is_better
 ]
@@ -428,7 +428,7 @@ def test_an_indefinite_cost_is_made_convex_and_reported(panda):
     found = problem(of, GOLDEN, np.zeros(7), pose, stiffness=1.0)
     assert np.linalg.eigvalsh(found["h"])[0] > 0
     of.step(GOLDEN, np.zeros(7), pose, stiffness=1.0)
-    assert of.report.status == mp.StepStatus.SOLVED
+    assert of.report.status == mp.results.StepStatus.SOLVED
     assert of.report.convexified > 0
 
 

@@ -41,7 +41,7 @@ def written(folder, name, text):
 )
 def test_a_table_that_may_mean_something_else_is_refused(tmp_path, text, message):
     file = written(tmp_path, "motion.csv", text)
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Trajectory.from_csv(file)
 
 
@@ -84,9 +84,9 @@ def test_columns_and_degrees(tmp_path):
         ({"columns": names, "degrees": ["J1"]}, "degrees: got 'J1'"),
         ({"columns": "J1"}, "columns: got 'J1'; allowed: a mapping"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=message):
+        with pytest.raises(mp.errors.InvalidInputError, match=message):
             mp.Trajectory.from_csv(file, **options)
-    with pytest.raises(mp.InvalidInputError, match="columns: .*None but for a CSV file"):
+    with pytest.raises(mp.errors.InvalidInputError, match="columns: .*None but for a CSV file"):
         mp.check(ARM, motion, columns=names)
 
 
@@ -109,7 +109,7 @@ def motion():
 def test_a_trajectory_in_json_that_may_mean_something_else_is_refused(tmp_path, motion, change, message):
     motion.to_json(tmp_path / "motion.json")
     file = written(tmp_path, "motion.json", change((tmp_path / "motion.json").read_text()))
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Trajectory.from_json(file)
 
 
@@ -121,10 +121,10 @@ def test_ambiguous_values_of_yaml_are_refused(tmp_path, value):
     file = written(
         tmp_path, "motion.yaml", "joint_names: [joint1, joint2]\npoints:\n" + point % ("0.0", 0) + point % (value, 1)
     )
-    with pytest.raises(mp.FileFormatError, match="ambiguous|real numbers"):
+    with pytest.raises(mp.errors.FileFormatError, match="ambiguous|real numbers"):
         mp.Trajectory.from_ros(file)
     file = written(tmp_path, "scene.yaml", f"obstacles:\n- {{shape: sphere, radius: {value}}}\n")
-    with pytest.raises(mp.InvalidInputError, match="ambiguous|a finite number"):
+    with pytest.raises(mp.errors.InvalidInputError, match="ambiguous|a finite number"):
         mp.Scene.from_yaml(file)
 
 
@@ -186,7 +186,7 @@ def test_json_is_yaml(tmp_path_factory, value):
     ],
 )
 def test_points_of_ros_have_the_keys_of_the_message(tmp_path, points, message):
-    with pytest.raises(mp.FileFormatError, match=message):
+    with pytest.raises(mp.errors.FileFormatError, match=message):
         mp.Trajectory.from_ros(written(tmp_path, "motion.yaml", f"joint_names: [a, b]\npoints:\n{points}\n"))
 
 
@@ -197,7 +197,7 @@ def test_a_ros_message_without_velocities_is_read_as_a_table(tmp_path):
         table = written(tmp_path, "m.csv", "time,q_a,q_b\n" + "".join(f"{k},{0.1 * k**2},0.0\n" for k in range(4)))
         np.testing.assert_allclose(mp.Trajectory.from_ros(ros).qd, mp.Trajectory.from_csv(table).qd, atol=1e-12)
     mixed = ros.read_text().replace("velocities: [], ", "velocities: [0, 0], ", 1)
-    with pytest.raises(mp.FileFormatError, match=r"points\[1\].velocities: .*in all points or in none"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"points\[1\].velocities: .*in all points or in none"):
         mp.Trajectory.from_ros(written(tmp_path, "mixed.yaml", mixed))
 
 
@@ -206,7 +206,7 @@ def test_a_mesh_named_by_package_stays_in_it(tmp_path):
     inside.mkdir()
     written(tmp_path, "x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     text = "world:\n  collision_objects:\n  - {id: a, meshes: [{resource: 'package://p/../x.obj'}], mesh_poses: [{position: {x: 0}}]}\n"
-    with pytest.raises(mp.InvalidInputError, match="stays inside its package|meshes|resource"):
+    with pytest.raises(mp.errors.InvalidInputError, match="stays inside its package|meshes|resource"):
         mp.Scene.from_moveit(written(tmp_path, "scene.yaml", text), packages={"p": inside})
 
 
@@ -214,7 +214,7 @@ def test_names_for_a_controller(tmp_path):
     q = np.array([0.0, -1.5, 1.2, -1.0, -1.5, 0.0])
     own = mp.retime(mp.JointPath.line(q, q + 0.2), mp.load_robot("ur5"))
     arm = own.named([f"axis{k}" for k in range(6)])
-    with pytest.raises(mp.InvalidInputError, match="joint_names"):
+    with pytest.raises(mp.errors.InvalidInputError, match="joint_names"):
         arm.to_urscript(tmp_path / "a.script")
     arm.to_urscript(tmp_path / "a.script", joint_names=own.joint_names)
     own.to_urscript(tmp_path / "b.script")
@@ -222,5 +222,5 @@ def test_names_for_a_controller(tmp_path):
     arm.to_ros(tmp_path / "a.yaml", joint_names=own.joint_names)
     assert mp.Trajectory.from_ros(tmp_path / "a.yaml").joint_names == own.joint_names
     for names in (["a"] * 6, ["a"], "abcdef"):
-        with pytest.raises(mp.InvalidInputError, match="joint_names"):
+        with pytest.raises(mp.errors.InvalidInputError, match="joint_names"):
             arm.named(names)

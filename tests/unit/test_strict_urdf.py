@@ -88,7 +88,7 @@ def edited(tmp_path):
     ],
 )
 def test_what_is_misspelt_doubled_or_missing(edited, capfd, old, new, message):
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         mp.load_robot(edited((old, new)))
     assert "arm.urdf" in str(caught.value)
     assert capfd.readouterr() == ("", "")  # urdfdom prints what it does not say
@@ -100,7 +100,7 @@ def test_misspelt_elements_of_a_link(tmp_path, tag):
     text = ARM.replace("<collision>", f"<{tag}>", 1).replace("</collision>", f"</{tag}>", 1)
     (tmp_path / "arm.urdf").write_text(text)
     wanted = "visual" if tag == "visual_" else "collision"
-    with pytest.raises(mp.FileFormatError, match=f"link l1: <{tag}> is not an element of URDF; did you mean <{wanted}>"):
+    with pytest.raises(mp.errors.FileFormatError, match=f"link l1: <{tag}> is not an element of URDF; did you mean <{wanted}>"):
         mp.load_robot(tmp_path / "arm.urdf")
 
 
@@ -177,7 +177,7 @@ def test_limits_below_zero(edited, caplog):
     robot = mp.load_robot(edited(('effort="10"', 'effort="-1"')))
     assert robot.limits.effort.tolist() == [np.inf, 10.0]
     assert "effort limits below zero count as no limit: joint j1 (-1.0)" in caplog.text
-    with pytest.raises(mp.InvalidInputError, match="velocity limit of j1"):
+    with pytest.raises(mp.errors.InvalidInputError, match="velocity limit of j1"):
         mp.load_robot(edited(('velocity="1"', 'velocity="-1"')))
     assert "velocity limits below zero count as 0: joint j1 (-1.0)" in caplog.text
     assert mp.load_robot(edited(('velocity="1"', 'velocity="-1"')), velocity=2.0).limits.velocity.tolist() == [2.0, 2.0]
@@ -194,11 +194,11 @@ def test_bodies_from_visual_elements(edited, caplog):
     bare = edited(*2 * [("<collision>", "<visual>"), ("</collision>", "</visual>")])
     assert mp.Robot.from_urdf(bare).geometry.ngeoms == 0
     assert "no link has a collision element, so nothing of the robot is checked; collision='visual'" in caplog.text
-    with pytest.raises(mp.UnknownNameError, match="collision: got 'visuals'; allowed: did you mean visual"):
+    with pytest.raises(mp.errors.UnknownNameError, match="collision: got 'visuals'; allowed: did you mean visual"):
         mp.Robot.from_urdf(file, collision="visuals")
     file = edited(("</link>", "<visual><geometry><cone/></geometry></visual></link>"))
     assert mp.Robot.from_urdf(file).geometry.ngeoms == 2
-    with pytest.raises(mp.FileFormatError, match="visual element 1 of link l1: <cone> is not a shape"):
+    with pytest.raises(mp.errors.FileFormatError, match="visual element 1 of link l1: <cone> is not a shape"):
         mp.Robot.from_urdf(file, collision="visual")
 
 
@@ -227,7 +227,7 @@ def test_a_urdf_with_elements_of_xacro_is_expanded(edited, monkeypatch, changes,
     if len(changes) == 1 and changes[0][0] == "<robot ":  # the xmlns alone expands to nothing
         assert mp.load_robot(file).n == 2
     else:
-        with pytest.raises(mp.MissingExtraError, match=r"pip install 'manipplan\[xacro\]'"):
+        with pytest.raises(mp.errors.MissingExtraError, match=r"pip install 'manipplan\[xacro\]'"):
             mp.load_robot(file)
 
 
@@ -270,7 +270,7 @@ def with_srdf(edited, tmp_path, old, new):
     ],
 )
 def test_srdf_files_that_are_refused(edited, tmp_path, old, new, message):
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         with_srdf(edited, tmp_path, old, new)
     assert "arm.srdf" in str(caught.value)
 
@@ -328,13 +328,13 @@ def test_angles_that_look_like_degrees_are_in_the_log(edited, caplog, old, new, 
 
 def test_a_urdf_is_no_srdf(edited):
     file = edited()
-    with pytest.raises(mp.FileFormatError, match="srdf: .*an SRDF; this file has <link> elements"):
+    with pytest.raises(mp.errors.FileFormatError, match="srdf: .*an SRDF; this file has <link> elements"):
         mp.load_robot(file, srdf=file)
 
 
 def test_a_kind_of_joint_that_is_like_none_gets_the_list(edited):
     with pytest.raises(
-        mp.FileFormatError, match="joint j1: type: got 'rotational'; allowed: one of continuous, fixed, .*revolute"
+        mp.errors.FileFormatError, match="joint j1: type: got 'rotational'; allowed: one of continuous, fixed, .*revolute"
     ):
         mp.load_robot(edited(('type="revolute"', 'type="rotational"')))
 
@@ -364,12 +364,14 @@ def test_limits_that_the_file_does_not_give_have_no_source(edited):
     ],
 )
 def test_joints_and_tools_that_cannot_be(edited, options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.load_robot(edited(), **options)
 
 
 def test_a_misspelt_locked_joint_is_the_nearest_of_all_joints():
-    with pytest.raises(mp.UnknownNameError, match=r"locked: got 'panda_jont1'; allowed: did you mean panda_joint1, .*\?"):
+    with pytest.raises(
+        mp.errors.UnknownNameError, match=r"locked: got 'panda_jont1'; allowed: did you mean panda_joint1, .*\?"
+    ):
         mp.load_robot("panda", locked={"panda_jont1": 0.0})
 
 
@@ -377,13 +379,15 @@ def test_a_misspelt_locked_joint_is_the_nearest_of_all_joints():
 def test_a_part_in_another_unit_is_refused(edited, size):
     robot = mp.load_robot(edited())
     assert robot.attach(mp.Box(size=np.minimum(size, 4.0), name="rod")).carried
-    with pytest.raises(mp.InvalidInputError, match=f"rod is {max(size):g} m long. Is it in another unit"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"rod is {max(size):g} m long. Is it in another unit"):
         robot.attach(mp.Box(size=size, name="rod"))
 
 
 @pytest.mark.parametrize("count", [3, 6, 7])
 def test_a_goal_of_as_many_numbers_as_a_pose_says_how_poses_are_given(edited, count):
-    with pytest.raises(mp.InvalidInputError, match=rf"goal: .*pose of the tool as a \(4, 4\) matrix.*not {count} numbers"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=rf"goal: .*pose of the tool as a \(4, 4\) matrix.*not {count} numbers"
+    ):
         mp.plan(mp.load_robot(edited()), [0.0, 0.0], [0.1] * count)
 
 
@@ -391,13 +395,13 @@ def test_a_goal_of_as_many_numbers_as_a_pose_says_how_poses_are_given(edited, co
     "goal", [np.array(0.5), [[0.1], [0.1, 0.2], 0.3], np.zeros((3, 2, 2))], ids=("number", "ragged", "block")
 )
 def test_goals_of_odd_shapes_are_refused(edited, goal):
-    with pytest.raises(mp.InvalidInputError, match="goal"):
+    with pytest.raises(mp.errors.InvalidInputError, match="goal"):
         mp.plan(mp.load_robot(edited()), [0.0, 0.0], goal)
 
 
 def test_an_allowed_pair_with_a_wrong_name_is_named(edited):
     scene = mp.Scene([mp.Sphere(radius=0.1, position=(0, 0, 3), name="ball")]).allow("ball", "l22")
-    with pytest.raises(mp.UnknownNameError, match="allowed pair ball - l22: got 'l22'; allowed: did you mean l2?"):
+    with pytest.raises(mp.errors.UnknownNameError, match="allowed pair ball - l22: got 'l22'; allowed: did you mean l2?"):
         scene.in_collision(mp.load_robot(edited()), [0.0, 0.0])
 
 

@@ -89,7 +89,7 @@ def test_without_a_scene_the_straight_line_is_left(panda, problem):
 
 @pytest.mark.parametrize("limit", [0.0, -1.0, np.nan, "soon"])
 def test_wrong_limits(limit):
-    with pytest.raises(mp.InvalidInputError, match="time_limit"):
+    with pytest.raises(mp.errors.InvalidInputError, match="time_limit"):
         mp.Seeding(time_limit=limit)
 
 
@@ -111,7 +111,7 @@ def test_an_executor_keeps_the_limit_too(panda):
             executor=executor,
             throw=False,
         )
-    assert isinstance(result, mp.NoPath) or result.certificate.proven_clearance > 0.01
+    assert isinstance(result, mp.results.NoPath) or result.certificate.proven_clearance > 0.01
 
 
 def test_a_deadline():
@@ -137,11 +137,11 @@ def test_the_search_for_a_first_path_gets_what_is_left(panda, monkeypatch):
 
     def seed(*_, seeding, **__):
         given.append(seeding.time_limit)
-        raise mp.PlanningError("none")
+        raise mp.errors.PlanningError("none")
 
     monkeypatch.setattr("manipplan.optimize.problem.seed_path", seed)
     for planner, share in (("auto", 1.0), ("RRTstar", 0.5)):
-        with pytest.raises(mp.PlanningError):
+        with pytest.raises(mp.errors.PlanningError):
             mp.optimize_path(panda, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=8.0))
         assert 0.9 * 8.0 * share < given[-1] <= 8.0 * share
 

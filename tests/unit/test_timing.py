@@ -84,7 +84,7 @@ def test_torque_limits_hold_and_slow_the_motion(panda):
 def test_gravity_beyond_the_effort_names_the_joint(panda):
     weak = panda.with_limits(effort=np.array([87.0, 5.0, 87, 87, 12, 12, 12]))
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.3)
-    with pytest.raises(mp.PlanningError, match=r"gravity alone loads panda_joint2 .* at s ="):
+    with pytest.raises(mp.errors.PlanningError, match=r"gravity alone loads panda_joint2 .* at s ="):
         mp.retime(path, weak, torque=True)
 
 
@@ -172,21 +172,21 @@ def test_position_extremes_of_nearly_quadratic_pieces():
 
 def test_wrong_arguments(panda, planar):
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
-    with pytest.raises(mp.InvalidInputError, match="robot: got 'an arm of 3 joints'; allowed: .* 7 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="robot: got 'an arm of 3 joints'; allowed: .* 7 joints"):
         mp.retime(path, planar)
-    with pytest.raises(mp.InvalidInputError, match="robot: got "):
+    with pytest.raises(mp.errors.InvalidInputError, match="robot: got "):
         mp.retime(path, panda.limits)
-    with pytest.raises(mp.InvalidInputError, match="limits: got 'limits of 3 joints'; allowed: .* 7 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits: got 'limits of 3 joints'; allowed: .* 7 joints"):
         mp.retime(path, panda, limits=planar.limits)
-    with pytest.raises(mp.InvalidInputError, match="limits: got "):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits: got "):
         mp.retime(path, panda, limits=panda)
-    with pytest.raises(mp.InvalidInputError, match="torque: got "):
+    with pytest.raises(mp.errors.InvalidInputError, match="torque: got "):
         mp.retime(path, panda, torque=panda.model)
-    with pytest.raises(mp.InvalidInputError, match="a finite acceleration for each joint"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a finite acceleration for each joint"):
         mp.retime(path, panda.with_limits(acceleration=np.inf))
-    with pytest.raises(mp.InvalidInputError, match="grid"):
+    with pytest.raises(mp.errors.InvalidInputError, match="grid"):
         mp.retime(path, panda, grid=49)
-    with pytest.raises(mp.InvalidInputError, match="a path with a length"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a path with a length"):
         mp.retime(mp.JointPath(breaks=[0, 1], control=np.zeros((1, 3, 7))), panda)
 
 
@@ -305,17 +305,17 @@ def test_speeds_that_limits_do_not_allow():
     robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=[1.0, 2.0], acceleration=2.0)
     path = mp.JointPath.line([0.0, 0.0], [0.01, 0.0])
     with pytest.raises(
-        mp.InvalidInputError, match=r"start_speed: got 1.5; allowed: 0 to 1: the velocity limit of joint1 .* s = 0"
+        mp.errors.InvalidInputError, match=r"start_speed: got 1.5; allowed: 0 to 1: the velocity limit of joint1 .* s = 0"
     ):
         mp.retime(path, robot, start_speed=1.5)
     # v² / 2a = 0.01
-    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 0.5; allowed: 0 to 0.199.* slow down in time"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"start_speed: got 0.5; allowed: 0 to 0.199.* slow down in time"):
         mp.retime(path, robot, start_speed=0.5)
-    with pytest.raises(mp.InvalidInputError, match=r"end_speed: got 0.5; allowed: 0 to 0.199.* cannot be reached"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"end_speed: got 0.5; allowed: 0 to 0.199.* cannot be reached"):
         mp.retime(path, robot, end_speed=0.5)
     mp.retime(path, robot, start_speed=0.195)
     limits = jerk_limited(robot, jerk=1.0)
-    with pytest.raises(mp.InvalidInputError, match=r"start_speed: got 0.19.*within the jerk limits"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"start_speed: got 0.19.*within the jerk limits"):
         mp.retime(path, robot, limits=limits, start_speed=0.19)
 
 
@@ -342,7 +342,7 @@ def test_the_speed_that_a_message_allows_is_allowed(limit):
         mp.planar_arm([1.0, 1.0]).with_limits(velocity=limit, acceleration=1e3),
         mp.JointPath.line([0.0, 0.0], [1.0, 0.3]),
     )
-    with pytest.raises(mp.InvalidInputError, match="the velocity limit of") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match="the velocity limit of") as told:
         mp.retime(path, robot, start_speed=20.0)
     assert mp.retime(path, robot, start_speed=float(re.search(r"0 to ([\d.e+-]+):", str(told.value))[1])).duration > 0
 
@@ -385,7 +385,7 @@ def test_wrong_speeds_and_segments(panda, planar):
         ({"segments": [3]}, r"segments\[0\]"),
         ({"segments": [mp.Segment(begin=0, end=1, limits=planar.limits)]}, r"segments\[0\].limits"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=match):
+        with pytest.raises(mp.errors.InvalidInputError, match=match):
             mp.retime(path, panda, **options)
     for options, match in (
         ({"begin": 0.5, "end": 0.5}, "segment.end"),
@@ -395,23 +395,23 @@ def test_wrong_speeds_and_segments(panda, planar):
         ({"begin": 0.0, "end": 0.5, "tool_speed": 0.0}, "segment.tool_speed"),
         ({"begin": 0.0, "end": 0.5, "tool_speed": np.array([1.0, 2.0])}, "segment.tool_speed"),
     ):
-        with pytest.raises(mp.InvalidInputError, match=match):
+        with pytest.raises(mp.errors.InvalidInputError, match=match):
             mp.Segment(**options)
 
 
 def test_limits_of_another_arm_tell_nothing_of_jerk(panda, planar):
     trajectory = mp.retime(mp.JointPath.line(panda.neutral, panda.neutral + 0.1), panda)
-    with pytest.raises(mp.InvalidInputError, match="limits: got 'limits of 3 joints'; allowed: .* 7 joints"):
+    with pytest.raises(mp.errors.InvalidInputError, match="limits: got 'limits of 3 joints'; allowed: .* 7 joints"):
         mp.jerk_use(trajectory, planar.limits)
-    with pytest.raises(mp.InvalidInputError, match="trajectory: got None"):
+    with pytest.raises(mp.errors.InvalidInputError, match="trajectory: got None"):
         mp.jerk_use(None, panda.limits)
 
 
 @pytest.mark.parametrize("kind", ["velocity", "acceleration", "jerk"])
 def test_limits_beyond_all_sense(panda, kind):
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
-    with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at least 1e-09"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"limits.{kind}.*at least 1e-09"):
         mp.retime(path, panda, limits=panda.limits.with_changes({kind: 1e-50}))
     if kind != "jerk":
-        with pytest.raises(mp.InvalidInputError, match=f"limits.{kind}.*at most 1e.12"):
+        with pytest.raises(mp.errors.InvalidInputError, match=f"limits.{kind}.*at most 1e.12"):
             mp.retime(path, panda, limits=panda.limits.with_changes({kind: 1e300}))

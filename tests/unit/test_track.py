@@ -115,7 +115,7 @@ def test_inside_a_tube_the_manipulability_rises_and_the_tolerance_holds(request,
 
 BENT = np.array([0.3, 0.3, 1.8])
 MEASURES_THAT_GROW = [
-    mp.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.VelocityTransmission else kind()
+    mp.measures.VelocityTransmission(direction=(1.0, -2.0)) if kind is mp.measures.VelocityTransmission else kind()
     for kind in MEASURES.values()
     if kind.larger_is_better and not kind.constant
 ]
@@ -136,7 +136,7 @@ def test_the_given_measure_is_raised_while_the_tool_follows(arm, measure):
     np.testing.assert_allclose(driven.manipulability, kinematics.manipulability(driven.q))
     assert driven.manipulability[0] == still.manipulability[0]
     assert driven.manipulability.mean() > 1.004 * still.manipulability.mean()
-    if measure == mp.Yoshikawa():
+    if measure == mp.measures.Yoshikawa():
         np.testing.assert_array_equal(driven.q, usual.q)
     else:
         assert driven.manipulability.mean() > kinematics.manipulability(usual.q).mean()
@@ -272,5 +272,5 @@ def test_what_cannot_be_tracked_raises(arm, given, message):
         "formulation": mp.formulations.LogDrive(),
         **given,
     }
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.track(**arguments, compiled=False)

@@ -124,10 +124,10 @@ def test_braking_for_what_is_no_number(panda):
         (panda.kinematics().pose(START), {"drive": np.nan}),
     ):
         slower = controller.step(START, moving, target, **extra)
-        assert controller.report.status is mp.StepStatus.BAD_TARGET
+        assert controller.report.status is mp.results.StepStatus.BAD_TARGET
         np.testing.assert_allclose(slower, moving - panda.limits.acceleration * DT, atol=1e-12)
     assert not controller.step(np.full(7, np.nan), moving, panda.kinematics().pose(START)).any()
-    assert controller.report.status is mp.StepStatus.BAD_STATE
+    assert controller.report.status is mp.results.StepStatus.BAD_STATE
 
 
 def test_an_exactly_singular_posture_is_left(panda):
@@ -250,14 +250,14 @@ def test_wrong_input_is_refused(panda, circle):
         (lambda: mp.CartesianPath.through([np.eye(4)]), "poses"),
     ]
     for call, words in wrong:
-        with pytest.raises(mp.InvalidInputError, match=words):
+        with pytest.raises(mp.errors.InvalidInputError, match=words):
             call()
 
 
 def test_shapes_are_the_only_thing_a_step_raises_for(panda):
     controller = mp.Controller(panda, mp.formulations.LogDrive(), dt=DT, compiled=False)
     for q, qd, target in (([0.0] * 6, [0.0] * 7, np.eye(4)), ([0.0] * 7, 0.0, np.eye(4)), ([0.0] * 7, [0.0] * 7, np.eye(3))):
-        with pytest.raises(mp.InvalidInputError):
+        with pytest.raises(mp.errors.InvalidInputError):
             controller.step(q, qd, target)
     assert controller.step(START.tolist(), [0] * 7, panda.kinematics().pose(START).tolist()).shape == (7,)
 
@@ -270,7 +270,7 @@ def test_poses_from_a_file(tmp_path):
     np.testing.assert_allclose(path.sample(7)[:, :3, :3] @ path.sample(7)[:, :3, :3].swapaxes(1, 2), [np.eye(3)] * 7, atol=1e-9)
     for text, words in (("x,y\n1,2\n", "first line"), ("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0\n", "row 2"), ("", "first line")):
         file.write_text(text)
-        with pytest.raises(mp.FileFormatError, match=words):
+        with pytest.raises(mp.errors.FileFormatError, match=words):
             mp.CartesianPath.from_csv(file)
 
 

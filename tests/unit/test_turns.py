@@ -76,7 +76,9 @@ def test_a_jump_of_a_joint_with_limits_names_row_and_joint(motion, row, turns):
     q[row:, 1] += turns * TURN
     for job in (mp.improve, mp.check):
         name = "recorded" if job is mp.improve else "trajectory"
-        with pytest.raises(mp.InvalidInputError, match=rf"{name}\.q\[{row}, 1\] \(joint2\).*about a full turn.*not continuous"):
+        with pytest.raises(
+            mp.errors.InvalidInputError, match=rf"{name}\.q\[{row}, 1\] \(joint2\).*about a full turn.*not continuous"
+        ):
             job(BOUND, recording(t, q))
 
 
@@ -86,7 +88,7 @@ def test_the_error_names_the_row_of_the_file_and_its_unit(tmp_path):
     q = np.tile([0.2, 3.1, 0.5], (50, 1))
     q[20:, 1] -= 6.2
     np.savetxt(file, np.c_[t, np.rad2deg(q)], delimiter=",", header=",".join(["time", *(f"q_{n}" for n in NAMES)]), comments="")
-    with pytest.raises(mp.InvalidInputError, match=r"log\.csv, row 22, joint2: got -177\.6.*full turn"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"log\.csv, row 22, joint2: got -177\.6.*full turn"):
         mp.improve(BOUND, file, degrees=True)
 
 
@@ -161,10 +163,10 @@ def test_positions_beyond_the_limits_are_named_with_how_far_and_no_wrong_hint():
     t, q = driven((1.0, 0.8, 8.0, 300, 0))
     for upper, off in ((1.75, 0.05), (1.2, 0.6)):
         robot = FREE.with_limits(lower=-3.0, upper=[upper, 3.0, 3.0])
-        with pytest.raises(mp.InvalidInputError) as refused:
+        with pytest.raises(mp.errors.InvalidInputError) as refused:
             mp.improve(robot, recording(t, q))
         assert " rad above" in str(refused.value)
         assert ("degrees" in str(refused.value)) == (off > 0.5)
     degrees = replace(recording(t, np.rad2deg(q)), qd=np.zeros_like(q))
-    with pytest.raises(mp.InvalidInputError, match="if they are in degrees"):
+    with pytest.raises(mp.errors.InvalidInputError, match="if they are in degrees"):
         mp.improve(FREE.with_limits(lower=-3.0, upper=2.0), degrees)

@@ -79,12 +79,12 @@ def test_one_tool_is_its_own_arm():
     ],
 )
 def test_wrong_tools(tool, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.load_robot("baxter", tool=tool)
 
 
 def test_an_unknown_arm(baxter):
-    with pytest.raises(mp.UnknownNameError, match="left_gripper"):
+    with pytest.raises(mp.errors.UnknownNameError, match="left_gripper"):
         baxter.arm("left_griper")
 
 
@@ -96,7 +96,7 @@ def test_tools_and_parts_of_either_hand(baxter):
     np.testing.assert_allclose(place(changed, "tip", baxter.neutral), place(baxter, "right_gripper", baxter.neutral) @ pose)
     [ball] = [item for item in changed.geometry.geometryObjects if item.name == "ball"]
     assert ball.parentJoint - 1 == baxter.joints_of("right_gripper")[-1]
-    with pytest.raises(mp.UnknownNameError, match="tip"):
+    with pytest.raises(mp.errors.UnknownNameError, match="tip"):
         changed.attach(mp.Sphere(radius=0.02), tool="tap")
 
 
@@ -111,7 +111,7 @@ def test_the_smooth_minimum_is_near_the_minimum_of_both_arms(baxter):
 def test_weights_give_the_mean(baxter):
     q = baxter.random_configuration(np.random.default_rng(1), size=20)
     m = [baxter.arm(tool).kinematics().manipulability(q[:, list(baxter.joints_of(tool))]) for tool in TOOLS]
-    measure = mp.OverTools(weights={"left_gripper": 1.0, "right_gripper": 3.0})
+    measure = mp.measures.OverTools(weights={"left_gripper": 1.0, "right_gripper": 3.0})
     np.testing.assert_allclose(baxter.kinematics(measure=measure).manipulability(q), (m[0] + 3 * m[1]) / 4, rtol=1e-12)
 
 
@@ -119,7 +119,7 @@ def test_weights_give_the_mean(baxter):
     "options",
     [
         {},
-        {"measure": mp.OverTools(weights={"left_gripper": 1.0, "right_gripper": 2.0})},
+        {"measure": mp.measures.OverTools(weights={"left_gripper": 1.0, "right_gripper": 2.0})},
         {"task": mp.Task.pose(relative_to="right_gripper")},
         {"task": mp.Task.position(relative_to="torso")},
     ],
@@ -134,7 +134,7 @@ def test_gradient_and_hessian(baxter, options):
 
 
 def test_one_singular_arm_makes_the_minimum_zero_and_decides_its_slope():
-    value, first, second = mp.OverTools()._combine(["left", "right"], [ca.SX(0.0), ca.SX(0.5)])
+    value, first, second = mp.measures.OverTools()._combine(["left", "right"], [ca.SX(0.0), ca.SX(0.5)])
     assert float(value) == 0.0
     assert [float(each) for each in first] == pytest.approx([1.0, 0.0])
     assert np.isfinite([[float(each) for each in row] for row in second]).all()
@@ -162,16 +162,16 @@ def test_a_frame_before_the_arm_changes_nothing_but_the_axes():
     ("options", "message"),
     [
         ({"task": mp.Task.pose(relative_to="right_griper")}, "right_gripper"),
-        ({"task": mp.Task.pose(relative_to="torso"), "measure": mp.OverTools()}, "one motion"),
+        ({"task": mp.Task.pose(relative_to="torso"), "measure": mp.measures.OverTools()}, "one motion"),
         ({"task": mp.Task.pose(relative_to="left_gripper")}, "can move against, such as right_gripper"),
         ({"task": mp.Task.position(relative_to="left_wrist")}, "can move against, such as right_gripper"),
-        ({"measure": mp.OverTools(weights={"left_gripper": 1.0})}, "right_gripper has none"),
-        ({"measure": mp.OverTools(weights={"left_gripper": 1.0, "rigth_gripper": 1.0})}, "right_gripper"),
+        ({"measure": mp.measures.OverTools(weights={"left_gripper": 1.0})}, "right_gripper has none"),
+        ({"measure": mp.measures.OverTools(weights={"left_gripper": 1.0, "rigth_gripper": 1.0})}, "right_gripper"),
         ({"measure": "log_det"}, "at least 0 and better when larger"),
     ],
 )
 def test_wrong_tasks_and_measures(baxter, options, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         baxter.kinematics(**options)
 
 
@@ -193,8 +193,8 @@ def test_wrong_tasks_and_measures(baxter, options, message):
     ],
 )
 def test_weights_are_positive(weights):
-    with pytest.raises(mp.InvalidInputError, match="weights"):
-        mp.OverTools(weights=weights)
+    with pytest.raises(mp.errors.InvalidInputError, match="weights"):
+        mp.measures.OverTools(weights=weights)
 
 
 def test_distances_between_the_arms_and_their_gradients(baxter, scene):
@@ -284,9 +284,9 @@ def test_the_report_tells_of_each_tool(baxter, swapped):
 @pytest.mark.parametrize(
     ("task", "measure", "of_each"),
     [
-        (mp.Task.position(), mp.OverTools(measure=mp.InverseCondition()), mp.InverseCondition()),
-        (None, mp.JointLimitPenalised(measure=mp.OverTools(), k=2.0), mp.JointLimitPenalised(k=2.0)),
-        (mp.Task.position(relative_to="right_gripper"), mp.InverseCondition(), mp.InverseCondition()),
+        (mp.Task.position(), mp.measures.OverTools(measure=mp.measures.InverseCondition()), mp.measures.InverseCondition()),
+        (None, mp.measures.JointLimitPenalised(measure=mp.measures.OverTools(), k=2.0), mp.measures.JointLimitPenalised(k=2.0)),
+        (mp.Task.position(relative_to="right_gripper"), mp.measures.InverseCondition(), mp.measures.InverseCondition()),
     ],
     ids=["over tools", "penalised", "relative"],
 )
@@ -333,10 +333,10 @@ def test_goals_of_both_tools_in_a_file(baxter, tmp_path):
     assert list(goal) == list(TOOLS)
     np.testing.assert_allclose(goal["right_gripper"].matrix, down(0.7, -0.2, 0.1), atol=1e-12)
     file.write_text(f"goals:\n- tools: {{left_griper: {left}}}\n")
-    with pytest.raises(mp.InvalidInputError, match=r"goals\[0\]\.tools.*left_gripper"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"goals\[0\]\.tools.*left_gripper"):
         goals_from_yaml(file, baxter)
     file.write_text("goals:\n- tools: {left_gripper: {position: [0.7, 0.2, 0.1]}}\n")
-    with pytest.raises(mp.FileFormatError, match=r"goals\[0\]\.tools\.left_gripper"):
+    with pytest.raises(mp.errors.FileFormatError, match=r"goals\[0\]\.tools\.left_gripper"):
         goals_from_yaml(file, baxter)
 
 
@@ -381,9 +381,11 @@ def test_out_of_reach_is_said_only_where_it_is_proven():
     far, just = np.array(goal[first]), np.array(goal[first])
     far[0, 3] += 0.9
     just[0, 3] += 0.35
-    with pytest.raises(mp.InvalidInputError, match=f"{first} is out of reach: 1.44 m from torso_lift_joint, .* 1.41 m long"):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=f"{first} is out of reach: 1.44 m from torso_lift_joint, .* 1.41 m long"
+    ):
         mp.plan(robot, robot.neutral, goal | {first: far})
-    with pytest.raises(mp.InvalidInputError, match=f"{first} may be out of reach: .*torso_lift_joint .*mp.PoseGoal"):
+    with pytest.raises(mp.errors.InvalidInputError, match=f"{first} may be out of reach: .*torso_lift_joint .*mp.PoseGoal"):
         mp.plan(robot, robot.neutral, goal | {first: just})
 
 
@@ -427,7 +429,7 @@ def test_held_joints_stay_where_both_arms_and_a_torso_move():
     ids=["one pose", "unknown tool", "no tool", "a name", "out of reach", "both in one place", "no pose"],
 )
 def test_wrong_goals(baxter, scene, goal, message):
-    with pytest.raises(mp.InvalidInputError, match=message):
+    with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.plan(baxter, baxter.neutral, goal, scene)
 
 
@@ -440,11 +442,11 @@ def test_what_needs_one_arm_says_so(baxter):
         lambda: mp.Controller(baxter, mp.formulations.Classical(), dt=0.01),
     ]
     for call in calls:
-        with pytest.raises(mp.InvalidInputError, match=r"robot\.arm\('left_gripper'\)"):
+        with pytest.raises(mp.errors.InvalidInputError, match=r"robot\.arm\('left_gripper'\)"):
             call()
 
 
 def test_a_goal_of_several_tools_takes_no_pose_of_a_part(baxter):
     part = mp.PoseGoal(np.eye(4), of="cup")
-    with pytest.raises(mp.InvalidInputError, match=r"left_gripper'\].of: got 'cup'"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"left_gripper'\].of: got 'cup'"):
         mp.plan(baxter, baxter.neutral, {"left_gripper": part})

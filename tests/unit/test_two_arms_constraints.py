@@ -69,12 +69,12 @@ def test_both_hands_keep_level_and_the_report_says_how(baxter):
 def test_opposite_limits_contradict_each_other_only_on_one_tool(baxter):
     up, down = (mp.TiltLimit((0, 0, 1), (0, 0, z), 0.4, tool=tool) for z, tool in zip((1, -1), baxter.tools, strict=True))
     assert ConstraintSet.of(baxter, [up, down]).count == 2
-    with pytest.raises(mp.InvalidInputError, match="together with"):
+    with pytest.raises(mp.errors.InvalidInputError, match="together with"):
         ConstraintSet.of(baxter, [mp.TiltLimit((0, 0, 1), (0, 0, -1), 0.4), up])
 
 
 def test_names_of_tools(baxter, tmp_path):
-    with pytest.raises(mp.UnknownNameError, match="left_gripper"):
+    with pytest.raises(mp.errors.UnknownNameError, match="left_gripper"):
         mp.plan(
             baxter,
             baxter.neutral,
@@ -82,7 +82,7 @@ def test_names_of_tools(baxter, tmp_path):
             constraints=[mp.TiltLimit((0, 0, 1), (0, 0, -1), 3.0, tool="left_griper")],
         )
     for wrong in ("", 1):
-        with pytest.raises(mp.InvalidInputError, match="tool: got"):
+        with pytest.raises(mp.errors.InvalidInputError, match="tool: got"):
             mp.PositionBox((0, 0, 0), (1, 1, 1), tool=wrong)
     limit = mp.TiltLimit((0, 0, 1), (0, 0, -1), 0.4, tool="right_gripper")
     assert constraint_of(constraint_data(limit)) == limit

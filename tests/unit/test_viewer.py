@@ -275,12 +275,12 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
     page.keyboard.press("Space")
     assert page.locator("#figures svg polyline").count() == 2
     assert f"{plan.trajectory.duration:.2f} s" in page.text_content("#figures")
-    with pytest.raises(mp.InvalidInputError, match="rate"):
+    with pytest.raises(mp.errors.InvalidInputError, match="rate"):
         viewer.record(plan, tmp_path / "motion.html", rate=0)
-    with pytest.raises(mp.InvalidInputError, match="file"):
+    with pytest.raises(mp.errors.InvalidInputError, match="file"):
         plan.record(tmp_path / "nowhere" / "motion.html")
     for name in (tmp_path / "motion.txt", tmp_path / "motion", tmp_path, 7, ""):
-        with pytest.raises(mp.InvalidInputError, match="file: got .* ends in .html"):
+        with pytest.raises(mp.errors.InvalidInputError, match="file: got .* ends in .html"):
             plan.record(name)
     assert [file.name for file in tmp_path.iterdir()] == ["motion.html"]
 
@@ -313,7 +313,7 @@ def test_a_dragged_target_is_followed(open_page):
         wait_until(lambda: np.abs(live.target[:3, 3] - robot.kinematics().pose([0.3, 0.8, 0.9])[:3, 3]).max() < 1e-9)
         page.get_by_role("checkbox").first.click(force=True)
         wait_until(lambda: live.drive == 0.0)
-        with pytest.raises(mp.InvalidInputError, match="target"):
+        with pytest.raises(mp.errors.InvalidInputError, match="target"):
             live.target = np.zeros((4, 4))
     assert not live.running
 
@@ -341,7 +341,7 @@ def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
         wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - goal[:3, 3]) < 2e-3)
     finally:
         live.stop()
-    with pytest.raises(mp.InvalidInputError, match="Classical"):
+    with pytest.raises(mp.errors.InvalidInputError, match="Classical"):
         viewer.follow_target(
             robot,
             mp.formulations.Classical(gain=1.0),
@@ -507,11 +507,11 @@ def test_a_port_in_use_is_an_error(plan):
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = taken.getsockname()[1]
-        with pytest.raises(mp.InvalidInputError, match=rf"port: got {port}.*in use.*any free one"):
+        with pytest.raises(mp.errors.InvalidInputError, match=rf"port: got {port}.*in use.*any free one"):
             plan.show(port=port, open_browser=False)
     with plan.show(port=port, open_browser=False) as page:
         assert page.url == f"http://localhost:{port}"
-        with pytest.raises(mp.InvalidInputError, match="in use"):
+        with pytest.raises(mp.errors.InvalidInputError, match="in use"):
             plan.show(port=port, open_browser=False)
     with plan.show(port=port, open_browser=False):  # free again at once
         pass
@@ -529,19 +529,21 @@ def test_a_port_in_use_is_an_error(plan):
     ],
 )
 def test_other_bad_arguments(plan, argument, value):
-    with pytest.raises(mp.InvalidInputError, match=argument):
+    with pytest.raises(mp.errors.InvalidInputError, match=argument):
         plan.show(**{"open_browser": False, "port": 0, argument: value})
 
 
 def test_a_plan_without_a_motion_is_an_error(plan):
-    failed = mp.PartialPlan(robot=plan.robot, scene=plan.scene, status=Status.NO_PATH, message="the goal is in the wall")
+    failed = mp.results.PartialPlan(
+        robot=plan.robot, scene=plan.scene, status=Status.NO_PATH, message="the goal is in the wall"
+    )
     for work, show in (
         ("no trajectory to show", lambda: failed.show(port=0)),
         ("no trajectory to record", lambda: failed.record("x.html")),
         ("no motion to show", lambda: viewer.show(failed, port=0)),
         ("no motion to show", lambda: viewer.record(failed, "x.html")),
     ):
-        with pytest.raises(mp.PlanningError, match=f"{work}: the goal is in the wall") as caught:
+        with pytest.raises(mp.errors.PlanningError, match=f"{work}: the goal is in the wall") as caught:
             show()
         assert caught.value.result is failed
 
@@ -549,14 +551,14 @@ def test_a_plan_without_a_motion_is_an_error(plan):
 def test_a_speed_that_is_none_does_not_end_the_play(plan):
     with plan.show(port=0, open_browser=False) as page:
         for value in (-3.0, 0, "fast", np.nan):
-            with pytest.raises(mp.InvalidInputError, match="speed"):
+            with pytest.raises(mp.errors.InvalidInputError, match="speed"):
                 page.speed = value
         page.speed = 0.5
         page.play()
         wait_until(lambda: page.time > 0.1)
     with viewer.follow_target(mp.planar_arm([1.0, 1.0]), port=0, open_browser=False) as page:
         for value in (-1.0, "much", np.inf):
-            with pytest.raises(mp.InvalidInputError, match="drive"):
+            with pytest.raises(mp.errors.InvalidInputError, match="drive"):
                 page.drive = value
 
 
@@ -598,7 +600,7 @@ def test_the_address_of_ipv6_is_one(plan):
 def test_a_motion_of_other_joints_is_told(plan):
     other = moved(plan, mp.planar_arm([1.0, 1.0]))
     with pytest.raises(
-        mp.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
+        mp.errors.InvalidInputError, match=r"plan.trajectory: got 'a motion of 2 joints'; allowed: one of the robot's 3"
     ):
         replace(other, robot=plan.robot).show(port=0, open_browser=False)
 
@@ -620,9 +622,9 @@ def test_without_a_browser_the_address_is_told(plan, monkeypatch, caplog):
 
 def test_without_the_extra_the_install_line_is_told(plan, monkeypatch):
     monkeypatch.setitem(sys.modules, "viser", None)
-    with pytest.raises(mp.MissingExtraError, match=r"viser is not installed; .*'manipplan\[viewer\]'"):
+    with pytest.raises(mp.errors.MissingExtraError, match=r"viser is not installed; .*'manipplan\[viewer\]'"):
         plan.show(port=0)
-    with pytest.raises(mp.MissingExtraError):
+    with pytest.raises(mp.errors.MissingExtraError):
         plan.record("x.html")
 
 

@@ -203,5 +203,5 @@ def test_a_process_that_does_not_start_is_told(monkeypatch):
 
 
 def test_a_wrong_count_is_told():
-    with pytest.raises(mp.InvalidInputError, match="count: got 0"):
+    with pytest.raises(mp.errors.InvalidInputError, match="count: got 0"):
         Workers(0)

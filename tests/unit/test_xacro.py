@@ -101,16 +101,16 @@ def test_arguments_and_packages(read, tmp_path):
     np.testing.assert_allclose(pose[:3, 3], [1.0, 0.0, 0.0], atol=1e-12)
     again = robot.source.load()
     assert again.source == robot.source and again.tool == "hand" and visual_geometry(again)[0].ngeoms == 2
-    with pytest.raises(mp.UnknownNameError, match="arguments: got 'lenght'; allowed: did you mean length"):
+    with pytest.raises(mp.errors.UnknownNameError, match="arguments: got 'lenght'; allowed: did you mean length"):
         read(arguments={"lenght": 1})
-    with pytest.raises(mp.UnknownNameError, match="got 'fingers'"):  # of the file that is not included
+    with pytest.raises(mp.errors.UnknownNameError, match="got 'fingers'"):  # of the file that is not included
         read(arguments={"fingers": 2})
     assert read(arguments={"fingers": 2, "hand": True}, packages=hand).n == 2
     for wrong in ({"length": [1.0]}, {"length": None}, 5):
-        with pytest.raises(mp.InvalidInputError, match="arguments"):
+        with pytest.raises(mp.errors.InvalidInputError, match="arguments"):
             read(arguments=wrong)
     with pytest.raises(
-        mp.FileFormatError, match=r"package 'hand_description' is not found; .*packages={'hand_description': folder}"
+        mp.errors.FileFormatError, match=r"package 'hand_description' is not found; .*packages={'hand_description': folder}"
     ):
         read(arguments={"hand": True})
 
@@ -127,16 +127,16 @@ def test_arguments_and_packages(read, tmp_path):
 )
 def test_an_argument_without_a_value_is_named(read, elements):
     match = r"the argument 'needed' has no value; give it in arguments={'needed': \.\.\.}"
-    with pytest.raises(mp.FileFormatError, match=match):
+    with pytest.raises(mp.errors.FileFormatError, match=match):
         read(elements)
 
 
 def test_all_arguments_without_a_value_are_named_at_once(read):
     elements = '<xacro:arg name="kind"/><!-- $(arg no) --><frame name="$(arg kind)$(arg size)$(arg prefix)">$(arg load)</frame>'
     match = r"the arguments 'kind', 'size', 'load' have no value; give it in arguments={'kind': \.\.\., 'size': \.\.\., 'load'"
-    with pytest.raises(mp.FileFormatError, match=match):
+    with pytest.raises(mp.errors.FileFormatError, match=match):
         read(elements)
-    with pytest.raises(mp.FileFormatError, match="the arguments 'size', 'load' have no value"):
+    with pytest.raises(mp.errors.FileFormatError, match="the arguments 'size', 'load' have no value"):
         read(elements, arguments={"kind": "a"})
     assert read(elements, arguments={"kind": "a", "size": 1, "load": 2.5}).n == 2
 
@@ -148,7 +148,7 @@ def test_a_default_holds_before_its_line(arm):
     assert mp.Robot.from_urdf(file).name == "ur"
     assert mp.Robot.from_urdf(file, arguments={"name": "other"}).name == "other"
     file.write_text(file.read_text().replace('default="ur"', 'default="$(arg kind)"'))
-    with pytest.raises(mp.FileFormatError, match="the arguments 'name', 'kind' have no value"):
+    with pytest.raises(mp.errors.FileFormatError, match="the arguments 'name', 'kind' have no value"):
         mp.Robot.from_urdf(file)
 
 
@@ -157,7 +157,7 @@ def test_a_missing_file_named_by_an_argument(read):
     elements = '<xacro:arg name="ur_type" default="ur5x"/><xacro:arg name="unused" default="zz"/>'
     elements += """<xacro:property name="z" value="${xacro.load_yaml('$(arg ur_type)/limits.yaml')}"/><link name="${z}"/>"""
     match = r"ur5x/limits\.yaml.*; give other values in arguments= than .*ur_type='ur5x'"
-    with pytest.raises(mp.FileFormatError, match=match) as error:
+    with pytest.raises(mp.errors.FileFormatError, match=match) as error:
         read(elements)
     assert "unused" not in str(error.value)
 
@@ -166,7 +166,7 @@ def test_a_missing_file_named_by_an_argument(read):
 def test_packages_are_found_as_in_ros(arm, tmp_path, monkeypatch):
     file = arm(text=ARM.replace("$(arg hand)", "true"))
     hand = tmp_path / "hand-main"
-    with pytest.raises(mp.FileFormatError, match="'hand_description' is not found"):
+    with pytest.raises(mp.errors.FileFormatError, match="'hand_description' is not found"):
         mp.load_robot(file)
     for variable, place in (("AMENT_PREFIX_PATH", "prefix/share"), ("ROS_PACKAGE_PATH", "ros")):
         (tmp_path / place).mkdir(parents=True)
@@ -178,7 +178,7 @@ def test_packages_are_found_as_in_ros(arm, tmp_path, monkeypatch):
         mp.load_robot(file, package_dirs=[shutil.copytree(hand, tmp_path / "all" / "hand_description").parent]).tool == "hand"
     )
     shutil.copytree(hand, tmp_path / "work" / "hand_description")
-    with pytest.raises(mp.FileFormatError, match="'hand_description' is not found"):
+    with pytest.raises(mp.errors.FileFormatError, match="'hand_description' is not found"):
         mp.load_robot(file)  # any folder could be meant, until it has a package.xml
     (tmp_path / "work" / "hand_description" / "package.xml").write_text("<package><name> hand_description </name></package>")
     assert mp.load_robot(file).tool == "hand"
@@ -292,7 +292,7 @@ def test_no_code_runs_unless_the_file_is_trusted(read, arm, tmp_path, kind):
     escape = escape.replace("MARK", str(mark))
     escape = escape.replace("&", "&amp;").replace('"', "&quot;").replace("<", "&lt;")
     element = f'<xacro:property name="p" value="{escape}"/><xacro:if value="${{str(p) == \'x\'}}"/>'
-    with pytest.raises(mp.FileFormatError, match="trust_file=True|name 'open' is not defined"):
+    with pytest.raises(mp.errors.FileFormatError, match="trust_file=True|name 'open' is not defined"):
         read(element)
     assert not mark.exists()
     read(element, trust_file=True)
@@ -330,7 +330,7 @@ def test_expressions_that_are_refused(text):
 def test_environment_variables(read, monkeypatch):
     monkeypatch.setenv("SECRET", "0.7")
     for text in ("$(env SECRET)", "$(optenv SECRET 1)", "$(eval env${'\\x28'}'SECRET'${'\\x29'})"):
-        with pytest.raises(mp.FileFormatError, match="environment variable SECRET is read only if trust_file=True"):
+        with pytest.raises(mp.errors.FileFormatError, match="environment variable SECRET is read only if trust_file=True"):
             read(f'<xacro:property name="p" value="{text}"/><link name="x${{p}}"/>')
     tool = read(
         '<link name="x$(env SECRET)"/><joint name="f" type="fixed"><parent link="link1"/><child link="x0.7"/></joint>',
@@ -349,17 +349,19 @@ def test_files_outside_the_packages(read, arm, tmp_path):
     frame = '<link name="{0}"/><joint name="f" type="fixed"><parent link="link1"/><child link="{0}"/></joint>'
     for path in (outside, "../../../secret.yaml", "../config/link.yaml", "$(find arm_description)/../../secret.yaml"):
         elements = frame.format(f"${{xacro.load_yaml('{path}').a}}")
-        with pytest.raises(mp.FileFormatError, match="outside the folders that may be read; give its folder in packages="):
+        with pytest.raises(
+            mp.errors.FileFormatError, match="outside the folders that may be read; give its folder in packages="
+        ):
             read(elements)
         assert read(elements, trust_file=True).tool == "tip"
         assert read(elements, package_dirs=[tmp_path]).tool == "tip"
     for path in ("/dev/zero", "/etc/passwd", "../../../*.yaml"):
-        with pytest.raises(mp.FileFormatError, match="outside the folders"):
+        with pytest.raises(mp.errors.FileFormatError, match="outside the folders"):
             read(f'<xacro:include filename="{path}"/>')
-    with pytest.raises(mp.FileFormatError, match="not a plain file"):
+    with pytest.raises(mp.errors.FileFormatError, match="not a plain file"):
         read('<xacro:include filename="pipe"/>')
     for name in ("..", ".", "etc", "../hand-main", tmp_path.name):
-        with pytest.raises(mp.FileFormatError, match="is not found"):
+        with pytest.raises(mp.errors.FileFormatError, match="is not found"):
             read(f'<xacro:include filename="$(find {name})/passwd"/>')
 
 
@@ -375,7 +377,7 @@ def test_a_saved_robot_does_not_say_that_its_file_is_trusted(arm, tmp_path):
     assert data["source"]["options"]["arguments"] == {"length": "0.6"} and "trust_file" not in data["source"]["options"]
     data["source"]["options"]["trust_file"] = True
     mark.unlink()
-    with pytest.raises(mp.FileFormatError, match=r"trust_file=True.*give robot="):
+    with pytest.raises(mp.errors.FileFormatError, match=r"trust_file=True.*give robot="):
         robot_of(tmp_path, data, tmp_path, None)
     assert not mark.exists()
 
@@ -393,7 +395,7 @@ def test_a_library_that_evaluates_elsewhere_is_not_used(read, tmp_path, monkeypa
         (copied / "__init__.py").write_text(text.replace(*change))
         monkeypatch.syspath_prepend(copied.parent)
         with pytest.raises(
-            mp.FileFormatError, match=r"this version of xacro is not supported.*pip install 'manipplan\[xacro\]'"
+            mp.errors.FileFormatError, match=r"this version of xacro is not supported.*pip install 'manipplan\[xacro\]'"
         ):
             read()
 
@@ -439,7 +441,7 @@ def test_wrong_files(read, monkeypatch, elements, message):
     if "it takes" in message:
         monkeypatch.setattr(urdf_files, "TIME_LIMIT", 1.0)
     start = time.monotonic()
-    with pytest.raises(mp.FileFormatError, match=message) as caught:
+    with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
         read(elements)
     assert time.monotonic() - start < 30.0
     assert "arm.urdf.xacro" in str(caught.value) and "\x1b" not in str(caught.value)
@@ -447,7 +449,7 @@ def test_wrong_files(read, monkeypatch, elements, message):
 
 @pytest.mark.slow
 def test_a_file_that_expands_to_very_much(read):
-    with pytest.raises(mp.FileFormatError, match="more than 100,000,000 characters"):
+    with pytest.raises(mp.errors.FileFormatError, match="more than 100,000,000 characters"):
         read("<link name=\"${'a'*150000000}\"/>")
 
 
@@ -459,13 +461,13 @@ def test_other_files(arm, tmp_path):
         assert mp.load_robot(shutil.copy(named, named.with_suffix(""))).n == 2  # the same file as .urdf
     plain = tmp_path / "plain.urdf"
     plain.write_text('<robot name="r"><link name="a"/></robot>')
-    with pytest.raises(mp.InvalidInputError, match="only a xacro file has arguments"):
+    with pytest.raises(mp.errors.InvalidInputError, match="only a xacro file has arguments"):
         mp.load_robot(plain, arguments={"a": 1})
-    with pytest.raises(mp.FileFormatError, match="at least one <link>; .* give the file that includes it"):
+    with pytest.raises(mp.errors.FileFormatError, match="at least one <link>; .* give the file that includes it"):
         mp.load_robot(arm(text=""))
-    with pytest.raises(mp.InvalidInputError, match="an existing file"):
+    with pytest.raises(mp.errors.InvalidInputError, match="an existing file"):
         mp.load_robot(tmp_path / "no.xacro")
-    with pytest.raises(mp.FileFormatError, match="UTF-8|utf-8"):
+    with pytest.raises(mp.errors.FileFormatError, match="UTF-8|utf-8"):
         file = arm()
         file.write_bytes(file.read_bytes() + b"<!-- \xe9 -->")
         mp.load_robot(file)
@@ -474,7 +476,7 @@ def test_other_files(arm, tmp_path):
 def test_the_library_is_not_installed(arm, monkeypatch):
     monkeypatch.setattr(urdf_files.importlib.util, "find_spec", lambda name: None)
     with pytest.raises(
-        mp.MissingExtraError, match=r"xacro is not installed; install it with: pip install 'manipplan\[xacro\]'"
+        mp.errors.MissingExtraError, match=r"xacro is not installed; install it with: pip install 'manipplan\[xacro\]'"
     ):
         mp.load_robot(arm())
 
@@ -486,6 +488,6 @@ def test_nothing_is_left_behind(arm, monkeypatch, tmp_path):
     for elements in ("", "<link"):
         try:
             mp.load_robot(arm(elements))
-        except mp.FileFormatError:
+        except mp.errors.FileFormatError:
             assert elements
     assert set(tmp_path.rglob("*")) == set(before)

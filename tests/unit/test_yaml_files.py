@@ -36,7 +36,7 @@ def test_yaml_that_is_refused(tmp_path, text, message):
     file.write_text(text)
     for read in (mp.Scene.from_yaml, mp.Trajectory.from_ros):
         began = time.monotonic()
-        with pytest.raises(mp.FileFormatError, match=message) as caught:
+        with pytest.raises(mp.errors.FileFormatError, match=message) as caught:
             read(file)
         assert len(str(caught.value)) < 1000
         assert time.monotonic() - began < 20
@@ -47,7 +47,7 @@ def test_yaml_is_utf_8(tmp_path):
     file.write_text("obstacles: [{shape: plane, name: plancher_é}]", encoding="utf-8")
     assert mp.Scene.from_yaml(file).names == ("plancher_é",)
     file.write_text("obstacles: [{shape: plane, name: plancher_é}]", encoding="latin-1")
-    with pytest.raises(mp.FileFormatError, match="YAML"):
+    with pytest.raises(mp.errors.FileFormatError, match="YAML"):
         mp.Scene.from_yaml(file)
 
 
@@ -75,7 +75,7 @@ def test_anchors_and_merged_keys_are_read(tmp_path):
 def test_wrong_values_of_an_obstacle(tmp_path, text, message):
     file = tmp_path / "scene.yaml"
     file.write_text(f"obstacles: [{{shape: sphere, radius: 1, {text}}}]")
-    with pytest.raises(mp.InvalidInputError, match=message) as caught:
+    with pytest.raises(mp.errors.InvalidInputError, match=message) as caught:
         mp.Scene.from_yaml(file)
     assert len(str(caught.value)) < 500
 
@@ -87,5 +87,5 @@ def test_times_of_ros_are_whole_numbers(tmp_path, key, value):
     stamp = {"sec": "1", "nanosec": "0", key: value}
     stamp = ", ".join(f"{name}: {number}" for name, number in stamp.items())
     file.write_text(f"{POINTS}- {{positions: [0], velocities: [0], time_from_start: {{{stamp}}}}}\n")
-    with pytest.raises(mp.FileFormatError, match=rf"time_from_start\.{key}: got .*whole number"):
+    with pytest.raises(mp.errors.FileFormatError, match=rf"time_from_start\.{key}: got .*whole number"):
         mp.Trajectory.from_ros(file)

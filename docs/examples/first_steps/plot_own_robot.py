@@ -135,7 +135,7 @@ _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 def attempt(what, call):
     try:
         call()
-    except mp.ManipplanError as error:
+    except mp.errors.ManipplanError as error:
         message = str(error).replace(f"{folder}/", "")
         print(f"{what}:\n  {type(error).__name__}: {message}\n")
 

@@ -114,5 +114,5 @@ for read_it, file in (
 ):
     try:
         read_it(folder / file)
-    except mp.FileFormatError as error:
+    except mp.errors.FileFormatError as error:
         print(str(error).replace(f"{folder}/", ""))

@@ -39,7 +39,7 @@ print(f"length of the path: {path.length:.2f} m")
 
 try:
     mp.follow(robot, path, positions=180)
-except mp.PlanningError as error:
+except mp.errors.PlanningError as error:
     message = str(error)
 print(message.rsplit("; ", maxsplit=1)[-1])
 assert "2 interruptions" in message

@@ -101,5 +101,5 @@ try:
         positions,
         samples=40,
     )
-except mp.InvalidInputError as error:
+except mp.errors.InvalidInputError as error:
     print(error)

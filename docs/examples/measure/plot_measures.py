@@ -36,7 +36,7 @@ for ax, (name, q) in zip(panels, postures.items(), strict=True):
     ax.plot(*joints.T, "o-", color="#333333", linewidth=2)
     jacobian = kin.jacobian(q)
     viz.plot_ellipsoid(
-        mp.velocity_ellipsoid(jacobian),
+        mp.measures.velocity_ellipsoid(jacobian),
         joints[-1],
         ax=ax,
         scale=0.25,
@@ -44,7 +44,7 @@ for ax, (name, q) in zip(panels, postures.items(), strict=True):
         axes=True,
     )
     viz.plot_ellipsoid(
-        mp.force_ellipsoid(jacobian),
+        mp.measures.force_ellipsoid(jacobian),
         joints[-1],
         ax=ax,
         scale=0.25,
@@ -68,8 +68,8 @@ position = panda.kinematics(mp.Task.position())
 q = panda.neutral
 jacobian = position.jacobian(q)
 centre = position.pose(q)[:3, 3]
-velocity = mp.velocity_ellipsoid(jacobian)
-acceleration = mp.dynamic_ellipsoid(jacobian, position.mass_matrix(q))
+velocity = mp.measures.velocity_ellipsoid(jacobian)
+acceleration = mp.measures.dynamic_ellipsoid(jacobian, position.mass_matrix(q))
 figure = plt.figure(figsize=(5.5, 4.6))
 ax = figure.add_subplot(projection="3d")
 viz.plot_ellipsoid(velocity, centre, ax=ax, scale=0.3, alpha=0.35)
@@ -89,7 +89,7 @@ ax.locator_params(nbins=4)
 # %%
 # Every measure at the same posture.
 
-for name in mp.available_measures():
+for name in mp.measures.available_measures():
     if "transmission" in name:
         continue
     measure = panda.kinematics(mp.Task.pose(0.5), measure=name)
@@ -98,8 +98,8 @@ for name in mp.available_measures():
         f"{measure.measure.unit(measure.task)}"
     )
 for measure in (
-    mp.VelocityTransmission(direction=(0, 0, 1)),
-    mp.ForceTransmission(direction=(0, 0, 1)),
+    mp.measures.VelocityTransmission(direction=(0, 0, 1)),
+    mp.measures.ForceTransmission(direction=(0, 0, 1)),
 ):
     value = panda.kinematics(mp.Task.position(), measure=measure).manipulability(q)
     print(

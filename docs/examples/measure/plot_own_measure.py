@@ -25,7 +25,7 @@ import manipplan as mp
 
 
 @dataclass(frozen=True, kw_only=True)
-class SlideAndPress(mp.Measure):
+class SlideAndPress(mp.measures.Measure):
     """sqrt(xᵀ J Jᵀ x) / sqrt(zᵀ J Jᵀ z + floor²), times Yoshikawa's measure."""
 
     floor: float = (

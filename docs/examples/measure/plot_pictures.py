@@ -105,7 +105,7 @@ left, right = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projectio
 q = np.array([0.4, 0.9, 0.5])
 jacobian, tool = planar.kinematics().jacobian(q), planar.kinematics().pose(q)[:2, 3]
 viz.plot_ellipsoid(
-    mp.velocity_ellipsoid(jacobian),
+    mp.measures.velocity_ellipsoid(jacobian),
     tool,
     ax=left,
     scale=0.2,
@@ -113,7 +113,7 @@ viz.plot_ellipsoid(
     label="velocity",
 )
 viz.plot_ellipsoid(
-    mp.force_ellipsoid(jacobian),
+    mp.measures.force_ellipsoid(jacobian),
     tool,
     ax=left,
     scale=0.2,

@@ -122,7 +122,7 @@ print(
 )
 try:
     mp.retime(path, robot, limits=no_jerk, end_speed=50.0)
-except mp.InvalidInputError as error:
+except mp.errors.InvalidInputError as error:
     print(error)
 
 # %%
@@ -132,5 +132,5 @@ except mp.InvalidInputError as error:
 weak = robot.with_limits(effort=np.where(np.arange(7) == 1, 5.0, limits.effort)).limits
 try:
     mp.retime(path, robot, limits=weak, torque=True)
-except mp.PlanningError as error:
+except mp.errors.PlanningError as error:
     print(error)

@@ -1,0 +1,63 @@
+"""Classes of what the calls of the package return; a script reads them and seldom makes one."""
+
+from manipplan.collision.path_clearance import PathClearance
+from manipplan.constraints.constraint_set import ConstraintFigure
+from manipplan.cost.crossings import Crossing
+from manipplan.cost.integral import PathCost
+from manipplan.goals.candidates import GoalCandidate
+from manipplan.ik.solutions import Completeness, SolutionSet
+from manipplan.jobs.programs.program import Mark
+from manipplan.jobs.programs.steps import ProgramStep
+from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
+from manipplan.jobs.report import PathPart, PlanReport, Report, ToolFigure
+from manipplan.jobs.result import PartialPlan
+from manipplan.kinematics.batch import Evaluator
+from manipplan.optimize.certificate import Certificate, LimitApproach
+from manipplan.optimize.result import NoPath, PathResult
+from manipplan.paths.deviation import Deviation
+from manipplan.robots.configuration import TakenToLimit
+from manipplan.search.interruptions import Interruptions
+from manipplan.search.max_min import SearchResult
+from manipplan.search.refine import Refinement
+from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi
+from manipplan.timing.constant_speed import SteadySpeed
+from manipplan.timing.verify import LimitUse
+from manipplan.tracking.controller import Rollout, StepReport
+from manipplan.tracking.step import StepStatus
+from manipplan.tracking.track import Tracking
+
+__all__ = [
+    "Certificate",
+    "Comparison",
+    "Completeness",
+    "ConstraintFigure",
+    "Crossing",
+    "Deviation",
+    "Evaluator",
+    "GoalCandidate",
+    "Interruptions",
+    "LimitApproach",
+    "LimitUse",
+    "Mark",
+    "MotionFigures",
+    "NoPath",
+    "PartialPlan",
+    "PathClearance",
+    "PathCost",
+    "PathPart",
+    "PathResult",
+    "PinocchioCasadi",
+    "PlanReport",
+    "ProgramStep",
+    "Refinement",
+    "Report",
+    "Rollout",
+    "SearchResult",
+    "SolutionSet",
+    "SteadySpeed",
+    "StepReport",
+    "StepStatus",
+    "TakenToLimit",
+    "ToolFigure",
+    "Tracking",
+]
