@@ -13,7 +13,7 @@ from types import MappingProxyType
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, kernel_of
 from manipplan.collision.surfaces.shells import find_components, winding_number
@@ -21,7 +21,7 @@ from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError
 
 #: Distance below which two bodies touch, for messages [m].

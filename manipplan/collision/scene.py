@@ -10,14 +10,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, configurations, entries, existing_file, instance, one_of, path_of, pose_matrix
+from manipplan.support.checks import (
+    Array,
+    ArrayLike,
+    configurations,
+    entries,
+    existing_file,
+    instance,
+    one_of,
+    path_of,
+    pose_matrix,
+)
 from manipplan.support.display import Pictured
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes, write_text

@@ -9,7 +9,6 @@ from typing import Any, ClassVar, Literal, Self
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.collision.world import mesh_triangles
@@ -17,6 +16,7 @@ from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.meshes.files import triangle_tree
 from manipplan.support.checks import (
     Array,
+    ArrayLike,
     existing_file,
     finite_array,
     number,

@@ -15,14 +15,14 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
 from manipplan.kinematics.batch import NativeKernel, find_wanted_kernel, run_kernel
 from manipplan.robots.arms import led_by
 from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, number, number_array, pose_matrix
+from manipplan.support.checks import Array, ArrayLike, finite_array, number, number_array, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner

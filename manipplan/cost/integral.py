@@ -16,12 +16,11 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import MOST_PANELS, JointPath
 from manipplan.paths.rounding import gauss_rule
-from manipplan.support.checks import Array, instance, number, number_array, whole_number
+from manipplan.support.checks import Array, ArrayLike, instance, number, number_array, whole_number
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.cost.density import floor_of, warn_of_floor
 from manipplan.cost.integral import MOST_POWER, PathIntegral, metric_matrix
@@ -12,7 +11,7 @@ from manipplan.measures.manipulability import Constant
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import MEASURES
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import instance, number, number_array
+from manipplan.support.checks import ArrayLike, instance, number, number_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.spanned import is_always_singular

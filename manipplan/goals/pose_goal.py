@@ -2,18 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
+from typing_extensions import TypeAliasType
 
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import known_tool
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, pose_matrix
+from manipplan.support.checks import Array, ArrayLike, finite_array, instance, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import COINCIDENT
@@ -143,6 +142,6 @@ class PoseGoal:
 
 
 #: One goal: (n,) [rad or m], the name of a state, a pose of the tool, a PoseGoal, or one of these two for several tools each.
-OneGoal: TypeAlias = ArrayLike | str | pin.SE3 | PoseGoal | Mapping[str, ArrayLike | pin.SE3 | PoseGoal]
+OneGoal = TypeAliasType("OneGoal", ArrayLike | str | pin.SE3 | PoseGoal | Mapping[str, ArrayLike | pin.SE3 | PoseGoal])
 #: A goal, or several, of which one is chosen.
-Goal: TypeAlias = OneGoal | Sequence[OneGoal]
+Goal = TypeAliasType("Goal", OneGoal | Sequence[OneGoal])

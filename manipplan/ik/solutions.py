@@ -13,11 +13,11 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.ik.bridge import calls, real, whole
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, flag, number, pose_matrix, whole_number
+from manipplan.support.checks import Array, ArrayLike, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.tolerances import COINCIDENT, EXACT

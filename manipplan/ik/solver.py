@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.ik.bridge import HeldValues, bridge, in_turn, line, reach_in, slides_of, span, spans_turn, swivels_of
 from manipplan.ik.form import AT_LIMIT, MOST, SWIVEL, ClosedForm, Enumeration, closed_form, held_indices
@@ -18,7 +18,7 @@ from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, rando
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, number_array, one_of, random_seed, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number_array, one_of, random_seed, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner

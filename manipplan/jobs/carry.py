@@ -6,7 +6,6 @@ from itertools import permutations
 from typing import Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
@@ -24,7 +23,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.layers import SPARE_CLEARANCE, STRIDE
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.seeds.task import CHECK_STEP
-from manipplan.support.checks import Array, flag
+from manipplan.support.checks import Array, ArrayLike, flag
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
@@ -26,7 +25,7 @@ from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import check_positions, choose_positions
 from manipplan.search.sweep import check_epsilon
-from manipplan.support.checks import Array, flag, instance, number, pose_matrix, random_seed, whole_number
+from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix, random_seed, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import check_timing_limits

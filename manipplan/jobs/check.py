@@ -6,7 +6,6 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
@@ -20,7 +19,7 @@ from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import flag, instance, number
+from manipplan.support.checks import ArrayLike, flag, instance, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import interruptible

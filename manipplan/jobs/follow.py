@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import is_singular
@@ -32,7 +31,7 @@ from manipplan.search.max_min import SearchResult
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import Array, finite_array, flag, instance, number, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
@@ -28,7 +27,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
-from manipplan.support.checks import Array, flag, instance, number
+from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread

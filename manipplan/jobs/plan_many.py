@@ -26,8 +26,6 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from numpy.typing import ArrayLike
-
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
@@ -45,7 +43,7 @@ from manipplan.paths.basis import PathShape
 from manipplan.robots.robot import Robot
 from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import flag, instance, number, whole_number
+from manipplan.support.checks import ArrayLike, flag, instance, number, whole_number
 from manipplan.support.content import code_key, content_key
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError

@@ -13,10 +13,9 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.kinematics.jit import C_OPERATIONS, expressible, kernel_source
-from manipplan.support.checks import Array, configurations
+from manipplan.support.checks import Array, ArrayLike, configurations
 from manipplan.support.compiling.compiler import NATIVE, load_library
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code

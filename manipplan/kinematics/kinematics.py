@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.kinematics import jit
 from manipplan.kinematics.batch import Evaluator, Kernel, NativeKernel, all_cores, run_kernel, simd_kernel
@@ -24,7 +23,7 @@ from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import MOST_THREADS, Array, configurations, instance, one_of, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, ArrayLike, configurations, instance, one_of, whole_number
 from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError

@@ -4,9 +4,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, finite_array
+from manipplan.support.checks import Array, ArrayLike, finite_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 

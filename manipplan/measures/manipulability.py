@@ -5,10 +5,9 @@ from typing import ClassVar
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.measures.measure import JacobianMeasure, Measure, Posture, row_unit
-from manipplan.support.checks import number, number_array, positive_array
+from manipplan.support.checks import ArrayLike, number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task

@@ -7,9 +7,8 @@ from typing import ClassVar
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, number_array
+from manipplan.support.checks import Array, ArrayLike, number_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.expressions import making_expressions

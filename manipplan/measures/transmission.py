@@ -5,11 +5,10 @@ from typing import ClassVar
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.measures.manipulability import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
-from manipplan.support.checks import finite_array, number
+from manipplan.support.checks import ArrayLike, finite_array, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.derivatives import Factor
 from manipplan.symbolic.task import Task

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
@@ -20,7 +19,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import check_apart
 from manipplan.seeds.seeding import Seeding
-from manipplan.support.checks import flag, instance, number
+from manipplan.support.checks import ArrayLike, flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, as_callback, interruptible

@@ -13,11 +13,10 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial import Chebyshev, Legendre, Polynomial
 from numpy.polynomial.legendre import legvander
-from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import JointPath, bernstein, split
 from manipplan.paths.rounding import FIXED, gauss_rule, on_grid, product
-from manipplan.support.checks import Array, finite_array, one_of, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 

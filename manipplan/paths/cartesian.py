@@ -24,12 +24,12 @@ from typing import Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.paths.tables import Table
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import (
     Array,
+    ArrayLike,
     existing_file,
     finite_array,
     flag,

@@ -14,10 +14,9 @@ from math import comb
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
-from numpy.typing import ArrayLike
 
 from manipplan.paths.tolerance import distinct
-from manipplan.support.checks import Array, finite_array, flag, number, number_array, one_of, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, flag, number, number_array, one_of, whole_number
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line

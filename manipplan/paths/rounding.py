@@ -9,10 +9,9 @@ from functools import cache
 from math import frexp
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import JointPath
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 
 #: Grid spacing of configurations before distances are computed [rad or m]: the nearest points of two parallel faces depend on
 #: the last bits. No distance changes by more than its own accuracy.

@@ -5,10 +5,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.paths.joint import MOST_ORDER, JointPath
-from manipplan.support.checks import Array, distinct_names, finite_array, number, number_array, texts, whole_number
+from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, number, number_array, texts, whole_number
 from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import FARTHEST, Array, configurations, finite_array, instance, number, number_array
+from manipplan.support.checks import FARTHEST, Array, ArrayLike, configurations, finite_array, instance, number, number_array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:

@@ -8,11 +8,10 @@ Velocity and force ellipses of the planar arm, their duality, and the ellipsoid 
 import itertools
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.measures.ellipsoid import Ellipsoid, force_ellipsoid, velocity_ellipsoid
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import Array, configurations, finite_array, instance
+from manipplan.support.checks import Array, ArrayLike, configurations, finite_array, instance
 from manipplan.support.errors import InvalidInputError
 
 

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.planar.arm import PlanarArm, wrapped
 from manipplan.planar.manipulability import inverse_condition, manipulability, squared_manipulability_hessian
@@ -40,7 +40,7 @@ from manipplan.planar.zeros import (
     squared_manipulability_series,
     torus_zeros,
 )
-from manipplan.support.checks import Array, configurations, instance, number
+from manipplan.support.checks import Array, ArrayLike, configurations, instance, number
 from manipplan.support.errors import InvalidInputError
 
 #: A radius this close (share of the arm's length) to one with collinear links is set to it: rounding must not decide.

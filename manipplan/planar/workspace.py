@@ -10,10 +10,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.planar.arm import GRAZE, PlanarArm, position_family, two_link_postures, two_links, wrapped
-from manipplan.support.checks import Array, configurations, instance, number_array
+from manipplan.support.checks import Array, ArrayLike, configurations, instance, number_array
 from manipplan.support.errors import InvalidInputError
 
 #: An angle that exceeds a limit by less than this is on the limit [rad].

@@ -17,10 +17,9 @@ from itertools import pairwise
 from math import gcd
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.planar.arm import PlanarArm
-from manipplan.support.checks import LARGEST_ANGLE, Array, configurations, entries, instance, number, whole_number
+from manipplan.support.checks import LARGEST_ANGLE, Array, ArrayLike, configurations, entries, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.robots.collections import GROUP, MENAGERIE, own_robots, robot_file
 from manipplan.robots.data_sheets import with_published_limits
@@ -17,7 +16,7 @@ from manipplan.robots.description import RobotSource
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import number, number_array
+from manipplan.support.checks import ArrayLike, number, number_array
 from manipplan.support.errors import InvalidInputError, MissingExtraError, UnknownNameError
 
 #: Endings of the files that hold a robot.

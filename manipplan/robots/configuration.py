@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, configurations, number
+from manipplan.support.checks import Array, ArrayLike, configurations, number
 from manipplan.support.display import round_up
 from manipplan.support.errors import InvalidInputError
 

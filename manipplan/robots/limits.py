@@ -4,9 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, configurations, number_array, one_of, positive_array, text
+from manipplan.support.checks import Array, ArrayLike, configurations, number_array, one_of, positive_array, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.robots import attached, description, mjcf, model_tree, subchain
 from manipplan.robots import subchain as parts
@@ -21,7 +21,7 @@ from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.model_tree import Mimic
 from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
-from manipplan.support.checks import Array, existing_file, instance, number, one_of, pose_matrix, text, whole_number
+from manipplan.support.checks import Array, ArrayLike, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner, state_without_memo

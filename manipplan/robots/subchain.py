@@ -13,7 +13,6 @@ from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.robots import model_tree
 from manipplan.robots.configuration import LIMIT_TOLERANCE
@@ -22,7 +21,7 @@ from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import WORLD, Mimic, follow, joint_about, joint_names, joint_tree, moves_with
 from manipplan.robots.srdf import Semantics
-from manipplan.support.checks import Array, configurations, number, one_of, texts
+from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, texts
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnsupportedJointError
 
 log = logging.getLogger("manipplan")

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.search.layers import Layers
 from manipplan.search.sweep import check_epsilon, exclusive, without_jumps
-from manipplan.support.checks import Array, instance, whole_number
+from manipplan.support.checks import Array, ArrayLike, instance, whole_number
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line

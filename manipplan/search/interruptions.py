@@ -10,14 +10,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.kinematics.batch import all_cores
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import THREADED
 from manipplan.search.search import ThresholdSearch
 from manipplan.search.sweep import Subset, ThreadPool, check_epsilon, exclusive
-from manipplan.support.checks import Array, flag, instance
+from manipplan.support.checks import Array, ArrayLike, flag, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, as_callback

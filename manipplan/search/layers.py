@@ -9,13 +9,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import distinct
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array, finite_array, instance, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 

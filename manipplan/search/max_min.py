@@ -13,7 +13,7 @@ from enum import Enum
 from typing import Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.search.layers import Layers
 from manipplan.search.search import CandidatePath, ThresholdSearch
@@ -28,7 +28,7 @@ from manipplan.search.sweep import (
     path_length,
     without_jumps,
 )
-from manipplan.support.checks import MOST_THREADS, Array, flag, instance, one_of, whole_number
+from manipplan.support.checks import MOST_THREADS, Array, ArrayLike, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, as_callback, silent

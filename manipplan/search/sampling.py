@@ -15,7 +15,6 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.scene import Scene
@@ -27,7 +26,7 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers, check_positions, count_positions
-from manipplan.support.checks import Array, finite_array, flag, instance, number, pose_matrix
+from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.processes.workers import usable_memory
 from manipplan.support.progress import Progress, as_callback

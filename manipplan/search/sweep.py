@@ -17,9 +17,9 @@ from itertools import pairwise
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from manipplan.support.checks import LARGEST, Array, number_array
+from manipplan.support.checks import LARGEST, Array, ArrayLike, number_array
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import InvalidInputError

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from functools import cache, partial
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
@@ -28,7 +27,7 @@ from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
 from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask, acceptance, crossing_limit, is_free, keeps_constraints, looks_free
-from manipplan.support.checks import Array, flag, instance, number, whole_number
+from manipplan.support.checks import Array, ArrayLike, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.tolerances import COINCIDENT

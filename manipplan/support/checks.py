@@ -7,12 +7,16 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+import numpy.typing as npt
+from numpy.typing import NDArray
+from typing_extensions import TypeAliasType
 
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.tolerances import EXACT, POSE, QUATERNION
 
-Array = NDArray[np.float64]
+#: Types of what is returned and of what is taken for an array; signatures show these names, not NumPy's private union.
+Array = TypeAliasType("Array", NDArray[np.float64])
+ArrayLike = TypeAliasType("ArrayLike", npt.ArrayLike)
 T = TypeVar("T")
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])

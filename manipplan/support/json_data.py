@@ -151,7 +151,7 @@ def _converter() -> "Converter":
 
 
 def _is_array(kind: Any) -> bool:
-    origin: Any = get_origin(kind)
+    origin: Any = get_origin(getattr(kind, "__value__", kind))
     return origin is np.ndarray
 
 

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from numpy.typing import ArrayLike
 
-from manipplan.support.checks import Array, finite_array, number, number_array, one_of, text
+from manipplan.support.checks import Array, ArrayLike, finite_array, number, number_array, one_of, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 

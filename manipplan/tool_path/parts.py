@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
@@ -20,7 +19,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, fewest_parts
 from manipplan.search.max_min import SearchResult, max_min_search
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Status

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.measure import Measure
@@ -14,7 +13,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import Array, ArrayLike, instance, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.status import Status

@@ -9,7 +9,6 @@ from itertools import chain
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane
@@ -18,7 +17,7 @@ from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, finite_array, instance, number, whole_number
+from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.kinematics.kinematics import Kinematics
@@ -18,7 +17,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.attached import Solid
 from manipplan.robots.model_tree import frame_index, frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.status import RECORDED
 from manipplan.symbolic.task import Task

@@ -1,6 +1,8 @@
 """The library is light to import, and each public name has one place."""
 
+import contextlib
 import inspect
+import pydoc
 import subprocess
 import sys
 from collections import Counter
@@ -54,3 +56,14 @@ def test_missing_descriptions_name_the_install_line():
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert "pip install 'manipplan[robots]'" in out
+
+
+def test_signatures_are_short_enough_to_read():
+    assert len(str(inspect.signature(mp.Box))) < 130
+    signature = pydoc.render_doc(mp.plan, renderer=pydoc.plaintext).partition("Plan a motion")[0]
+    assert len(signature) < 950 and "goal: Goal," in signature
+    for space in (mp, *(getattr(mp, each) for each in SPACES)):
+        for name in space.__all__:
+            for _, member in [("", getattr(space, name)), *inspect.getmembers(getattr(space, name), inspect.isroutine)]:
+                with contextlib.suppress(TypeError, ValueError):  # modules, and what is not written in Python
+                    assert "numpy._" not in str(inspect.signature(member)), name

@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from numpy.typing import ArrayLike
-
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.read import read_configuration
@@ -21,7 +19,7 @@ from manipplan.paths.basis import PathShape
 from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
-from manipplan.support.checks import Array, flag, instance, number
+from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread

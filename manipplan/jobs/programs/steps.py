@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
@@ -20,7 +19,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import existing_file, finite_array, instance, number, whole_number
+from manipplan.support.checks import ArrayLike, existing_file, finite_array, instance, number, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.yaml_files import read_yaml

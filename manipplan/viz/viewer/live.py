@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import ArrayLike
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, flag, instance, number, pose_matrix
+from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
