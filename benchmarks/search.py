@@ -1,4 +1,4 @@
-"""The exact max-min search beside the paper's own, a ladder graph and a dense dynamic programme, on the same layers.
+"""The exact max-min search beside a ladder graph and a dense dynamic programme, on the same layers.
 
 Run with `make benchmark`. mp.Layers are made of smooth self-motions: at each position every inverse-kinematic branch of a
 seven-joint arm is a surface over two angles, on which the index is smooth. From position to position the surfaces move
@@ -51,7 +51,7 @@ class Case:
     seed: int = 0
 
 
-SMALL = [Case(count=45_000, epsilon=0.4, speed=0.05, swing=1.2, seed=seed) for seed in range(5)]
+SMALL = Case(count=45_000, epsilon=0.4, speed=0.05, swing=1.2)
 LARGE = {
     "at rest": Case(count=10_000_000, epsilon=0.1, speed=0.0),
     "swinging": Case(count=10_000_000, epsilon=0.1, speed=0.05, swing=1.2),
@@ -136,7 +136,6 @@ def warm() -> None:
     layers = layers_of(Case(count=2000, epsilon=1.0, speed=0.1))
     for prefer in ("first", "shortest", "lexicographic"):
         mp.max_min_search(layers, 1.0, prefer=prefer)
-    mp.guilamo_search(layers, 1.0, memoised=True)
 
 
 def quantile(layers: mp.Layers, value: float) -> float:
@@ -144,9 +143,9 @@ def quantile(layers: mp.Layers, value: float) -> float:
     return sum(int((m < value).sum()) for m in layers.m) / layers.count
 
 
-def small(branches: int, notify: Callable[[str], None]) -> list[str]:
+def small(notify: Callable[[str], None]) -> list[str]:
     """All searches on layers that all of them can hold."""
-    layers, epsilon = layers_of(SMALL[0]), SMALL[0].epsilon
+    layers, epsilon = layers_of(SMALL), SMALL.epsilon
     exact, result = timed(lambda: mp.max_min_search(layers, epsilon, prefer="first", threads=1), repeat=5)
     rows = [
         f"{layers.count} candidates in {POSITIONS} layers, ε = {epsilon:g} rad, one thread:",
@@ -175,31 +174,6 @@ def small(branches: int, notify: Callable[[str], None]) -> list[str]:
         notify(name)
         seconds, minimum = timed(partial(peer, layers, epsilon))
         row(name, seconds, minimum, remark)
-    return [*rows, "", *papers(branches, notify)]
-
-
-def papers(branches: int, notify: Callable[[str], None]) -> list[str]:
-    """The search of guilamo2006 with and without memory; all in machine code, on one thread."""
-    rows = [
-        f"The search of guilamo2006, compiled as the exact one is, on one thread, for {len(SMALL)} seeds of the same layers; "
-        "the optimum and the bound that needs no graph are given as quantiles of all indices:",
-        "",
-        "| seed | optimum (bound) | exact | memoised | starts | branches | of the exact search | literal |",
-        "|---|---|---|---|---|---|---|---|",
-    ]
-    for case in SMALL:
-        layers, epsilon = layers_of(case), case.epsilon
-        notify(f"guilamo2006, seed {case.seed}")
-        exact, result = timed(partial(mp.max_min_search, layers, epsilon, prefer="first", threads=1), repeat=5)
-        seconds, found = timed(partial(mp.guilamo_search, layers, epsilon, memoised=True))
-        assert found.minimum == result.minimum
-        spent, literal = timed(partial(mp.guilamo_search, layers, epsilon, most_branches=branches, throw=False))
-        end = "found it" if literal.status.ok else "stopped, not finished,"
-        rows.append(
-            f"| {case.seed} | {quantile(layers, result.minimum):.2f} ({quantile(layers, result.bound):.3f}) | {exact:.4f} s "
-            f"| {seconds:.2f} s | {found.new_starts} | {found.branches} | {seconds / exact:.0f} x | {end} after "
-            f"{literal.new_starts} starts, {literal.branches} branches, {spent:.1f} s |"
-        )
     return rows
 
 
@@ -294,7 +268,6 @@ def sampled_rows(notify: Callable[[str], None]) -> list[str]:
 def main(arguments: list[str] | None = None) -> None:
     """Run, and write the page."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--branches", type=int, default=20_000_000, help="after which the literal search is stopped")
     parser.add_argument("--out", type=Path, default=OUT)
     parser.add_argument("--large", choices=list(LARGE), help="one large case only, as JSON")
     parser.add_argument("--threads", type=int, default=CORES)
@@ -305,7 +278,7 @@ def main(arguments: list[str] | None = None) -> None:
     # a section of the page each: its lines
     sections: list[Callable[[Callable[[str], None]], list[str]]] = [
         sampled_rows,
-        lambda notify: small(options.branches, notify),
+        small,
         large_rows,
     ]
     text: list[str] = []

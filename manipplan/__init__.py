@@ -47,7 +47,6 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.search.guilamo import GuilamoResult, guilamo_search
 from manipplan.search.interruptions import fewest_interruptions
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
@@ -81,7 +80,6 @@ __all__ = [
     "Controller",
     "Cylinder",
     "Detach",
-    "GuilamoResult",
     "HeldJoints",
     "JointLimits",
     "JointPath",
@@ -120,7 +118,6 @@ __all__ = [
     "fewest_interruptions",
     "follow",
     "formulations",
-    "guilamo_search",
     "improve",
     "inverse_kinematics",
     "jerk_use",

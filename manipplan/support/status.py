@@ -92,7 +92,6 @@ class Status(Enum):
     # searches among candidates; NOT_CONNECTED, too
     PROVEN_OPTIMAL = "optimal: no continuous path through these candidates has a larger minimum manipulability"
     IMPROVING = "improving: the search goes on; certified_gap tells how far the optimum can still be above the minimum"
-    GAVE_UP = "failed: most_branches was reached without a complete path; use max_min_search, or memoised=True"
     # tracked paths
     TRACKED = "tracked: the tool stayed inside the tolerance and reached the final pose"
     LEFT_TOLERANCE = "failed: the tool left the tolerance; increase the tolerance or the duration, or start where the path does"
@@ -134,7 +133,6 @@ FAILED = (
     Status.NOT_VALID,
     Status.WORKER_LOST,
     Status.ERROR,
-    Status.GAVE_UP,
     Status.LEFT_TOLERANCE,
     Status.NOT_REACHED,
     Status.BRAKED,

@@ -10,6 +10,7 @@ import numpy as np
 import manipplan as mp
 from studies.guilamo2006 import config
 from studies.guilamo2006.courses import Array, Course
+from studies.guilamo2006.search import Found, search
 
 Grid = tuple[int, ...]
 Kind = TypeVar("Kind")
@@ -53,13 +54,12 @@ class Searched:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Restarted:
-    """The paper's search with an ε [degrees], and the computation time [s]."""
+    """The paper's search with an ε [degrees]."""
 
     sampled: Sampled
     epsilon: float
     memoised: bool
-    found: mp.GuilamoResult
-    seconds: float
+    found: Found
 
     @property
     def factor(self) -> float:
@@ -69,7 +69,7 @@ class Restarted:
     @property
     def ended(self) -> bool:
         """Whether the search finished before its limit on branches."""
-        return self.found.status.ok
+        return self.found.end == "found"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -126,12 +126,8 @@ class Runs:
         """The paper's search, stopped after `most` branches."""
 
         def run() -> Restarted:
-            began = time.perf_counter()
-            found = mp.guilamo_search(
-                sampled.layers, config.radians(epsilon), memoised=memoised, most_branches=most, throw=False
-            )
-            seconds = time.perf_counter() - began
-            return Restarted(sampled=sampled, epsilon=epsilon, memoised=memoised, found=found, seconds=seconds)
+            found = search(sampled.layers, config.radians(epsilon), memoised=memoised, most_branches=most)
+            return Restarted(sampled=sampled, epsilon=epsilon, memoised=memoised, found=found)
 
         return self._once(("restarted", sampled, epsilon, memoised, most), run)
 
@@ -176,8 +172,6 @@ def warm(runs: Runs, course: Course) -> None:
     runs.searched(sampled, 30.0)
     runs.searched(sampled, 30.0, "first")
     runs.searched(sampled, config.TINY, "first")
-    for memoised in (False, True):
-        runs.restarted(sampled, 30.0, memoised=memoised, most=1000)
 
 
 def still_torso(sampled: Sampled) -> tuple[Array, Array]:

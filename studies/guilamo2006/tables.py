@@ -53,7 +53,7 @@ def _search_row(run: Restarted) -> tuple[Cell, ...]:
     found = run.found
     least: Cell = f"{found.minimum:.5f}" if run.ended else "did not end"
     counts = (str(found.new_starts), str(found.branches), run.factor)
-    return *_common(run.sampled, run.epsilon, name), *counts, least, seconds(run.seconds)
+    return *_common(run.sampled, run.epsilon, name), *counts, least, NONE
 
 
 def _exact_row(run: Searched) -> tuple[Cell, ...]:
@@ -141,7 +141,7 @@ def branching_runs(runs: Runs, course: Course) -> list[Restarted]:
 
 
 def branching_table(found: list[Restarted]) -> Table:
-    """Section VI: branching factor and time by ε and resolution."""
+    """Section VI: branching factor and comparisons by ε and resolution."""
     rows = [
         (
             grid_name(run.sampled.grid),
@@ -151,12 +151,11 @@ def branching_table(found: list[Restarted]) -> Table:
             str(run.found.branches),
             run.factor,
             f"{run.found.comparisons:.2e}",
-            seconds(run.seconds),
             run.ended,
         )
         for run in found
     ]
-    head = ("grid", "ε [°]", "valid", "new starts", "branches", "branching factor", "comparisons", "time", "ended")
+    head = ("grid", "ε [°]", "valid", "new starts", "branches", "branching factor", "comparisons", "ended")
     return Table.of("branching", head, rows)
 
 

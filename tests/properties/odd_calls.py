@@ -513,9 +513,6 @@ def calls(folder: Path) -> dict[str, Call]:
         "force_ellipsoid": C(mp.measures.force_ellipsoid, {"jacobian": jacobian}),
         "velocity_ellipsoid": C(mp.measures.velocity_ellipsoid, {"jacobian": jacobian}),
         "fewest_interruptions": C(mp.fewest_interruptions, {"layers": layers, "epsilon": 0.5, "strict": True}),
-        "guilamo_search": C(
-            mp.guilamo_search, {"layers": layers, "epsilon": 0.5, "memoised": True, "strict": True, "most_branches": 1000}
-        ),
         "max_min_search": C(mp.max_min_search, {"layers": layers, "epsilon": 0.5, "strict": True, "prefer": "shortest"}),
         "refine": C(
             mp.refine,

@@ -23,7 +23,6 @@ MADE = [
     "Ellipsoid",
     "Evaluator",
     "GoalCandidate",
-    "GuilamoResult",
     "Interruptions",
     "Kinematics",
     "LimitApproach",

@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan.search import max_min, sweep
-from manipplan.search.guilamo import guilamo_search
 from manipplan.search.interruptions import fewest_interruptions
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search, minimum_from_each
@@ -121,24 +120,6 @@ def reaches(layers, position, epsilon):
     for i in range(position):
         here = (layered.neighbours(layers, i, i + 1, epsilon, True) & here[:, None]).any(0)
     return here.any()
-
-
-def test_the_papers_search_finds_the_same_optimum():
-    rng = np.random.default_rng(7)
-    for _ in range(GRAPHS // 2):
-        layers, epsilon = layered.random_layers(rng, most=12, positions=5)
-        strict = bool(rng.random() < 0.5)
-        expected = layered.widest(layers, epsilon, strict)
-        for memoised in (False, True):
-            result = guilamo_search(layers, epsilon, strict=strict, memoised=memoised, throw=False)
-            assert result.minimum == expected
-            assert result.status.ok == (expected > -np.inf)
-            if result.status.ok:
-                size = np.abs(layered.path_steps(layers, tuple(result.indices)))
-                assert ((size < epsilon) if strict else (size <= epsilon)).all()
-                layer, candidate = result.start
-                assert result.indices[layer] == candidate
-                assert layers.m[layer][candidate] == result.minimum
 
 
 @pytest.mark.parametrize("closed", [False, True])

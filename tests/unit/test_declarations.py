@@ -19,7 +19,6 @@ STRUCTS = {
     "panels": ["Integral"],
     "inverse": ["Form", "Samples", "Solutions", "Screws", "Vector", "Turns"],
     "curves": ["Curve"],
-    "restarts": ["Problem", "State"],
     "sweep": ["Grid", "Cells", "Values", "Step"],
     "connect": ["Constraints", "Side", "Search"],
     "star": ["Star"],

@@ -1,4 +1,4 @@
-"""Compiled kernels of the searches by themselves: cells against NumPy, and LLVM's code against the compiler's."""
+"""Compiled kernels of the search by themselves: cells against NumPy, and LLVM's code against the compiler's."""
 
 from itertools import pairwise
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.search import guilamo, sweep
+from manipplan.search import sweep
 from manipplan.search.sweep import choose_grid, largest_of_each, sorted_into_cells
 from manipplan.support.compiling.kernels import kernel_by_llvm
 
@@ -43,16 +43,15 @@ def test_candidates_sorted_by_cell(share, rng):
 
 @pytest.fixture
 def by_llvm(monkeypatch):
-    engines = {name: kernel_by_llvm(name) for name in ("sweep", "restarts")}
-    calls, restarts = engines["sweep"].functions(), engines["restarts"].functions()["restarts"]
+    engine = kernel_by_llvm("sweep")
+    calls = engine.functions()
 
     def use():
         monkeypatch.setattr(sweep, "calls", lambda: calls)
-        monkeypatch.setattr(guilamo, "_call", lambda: restarts)
 
     yield use
     monkeypatch.undo()
-    del engines
+    del engine
 
 
 def test_llvm_and_the_compiler_agree(by_llvm, rng):
@@ -66,7 +65,6 @@ def test_llvm_and_the_compiler_agree(by_llvm, rng):
             yield mp.max_min_search(layers, 1.0, prefer=prefer)
         yield mp.max_min_search(loop, 1.5, throw=False)
         yield mp.max_min_search(layers, 1e-3, throw=False)
-        yield mp.guilamo_search(layers, 1.0, memoised=True)
 
     usual = list(everything())
     by_llvm()

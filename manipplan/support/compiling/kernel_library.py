@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parents[2] / "csrc"
 #: Each is a source, and a module in LLVM's language in `kernels.ll.xz`.
 KERNELS = (
     *("barrier", "body_motion", "connect", "curves", "distances", "inverse", "look", "panels"),
-    *("restarts", "star", "steps", "sweep", "winding"),
+    *("star", "steps", "sweep", "winding"),
 )
 #: Products and sums are not fused, so that every machine computes the same numbers.
 FLAGS = ("-O3", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-w")
