@@ -15,8 +15,6 @@ from manipplan.support.checks import flag, number, one_of
 from manipplan.symbolic.derivatives import Factor
 from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure, gram
 
-__all__ = ["Classical", "Drive", "Equality", "Formulation", "General", "LogDrive", "Objective"]
-
 __all__ = [
     "Classical",
     "Drive",
