@@ -20,7 +20,7 @@ from manipplan.jobs.programs.legs import Leg, State
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
 from manipplan.jobs.result import Plan
-from manipplan.optimize.result import make_result
+from manipplan.optimize.result import NoPath, make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
@@ -223,9 +223,9 @@ def _corners(group: list[RawMotion], steps: Sequence[ProgramStep], blend: float)
 
 def _blends(
     group: list[RawMotion], corners: list[float | None], clearance: float, legs: Mapping[int, Leg]
-) -> list[Blend | str | None]:
+) -> list[Blend | NoPath | None]:
     """The blends of motions, or why there is none; None where none is asked for."""
-    made: list[Blend | str | None] = []
+    made: list[Blend | NoPath | None] = []
     for k, ((one, other), asked) in enumerate(zip(pairwise(group), corners, strict=True)):
         if not asked:
             made.append(None)
@@ -236,7 +236,7 @@ def _blends(
     return made
 
 
-def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[Blend | str | None]) -> list[str]:
+def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[Blend | NoPath | None]) -> list[str]:
     """A warning for each blend that is smaller than asked for, or replaced by a stop."""
     warnings = []
     for (one, other), asked, made in zip(pairwise(group), corners, blends, strict=True):
@@ -244,7 +244,7 @@ def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[B
             continue
         where = "where its path begins" if one.step == other.step else f"at the corner before steps[{other.step}]"
         used = f"a blend of {1e3 * made.radius:.3g} mm" if isinstance(made, Blend) else "a stop"
-        why = made.note if isinstance(made, Blend) else made
+        why = made.note if isinstance(made, Blend) else made.message
         warnings.append(f"steps[{one.step}]: {used} {where}, instead of a blend of {1e3 * asked:.3g} mm: {why}")
     return warnings
 

@@ -15,6 +15,7 @@ from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.jobs.programs.courses import RawMotion
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath, bernstein, cut, raised
 from manipplan.support.checks import Array
 from manipplan.timing.stops import CORNER, turn_cosine
@@ -128,14 +129,14 @@ def blend_of(
     constraints: tuple[ConstraintSet, ...],
     *,
     alone: tuple[bool, bool] = (False, False),
-) -> Blend | str:
+) -> Blend | NoPath:
     """The widest blend of two motions whose tool stays within the radius asked for [m] of their corner and that is proven free.
 
-    `alone`: whether it is the only blend of the motion before, and of that after. A text tells why there is none: then the arm
+    `alone`: whether it is the only blend of the motion before, and of that after. NoPath tells why there is none: then the arm
     stops at the corner.
     """
     if _turn(before.path, after.path) < BACK:
-        return "the second motion goes straight back"
+        return NoPath(message="the second motion goes straight back")
     distance = asked
     for motion, only in zip((before, after), alone, strict=True):
         if motion.workspace_path is not None and motion.workspace_path.length > 0:
@@ -166,7 +167,7 @@ def blend_of(
             return Blend(leaves=leaves, joins=joins, path=path, radius=distance, note=refused, tools=tools, hulls=hulls)
         refused = reason
         distance /= 2
-    return refused
+    return NoPath(message=refused)
 
 
 def is_corner(before: JointPath, after: JointPath) -> bool:

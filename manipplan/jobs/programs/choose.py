@@ -19,6 +19,7 @@ from manipplan.goals.solutions import nearest
 from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Node, RawMotion, course_of
 from manipplan.jobs.programs.legs import Leg, State, rounded
 from manipplan.jobs.result import Plan
+from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
@@ -37,7 +38,7 @@ NEARBY = 0.05
 UNPLANNED = 1e9
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
-Planner = Callable[[Leg, Array, Array, State], Plan | str]
+Planner = Callable[[Leg, Array, Array, State], Plan | NoPath]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -85,7 +86,7 @@ class ProgramSearch:
     def __post_init__(self) -> None:
         self._finders = Finders(objective=self.objective, clearance=self.clearance)
         self._courses: dict[tuple[object, ...], LegMotion | LegFailure] = {}
-        self._free: dict[tuple[object, ...], Plan | str] = {}
+        self._free: dict[tuple[object, ...], Plan | NoPath] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
         edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
@@ -182,11 +183,11 @@ class ProgramSearch:
             if leg.is_free and np.abs(course.entry - q).max() >= COINCIDENT:
                 made = self._motion(k, before, node, q, course.entry, state)
                 self._planned[k][before, node] = True
-                kept = -np.inf if isinstance(made, str) else made.report.min_manipulability
+                kept = -np.inf if isinstance(made, NoPath) else made.report.min_manipulability
                 self._between[k][before, node] = min(self._between[k][before, node], kept)
                 self._likely[k][before, node] = kept
-                if isinstance(made, str):
-                    self.failures.append(f"steps[{leg.number}]: {made}")
+                if isinstance(made, NoPath):
+                    self.failures.append(f"steps[{leg.number}]: {made.message}")
                     return None
                 if kept <= least:
                     return None
@@ -201,13 +202,13 @@ class ProgramSearch:
         if key not in self._courses:
             here, leg = self.nodes[k][node], self.legs[k]
             q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
-            if isinstance(q, str):
-                self._courses[key] = LegFailure(message=f"steps[{leg.number}]: {q}")
+            if isinstance(q, NoPath):
+                self._courses[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
                 self._courses[key] = course_of(leg, q, state, self._finders, here.found)
         return self._courses[key]
 
-    def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | str:
+    def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | NoPath:
         key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
         if key not in self._free:
             self._free[key] = self.planner(self.legs[k], q, entry, state)
@@ -240,7 +241,7 @@ class ProgramSearch:
         return bounds, lengths, likely
 
 
-def reached(target: Target, q: Array, robot: Robot) -> Array | str:
+def reached(target: Target, q: Array, robot: Robot) -> Array | NoPath:
     """The configuration nearest to q (n,) that reaches a goal exactly, or why there is none.
 
     A part that was taken up at the end of a path is not quite where it was to be: as far off as the path's tolerance.
@@ -250,13 +251,13 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | str:
         return q
     tool = target.of_tool(robot).pose
     if tool is None:
-        return missed
+        return NoPath(message=missed)
     near = nearest(robot, [tool], q, np.zeros(robot.n, dtype=bool))[0].reaching
     if len(near):
         best = near[np.abs(near - q).max(axis=1).argmin()]
         if np.abs(best - q).max() <= NEARBY:
             return np.asarray(best)
-    return missed
+    return NoPath(message=missed)
 
 
 def _turned(course: LegMotion, q: Array, state: State) -> LegMotion:

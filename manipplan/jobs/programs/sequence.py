@@ -15,6 +15,7 @@ from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
 from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
+from manipplan.optimize.result import NoPath
 from manipplan.paths.basis import PathShape
 from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
@@ -145,7 +146,7 @@ def sequence(
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
-    def planned(leg: Leg, q: Array, entry: Array, state: State) -> Plan | str:
+    def planned(leg: Leg, q: Array, entry: Array, state: State) -> Plan | NoPath:
         try:
             made = plan(
                 state.robot,
@@ -161,8 +162,8 @@ def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clear
                 throw=False,
             )
         except InvalidInputError as error:
-            return str(error)
-        return made if isinstance(made, Plan) and made.report.passed else made.message
+            return NoPath(message=str(error))
+        return made if isinstance(made, Plan) and made.report.passed else NoPath(message=made.message)
 
     return planned
 
