@@ -252,7 +252,7 @@ def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
     return read_array(value) if key in (*LIMITS, "neutral", "lengths") else value
 
 
-FORMAT, VERSION = "manipplan-plan", 1
+FORMAT, VERSION = "manipplan-plan", 2
 #: Name of the file in a result's folder.
 NAME = "plan.json"
 
@@ -351,9 +351,9 @@ def plan_of(
             "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
             "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
             "deviation": _maybe(data["deviation"], lambda each: from_json(each, Deviation)),
-            "constraints": _constraints(data.get("constraints", ())),
-            "goal_index": int(data.get("goal_index", 0)),  # older files have none
-            "candidates": tuple(from_json(each, GoalCandidate) for each in data.get("candidates", ())),
+            "constraints": _constraints(data["constraints"]),
+            "goal_index": int(data["goal_index"]),
+            "candidates": tuple(from_json(each, GoalCandidate) for each in data["candidates"]),
         }
         complete = all(parts[name] is not None for name in ("path", "trajectory", "report", "result"))
         return Plan(**parts) if complete else PartialPlan(**parts)
@@ -376,7 +376,7 @@ def _path_result(
         min_manipulability=float(numbers["min_manipulability"]),
         min_at=float(numbers["min_at"]),
         power=float(data["power"]),
-        floor=float(data.get("floor", 0.0)),  # files of version 0.1 have none
+        floor=float(data["floor"]),
         task=from_json(data["task"], Task),
         measure=restore_measure(path, data["measure"], measure),
         metric=_maybe(data["metric"], read_array),
@@ -384,8 +384,8 @@ def _path_result(
         history=(),
         status=Status[numbers["status"]],
         certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
-        first_paths=int(numbers.get("first_paths", 1)),  # older files have none
-        missing=float(numbers.get("missing", "nan")),
+        first_paths=int(numbers["first_paths"]),
+        missing=float(numbers["missing"]),
     )
 
 
