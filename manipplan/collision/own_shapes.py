@@ -9,7 +9,7 @@ import numpy as np
 
 from manipplan.collision.surfaces.meshes import MeshPart, mesh_parts
 from manipplan.robots.hulls import FARTHEST, convex_hull, find_hull, has_hull
-from manipplan.support.checks import Array, finite_array, number
+from manipplan.support.checks import Array, finite_array, number, number_array
 from manipplan.support.errors import InvalidInputError
 
 log = logging.getLogger("manipplan")
@@ -64,7 +64,7 @@ def _answer(argument: str, method: Callable[..., Any], *given: Any) -> Any:
 
 def _parts_of(argument: str, piece: Any) -> list[MeshPart]:
     """The parts of one piece: the hull of points, or what triangles are."""
-    if np.ndim(piece) == 3:
+    if number_array(argument, piece).ndim == 3:
         return mesh_parts(argument, finite_array(argument, piece, (None, 3, 3), most=FARTHEST))
     points = finite_array(argument, piece, (None, 3), most=FARTHEST)
     hull = find_hull(points)

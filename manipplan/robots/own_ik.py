@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import Array, finite_array, flag
+from manipplan.support.checks import Array, finite_array, flag, number_array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -63,9 +63,9 @@ class OwnInverseKinematics:
         except Exception as error:  # whatever the user's function raises
             wanted = f"one that returns configurations (k, {robot.n}) or None; it raised {type(error).__name__}: {error}"
             raise InvalidInputError("the inverse kinematics", self.name, wanted) from error
-        if answer is None or np.size(answer) == 0:
-            return np.zeros((0, robot.n))
-        return finite_array(f"configurations of {self.name}", answer, (None, robot.n)).copy()
+        argument = f"configurations of {self.name}"
+        q = np.zeros(0) if answer is None else number_array(argument, answer)
+        return finite_array(argument, q if q.size else q.reshape(0, robot.n), (None, robot.n)).copy()
 
 
 def _tool_in_link(robot: "Robot") -> Array:

@@ -110,6 +110,7 @@ def test_answers_outside_the_limits_are_left_out():
         (Q, r"configurations of answering: .*shape \(any, 6\), not \(6,\)"),
         ([Q[:5]], r"shape \(any, 6\), not \(1, 5\)"),
         ([Q, np.full(6, np.inf)], "configurations of answering.*finite"),
+        ([Q, Q[:3]], "configurations of answering"),
         ("none", "configurations of answering: got 'none'"),
         ([Q, Q + 0.01], r"configurations of answering\[1\].*it misses it by 0.0\d+ m or rad"),
     ],

@@ -220,6 +220,7 @@ def test_one_of_the_methods_is_needed(kind):
         (None, "Pieces.pieces: got None; allowed: a list of 1 to 10,000 arrays"),
         ([], "Pieces.pieces: got"),
         ([CORNERS, "x"], r"Pieces.pieces\[1\]"),
+        ([[[0.0, 1.0, 2.0], [0.0]]], r"Pieces.pieces\[0\]"),
         ([CORNERS[:, :2]], r"Pieces.pieces\[0\].*\(any, 3\)"),
         ([CORNERS * np.nan], r"Pieces.pieces\[0\].*finite"),
         ([CORNERS * 1e7], r"Pieces.pieces\[0\]"),
