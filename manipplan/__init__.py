@@ -52,6 +52,7 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
 from manipplan.search.refine import refine
 from manipplan.search.sampling import sample_layers
+from manipplan.seeds.own import PlannerProblem
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.status import Status
@@ -93,6 +94,7 @@ __all__ = [
     "PathShape",
     "Plan",
     "Plane",
+    "PlannerProblem",
     "PointCloud",
     "PoseGoal",
     "PositionBox",

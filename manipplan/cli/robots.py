@@ -7,8 +7,8 @@ from rich.table import Column, Table
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.robots.catalog import CATALOG, load_robot
-from manipplan.robots.collections import CHECKOUT, names_of_collections, own_robots
+from manipplan.robots.catalog import CATALOG, load_robot, refusal
+from manipplan.robots.collections import CHECKOUT, names_of_collections, own_robots, package_of
 from manipplan.support.untrusted import terminal_text
 
 #: How the robots of each collection become available.
@@ -33,8 +33,10 @@ def robots(name: Positional[str | None] = None, /, *, names: bool = False) -> No
     for each, entry in CATALOG.items():
         tools = (entry.tool,) if isinstance(entry.tool, str) else entry.tool
         table.add_row(each, str(entry.joints), terminal_text(", ".join(tools)), entry.ik, "example-robot-data")
-    for each, point in own_robots().items():
-        table.add_row(terminal_text(each), "", "", "", terminal_text(point.value))
+    for each, points in own_robots().items():
+        reason = refusal(each, points)
+        source = f"{package_of(points[0])}: {points[0].value}" if reason is None else f"cannot be loaded; allowed: {reason}"
+        table.add_row(terminal_text(each), "", "", "", terminal_text(source))
     console.print(table)
     for line in _collections(names):
         terminal.show_line(console, line)

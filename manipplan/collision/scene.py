@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles
+from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles, is_own
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
 from manipplan.robots.formats.urdf_files import UrdfFiles
@@ -65,7 +65,10 @@ class Scene(Pictured):
             taken |= {obstacle.name} - {""}
         names: list[str] = []
         for i, obstacle in enumerate(obstacles):
-            numbered = (f"{obstacle.shape_name}{k}" for k in itertools.count(i))
+            if is_own(obstacle):
+                obstacle.parts()  # raises where they are not usable
+            kind = obstacle.shape_name or type(obstacle).__name__.lower()
+            numbered = (f"{kind}{k}" for k in itertools.count(i))
             names.append(obstacle.name or next(name for name in numbered if name not in taken))
             taken.add(names[-1])
         self.obstacles = tuple(obstacles)
@@ -182,7 +185,8 @@ class Scene(Pictured):
         for name, obstacle in zip(self.names, self.obstacles, strict=True):
             if OBSTACLES.get(obstacle.shape_name) is not type(obstacle):
                 kinds = ", ".join(kind.__name__ for kind in OBSTACLES.values())
-                raise InvalidInputError("obstacles", f"{name}, a {type(obstacle).__name__}", f"obstacles of the kinds {kinds}")
+                got = f"{name}, a {type(obstacle).__name__}"
+                raise InvalidInputError("obstacles", got, f"obstacles of the kinds {kinds}: a file stores no others")
             entry: dict[str, Any] = {"name": name, "shape": obstacle.shape_name}
             for each in fields(obstacle):
                 value = getattr(obstacle, each.name)

@@ -1,7 +1,6 @@
 """The shapes of obstacles and of parts that an arm carries."""
 
 import copy
-from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Self
@@ -10,6 +9,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
+from manipplan.collision.own_shapes import own_parts
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.collision.world import mesh_triangles
 from manipplan.robots.hulls import FARTHEST
@@ -67,11 +67,18 @@ def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Obstacle(ABC):
-    """A static obstacle. Its pose in the world: `position` (3,) [m] of its centre and `rotation`.
+class Obstacle:
+    """A static obstacle; derive from it for a shape of your own. Its pose in the world: `position` (3,) [m] and `rotation`.
 
     `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF. No position, size or corner is
     beyond `FARTHEST`.
+
+    A class of your own is a frozen dataclass with one of two methods, which speak of the shape in its own frame [m]:
+
+    - `pieces()` returns a list of solids: points (k, 3), whose convex hull is one, or triangles (t, 3, 3), as for `Mesh`.
+    - `support(directions)` returns for unit vectors (k, 3) the points (k, 3) of a convex body that are farthest in them. A
+      polytope that contains the body takes its place, no point of which is farther from it than the attribute `excess` [m] of
+      the class. Without this attribute that is 1 mm, or more for a large round body; the log says how much.
     """
 
     position: ArrayLike = (0.0, 0.0, 0.0)
@@ -114,9 +121,17 @@ class Obstacle(ABC):
             object.__setattr__(changed, name, value)
         return changed
 
-    @abstractmethod
     def parts(self) -> list[Part]:
-        """The parts that make up the obstacle, in its own frame."""
+        """The parts that make up the obstacle, in its own frame; of a class of your own by its `pieces` or `support`.
+
+        Raises InvalidInputError, which names the obstacle, when what these return is not usable.
+        """
+        made: tuple[Part, ...] | None = vars(self).get("_made")
+        if made is None:
+            found = own_parts(self.name or type(self).__name__, self)
+            made = tuple(Part(shape=part.shape(), closed=part.closed) for part in found)
+            object.__setattr__(self, "_made", made)
+        return list(made)
 
     def shapes(self) -> list[coal.CollisionGeometry]:
         """The coal shapes of `parts`."""
@@ -374,3 +389,8 @@ def check_obstacles(argument: str, count: int) -> None:
 OBSTACLES: dict[str, type[Obstacle]] = {
     kind.shape_name: kind for kind in (Box, Sphere, Capsule, Cylinder, Plane, Mesh, PointCloud)
 }
+
+
+def is_own(obstacle: Obstacle) -> bool:
+    """Whether the parts of an obstacle come from a method of the user."""
+    return type(obstacle).parts is Obstacle.parts

@@ -150,6 +150,10 @@ def find_candidates(
     far = [k for k in poses if not (found.goals == k).any()]
     thorough = not len(found.q) or closed_form(robot) is None  # a closed form misses hardly any in reach
     for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held, thorough=thorough), strict=True):
+        if robot.own_ik is not None and k in solved:  # steps may reach what the user's solver leaves out on purpose
+            status = f"left out: {robot.own_ik.name} returns no configuration inside the limits"
+            rejected.append(GoalCandidate(goal_index=k, q=near.q, status=status))
+            continue
         rows += list(nearest_turns(robot, near.reaching, start))
         goals += [k] * len(near.reaching)
         if not len(near.reaching):

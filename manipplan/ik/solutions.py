@@ -59,8 +59,9 @@ class SolutionSet(Pictured):
         parameter_names: (r,) held joints, then "swivel", then those of the free motion.
         residual: (k,) largest entry of the pose error [m or 1].
         complete: "exact", "to-resolution" or "statistical"; see `Completeness`.
-        method: "spherical", "parallel", "swivel" or "newton".
-        missing: estimated share of solutions that is not found, 0 to 1; 0 for closed forms.
+        method: "spherical", "parallel", "swivel" or "newton"; or the name of inverse kinematics of your own.
+        missing: estimated share of solutions that is not found, 0 to 1; 0 for closed forms; nan, unknown, for inverse
+            kinematics of your own that do not return every solution.
     """
 
     q: Array
@@ -120,7 +121,8 @@ def inverse_kinematics(
             a set of poses, such as Task.position(). For planar arms Task.planar(), their default: the position alone.
         samples: number of grid points, one number or one per parameter.
         held: names of the joints to hold instead of those that the arm's closed form prefers.
-        method: "closed-form", "newton", or "auto": the closed form where there is one.
+        method: "closed-form", "newton", or "auto": what `Robot.with_inverse_kinematics` was given, or the closed form where
+            there is one.
         turns: False lists only one of the configurations that differ by full turns, the one with the smallest angles.
         time_limit: time after which the search ends [s]; None: no limit. What was found until then is returned, as
             "statistical" with `missing` above zero if the search was cut off. At least one sample is solved, also if that takes

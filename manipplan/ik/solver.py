@@ -17,6 +17,7 @@ from manipplan.ik.solutions import Completeness, residuals
 from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, random_answers
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
+from manipplan.robots.own_ik import OwnInverseKinematics
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number_array, one_of, random_seed, whole_number
 from manipplan.support.deadline import NEVER, Deadline
@@ -32,6 +33,8 @@ REACHED, FAR = 1e-10, 1e4
 #: The same where a limit or the reach of the arm ends just before the pose, as it may for rounded poses: distance and angle are
 #: then below COINCIDENT.
 NEARLY = COINCIDENT / 3
+#: Maximum residual of a configuration of the user's own inverse kinematics [m or 1]; it is refined.
+MISSED = 1e-3
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.
@@ -83,7 +86,8 @@ class Solver:
         robot: the arm.
         task: the part of a pose that must be reached.
         kinematics: forward kinematics that verify solutions.
-        form: the closed form; None for Newton steps from random starts.
+        own: inverse kinematics of the user; None: the library's.
+        form: the closed form; None for Newton steps from random starts, or those of the user.
         screws: the arm.
         held: indices of the joints that are held.
         free: motions of the tool that the task leaves free.
@@ -93,6 +97,7 @@ class Solver:
     robot: Robot
     task: Task
     kinematics: Kinematics
+    own: OwnInverseKinematics | None
     form: ClosedForm | None
     screws: Screws = field(repr=False)
     held: tuple[int, ...]
@@ -113,12 +118,18 @@ class Solver:
         few = _solves_rows(robot, free)
         if few and robot.n < task.rows:
             raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
-        form = closed_form(robot, held) if method != "newton" and not few else None
+        own = robot.own_ik if method == "auto" and not few else None
+        if own is not None and held is not None:
+            wanted = f"None with the inverse kinematics {own.name}; method='newton' is the library's"
+            raise InvalidInputError("held", held, wanted)
+        form = closed_form(robot, held) if method != "newton" and not few and own is None else None
         if form is None and method == "closed-form":
             reason = "only rows are solved for, as it has too few joints for a free motion" if few else "has no closed form"
             raise InvalidInputError("method", method, f"'newton': {robot.name} {reason}")
         screws = form.screws if form is not None else Screws.of(robot)
-        if form is not None:
+        if own is not None:
+            indices: tuple[int, ...] = ()
+        elif form is not None:
             indices = form.held
         else:
             count = robot.n - task.rows if few else spare(robot)
@@ -128,6 +139,7 @@ class Solver:
             robot=robot,
             task=task,
             kinematics=robot.kinematics(Task.pose(), threads=1),
+            own=own,
             form=form,
             screws=screws,
             held=indices,
@@ -143,11 +155,15 @@ class Solver:
     @property
     def method(self) -> str:
         """Name of the method."""
+        if self.own is not None:
+            return self.own.name
         return "newton" if self.form is None else self.form.name
 
     @property
     def complete(self) -> Completeness | None:
         """The completeness of every result, where the method alone determines it."""
+        if self.own is not None and self.own.complete:
+            return None
         if self.form is None:
             return Completeness.STATISTICAL
         return None if self.form.exact else Completeness.TO_RESOLUTION
@@ -350,15 +366,20 @@ class Solver:
 
     @cached_property
     def _turning(self) -> list[int]:
-        """The joints that are listed at more than one full turn; none of an arm without closed form."""
+        """The joints that are listed at more than one full turn; none where Newton steps find the solutions."""
         ranges = self.robot.limits.upper - self.robot.limits.lower
         once = spans_turn(self.robot)
-        return [] if self.form is None else [k for k in self.form.free if 2 * np.pi - 2 * AT_LIMIT <= ranges[k] and not once[k]]
+        free = (
+            np.flatnonzero(self.robot.turns).tolist() if self.own is not None else () if self.form is None else self.form.free
+        )
+        return [k for k in free if 2 * np.pi - 2 * AT_LIMIT <= ranges[k] and not once[k]]
 
     def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline = NEVER) -> Found:
         """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
         if self.by_rows:
             return self._by_rows(poses[owners], self.free, samples, deadline)
+        if self.own is not None:
+            return self._by_own(self.own, poses, owners, samples, deadline)
         if self.robot.planar:
             targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
             return self._by_rows(targets[rows], NOTHING, samples, deadline)
@@ -429,6 +450,30 @@ class Solver:
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
         solved = min(begin / max(len(samples), 1), 1.0)
         return Found(q=found.q[kept], source=found.source[kept], residual=found.residual[kept], missing=missing, solved=solved)
+
+    def _by_own(
+        self, own: OwnInverseKinematics, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline
+    ) -> Found:
+        """What the user's solver returns for each sample, checked, refined, and inside the limits."""
+        targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
+        blocks, solved, limits = list[Found](), 1.0, self.robot.limits
+        (low, _), turns = span(self.robot), self.robot.turns
+        for k, target in enumerate(targets[rows]):
+            q = own.configurations(self.robot, target)
+            residual = self._residual(q, targets, np.full(len(q), rows[k]))
+            if len(q) and residual.max() > MISSED:
+                worst = int(residual.argmax())
+                missed = f"one that reaches {target.tolist()}; it misses it by {residual[worst]:.3g} m or rad"
+                raise InvalidInputError(f"configurations of {own.name}[{worst}]", q[worst].tolist(), missed)
+            q[:, turns] = (low + (q - low) % (2 * np.pi))[:, turns]
+            q[:, turns] -= np.where(q - 2 * np.pi >= low - NEARLY, 2 * np.pi, 0.0)[:, turns]
+            q = q[(limits.outside(q) <= NEARLY).all(axis=1)]
+            q = np.clip(q, limits.lower, limits.upper)
+            blocks.append(self._check_solutions(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
+            if deadline.passed:
+                solved = (k + 1) / len(samples)
+                break
+        return replace(_join(blocks, self.robot.n), missing=0.0 if own.complete else np.nan, solved=solved)
 
     def _by_search(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline) -> Found:
         blocks, missing, solved = [], [], 1.0

@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from manipplan.collision.scene import Scene
+from manipplan.collision.shapes import is_own
 from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import metric_matrix
@@ -156,8 +157,9 @@ def robot_key(robot: Robot) -> str:
 
 @once_per_owner
 def scene_key(scene: Scene) -> str:
-    """The content of a scene as a key."""
-    return content_key([scene.obstacles, scene.names, scene.allowed])
+    """The content of a scene as a key; of a shape of the user its parts."""
+    own = [obstacle.parts() for obstacle in scene.obstacles if is_own(obstacle)]
+    return content_key([scene.obstacles, own, scene.names, scene.allowed])
 
 
 log = logging.getLogger("manipplan")

@@ -122,6 +122,7 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
         locked={**robot.locked, **held},
         states=states,
         source=None,
+        own_ik=None,
     )
 
 

@@ -1,8 +1,11 @@
 """Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
 import difflib
+import importlib
+import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib.metadata import EntryPoint
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -10,14 +13,16 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.collections import GROUP, MENAGERIE, own_robots, robot_file
+from manipplan.robots.collections import ENDING, GROUP, MENAGERIE, own_robots, package_of, robot_file
 from manipplan.robots.data_sheets import with_published_limits
 from manipplan.robots.description import RobotSource
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, number, number_array
-from manipplan.support.errors import InvalidInputError, MissingExtraError, UnknownNameError
+from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
+
+log = logging.getLogger("manipplan")
 
 #: Endings of the files that hold a robot.
 FILES = (".urdf", ".xacro", ".xml", ".mjcf")
@@ -254,9 +259,29 @@ CATALOG: Mapping[str, CatalogEntry] = {
 def available_robots() -> tuple[str, ...]:
     """Names that `load_robot` knows: those of the catalogue, then those that installed packages add by an entry point.
 
-    Beside these it takes the names of robot_descriptions and of MuJoCo Menagerie's folders.
+    Beside these it takes the names of robot_descriptions and of MuJoCo Menagerie's folders. No package is imported for the
+    list. A name that a package cannot add, such as one of the catalogue, is left out, and the log says why.
     """
-    return (*CATALOG, *(name for name in own_robots() if name not in CATALOG))
+    names = []
+    for name, points in own_robots().items():
+        reason = refusal(name, points)
+        if reason is None:
+            names.append(name)
+        else:
+            log.warning("the entry point %s is left out; allowed: %s", name, reason)
+    return (*CATALOG, *names)
+
+
+def refusal(name: str, points: Sequence[EntryPoint]) -> str | None:
+    """What the name of an entry point has to be instead, and which packages have it; None if it can be used."""
+    packages = " and ".join(f"{package_of(each)} ({each.value})" for each in points)
+    if name in CATALOG:
+        return f"a name that the catalogue does not have: rename the entry point of {packages}"
+    if name.endswith(ENDING) or name.startswith(MENAGERIE):
+        return f"a name unlike those of other collections (*{ENDING}, {MENAGERIE}*): rename the entry point of {packages}"
+    if name.endswith(FILES):
+        return f"a name that does not end like a file ({', '.join(FILES)}): rename the entry point of {packages}"
+    return f"a name that one package has, not {packages}: remove one of them" if len(points) > 1 else None
 
 
 def load_robot(name: str | Path, **options: object) -> Robot:
@@ -266,7 +291,7 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         name: one of `available_robots()`; a name of the package robot_descriptions, such as "ur5e_description" (extra
             descriptions); a folder of MuJoCo Menagerie, such as "menagerie:franka_fr3" or, where it holds several robots,
             "menagerie:ufactory_lite6/lite6_gripper_wide.xml", of the checkout in the environment variable MUJOCO_MENAGERIE or
-            downloaded (extra menagerie); or a path that ends in .urdf, .xacro, .xml or .mjcf.
+            downloaded (extra menagerie); or a path that ends in .urdf, .xacro, .xml or .mjcf. The catalogue's names come first.
         **options: as for `Robot.from_urdf` (tool, joints, srdf, locked, velocity, acceleration, jerk, ...).
 
     Robots by name get the limits that their maker publishes, where `limits` of a robot names a data sheet as the source.
@@ -276,12 +301,18 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         MissingExtraError: the package with the robot descriptions is not installed.
         RobotNotFetchedError: the files of the robot have to be fetched, and that failed.
         FileFormatError: a folder holds several robots, or a file cannot be read.
+        InvalidInputError: an option is wrong; or an entry point fails, or its name cannot be used. The message names the
+            package that has it. An error of manipplan raised in that package passes, with a note that names it.
     """
     if not isinstance(name, str | Path):
         raise InvalidInputError("name", name, "a name of the catalogue, or the path of a URDF, xacro or MJCF file")
     file = Path(name).expanduser()
     if str(name) in CATALOG:
         return _of_catalogue(str(name), options)
+    if str(name).endswith(ENDING) or str(name).startswith(MENAGERIE):
+        own = own_robots()
+        if str(name) in own:
+            raise InvalidInputError("name", str(name), str(refusal(str(name), own[str(name)])))
     found = robot_file(str(name))
     if found is not None:
         given = dict(options)
@@ -300,10 +331,33 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         if colon and difflib.get_close_matches(prefix.lower() + colon, [MENAGERIE], cutoff=0.7):
             raise UnknownNameError("name", str(name), [f"{MENAGERIE}{folder}"])
         raise UnknownNameError("name", str(name), [*CATALOG, *own])
-    made = own[str(name)].load()(**options)
+    reason = refusal(str(name), own[str(name)])
+    if reason is not None:
+        raise InvalidInputError("name", str(name), reason)
+    return _of_package(own[str(name)][0], options)
+
+
+def _of_package(point: EntryPoint, options: Mapping[str, object]) -> Robot:
+    """The robot of an entry point: of the function that it names, or of the file whose path it names."""
+    text = f"the entry point {point.name} = {point.value} of {package_of(point)}"
+    file = None
+    try:
+        made = point.load()
+        if isinstance(made, str | Path):  # a relative path starts at the folder of its module
+            file = Path(importlib.import_module(point.module).__file__ or "").parent / made
+            made = _read(file, options)
+        elif callable(made):
+            made = made(**options)
+    except ManipplanError as error:
+        error.add_note(f"raised in {text}")
+        raise
+    except Exception as error:  # whatever a package raises
+        reason = f"another one, until {text} is repaired: it raised {type(error).__name__}: {error}"
+        raise InvalidInputError("name", point.name, reason) from error
     if not isinstance(made, Robot):
-        raise InvalidInputError("name", str(name), f"an entry point of {GROUP} whose function returns a Robot, not {made!r}")
-    return replace(made, source=RobotSource.of("catalogue", None, options, name=str(name)))
+        wanted = f"an entry point of {GROUP} that names a file, or a function that returns a Robot, not {made!r}: {text}"
+        raise InvalidInputError("name", point.name, wanted)
+    return replace(made, source=RobotSource.of("catalogue", file, options, name=point.name))
 
 
 def _read(file: Path, options: Mapping[str, object]) -> Robot:

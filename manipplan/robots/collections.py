@@ -3,7 +3,7 @@
 `ur5e_description` is a module of the package robot_descriptions, which keeps clones of the robots' repositories in a cache.
 `menagerie:franka_fr3` is a folder of MuJoCo Menagerie: of the checkout that the environment variable MUJOCO_MENAGERIE names, or
 downloaded by the package mujoco-menagerie. An entry point of the group `manipplan.robots` names a function that takes the
-options of `load_robot` and returns a Robot.
+options of `load_robot` and returns a Robot, or the path of a robot's file.
 """
 
 import importlib
@@ -60,9 +60,17 @@ def robot_file(name: str) -> RobotFile | None:
     return _of_descriptions(name) if name.endswith(ENDING) else None
 
 
-def own_robots() -> dict[str, EntryPoint]:
-    """The entry points of installed packages, by name."""
-    return {each.name: each for each in entry_points(group=GROUP)}
+def own_robots() -> dict[str, list[EntryPoint]]:
+    """The entry points of installed packages, by name; no package is imported for it. Several packages may use one name."""
+    found: dict[str, list[EntryPoint]] = {}
+    for each in entry_points(group=GROUP):
+        found.setdefault(each.name, []).append(each)
+    return found
+
+
+def package_of(point: EntryPoint) -> str:
+    """Name and version of the package that has an entry point."""
+    return "a package without a name" if point.dist is None else f"{point.dist.name} {point.dist.version}"
 
 
 def names_of_collections() -> dict[str, list[str]]:

@@ -12,13 +12,23 @@ from numpy.typing import NDArray
 
 from manipplan.robots import attached, description, mjcf, model_tree, subchain
 from manipplan.robots import subchain as parts
-from manipplan.robots.arms import arm_of, carriers, check_tools, find_disabled_within_arms, known_tool, neutral_arm, supports
+from manipplan.robots.arms import (
+    arm_of,
+    carriers,
+    check_tools,
+    find_disabled_within_arms,
+    known_tool,
+    neutral_arm,
+    one_tool,
+    supports,
+)
 from manipplan.robots.attached import AddedFrame, CarriedPart, Solid
 from manipplan.robots.configuration import LARGEST_TOLERANCE, LIMIT_TOLERANCE, check_configuration
 from manipplan.robots.description import RobotSource
 from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, JointLimits
 from manipplan.robots.model_tree import Mimic
+from manipplan.robots.own_ik import OwnInverseKinematics, PoseSolver
 from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
 from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, ArrayLike, existing_file, instance, number, one_of, pose_matrix, text, whole_number
@@ -69,6 +79,7 @@ class Robot(Pictured):
         base: (4, 4) pose of the base in the world.
         added_frames: the frames that `with_tool` added.
         carried: the parts that `attach` added, by name, posed in the tool frame.
+        own_ik: what `with_inverse_kinematics` was given; None: the library's own method.
     """
 
     name: str
@@ -88,6 +99,7 @@ class Robot(Pictured):
     added_frames: tuple[AddedFrame, ...] = ()
     carried: Mapping[str, CarriedPart] = field(default_factory=dict)
     limit_tolerance: float = LIMIT_TOLERANCE
+    own_ik: OwnInverseKinematics | None = None
 
     @classmethod
     def from_urdf(
@@ -417,6 +429,28 @@ class Robot(Pictured):
         motion = pin.SE3(base) * pin.SE3(self.base).inverse()
         model, geometry = attached.move_base(self.model, self.geometry, motion)
         return replace(self, model=model, geometry=geometry, base=base)
+
+    def with_inverse_kinematics(self, solver: PoseSolver | None, *, complete: bool = False) -> "Robot":
+        """The arm with inverse kinematics of your own, instead of the library's.
+
+        `inverse_kinematics`, pose goals, `sample_layers` and `follow` call it once for every pose, or sample of a pose that a
+        task leaves partly free. Its answers are checked: configurations outside the limits are left out, others are moved onto
+        the pose by Newton steps to the last digits, and each is listed at every full turn inside the limits. It stays valid
+        with `at`, `with_tool`, `with_limits`, `attach` and `detach`: the pose that it gets is always that of the tool and the
+        base for which it was given. The arm of some joints (`arm`) has the library's method again. So have arms with too few
+        joints for a pose, where the task leaves part of it free.
+
+        Args:
+            solver: function of a pose (4, 4) of the tool in the world, which returns configurations (k, n) [rad or m] or None.
+                It is called by one thread at a time. None: the library's own method again.
+            complete: whether it returns every solution, up to full turns; the solutions of an arm with more joints than a pose
+                needs are a continuum, of which no function returns all.
+
+        Raises InvalidInputError when it cannot be called, or the robot has several tools. Later calls raise it where the solver
+        raises an error, returns something else, or a configuration that misses the pose by more than 1e-3 m or rad.
+        """
+        one_tool(self, "inverse kinematics of your own")
+        return replace(self, own_ik=None if solver is None else OwnInverseKinematics.of(self, solver, complete))
 
     def attach(self, shape: Solid, *, name: str = "", tool: str | None = None) -> "Robot":
         """The arm with a part in its hand, which is checked for collisions from now on.

@@ -222,7 +222,12 @@ def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, value
             f"{apart_text(apart)}; needed: {needed}"
         )
         return InvalidInputError(position, pose.tolist(), wanted)
-    nearest = sampler.nearest(pose)
+    nearest, own = sampler.nearest(pose), sampler.solver.own
+    if own is not None:
+        wanted = (
+            f"a pose for which {own.name} returns a configuration inside the limits; the nearest one found is {nearest.away}"
+        )
+        return InvalidInputError(position, pose.tolist(), wanted)
     if nearest.position < REACHES[0] and nearest.rotation < REACHES[1]:
         wanted = "a pose that some sample reaches: it is within reach, but no value on the grid reaches it; take more samples"
         return InvalidInputError(position, pose.tolist(), wanted)

@@ -24,9 +24,20 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.connect import StarSearch, TreeSearch
 from manipplan.seeds.motions import MOST_JOINTS, Level, can_check
 from manipplan.seeds.ompl import OmplSearch
+from manipplan.seeds.own import OwnSearch, fault_of, planner_name
 from manipplan.seeds.reachable import why_unreachable
 from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
-from manipplan.seeds.task import GRACE, MOST_GRACE, SeedTask, acceptance, crossing_limit, is_free, keeps_constraints, looks_free
+from manipplan.seeds.task import (
+    GRACE,
+    LONGEST,
+    MOST_GRACE,
+    SeedTask,
+    acceptance,
+    crossing_limit,
+    is_free,
+    keeps_constraints,
+    looks_free,
+)
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -48,8 +59,6 @@ FINER = (1.0, 0.3, 0.1)
 CONSTRAINED_FINER = FINER[1:]
 #: Checks of the search for a path with the fewest crossings, and of the one that allows `MORE` of them.
 FEWEST_CHECKS, MORE_CHECKS, MORE = 100_000, 50_000, 2
-#: Maximum motion of a joint from start to goal [rad or m]: a path is checked in steps of down to a thousandth of that unit.
-LONGEST = 1000.0
 
 
 def seed_path(
@@ -93,7 +102,8 @@ def seed_path(
 
     Raises:
         InvalidInputError: start or goal has a wrong length, is outside the limits, or in collision; they are the same, or more
-            than 1000 rad or m apart in a joint; `same_aspect` if they are singular or lie in different aspects.
+            than 1000 rad or m apart in a joint; `same_aspect` if they are singular or lie in different aspects; a planner of
+            your own raises an error, or returns something else than waypoints within the limits, from start to goal.
         PlanningError: no collision-free path was found within the time limit or `checks`, or there is none. Where that can be
             proven, which takes less than a second, the message says why and names the bodies.
     """
@@ -117,7 +127,8 @@ def seed_path(
     if kept is not None:
         check_ends(kept, q_start, q_goal)
         if seeding.planner != "auto":
-            raise InvalidInputError("seeding.planner", seeding.planner, "'auto': the other planners keep no constraints")
+            name = planner_name(seeding.planner)
+            raise InvalidInputError("seeding.planner", name, "'auto': the other planners keep no constraints")
         if not compiled:
             raise InvalidInputError(
                 "constraints", constraints, f"none: the search that keeps them serves at most {MOST_JOINTS} joints"
@@ -175,7 +186,7 @@ def _check_aspect(task: SeedTask, kinematics: Kinematics) -> None:
 def _stages(task: SeedTask, kinematics: Kinematics, finder: "_Finder") -> list[SeedTask]:
     """Searches that allow more and more crossings, each but the last one with a limit."""
     least = least_crossings(kinematics, task.start, task.goal)
-    if least is None:
+    if least is None or callable(finder.seeding.planner):
         return [task]
     if not finder.compiled:
         half = task.deadline - finder.seeding.time_limit / 2
@@ -200,6 +211,7 @@ class _Finder:
         nearest: the two bodies that are nearest at the goal, and their distance [m]; None where nothing is checked.
         constrained: what messages say of constraints; "" without any.
         spent: the number of checks, not the time limit, ended the search.
+        fault: what is wrong with the last path of a planner of the user; "" without any.
     """
 
     seeding: Seeding
@@ -210,6 +222,7 @@ class _Finder:
     nearest: tuple[str, str, float] | None
     constrained: str
     spent: bool = False
+    fault: str = ""
 
     def cost(self, path: JointPath) -> float:
         """The cost that the search lowers, for any path."""
@@ -235,7 +248,8 @@ class _Finder:
             waypoints = np.vstack([found[:-1][apart], found[-1:]])
             if not keeps_constraints(task, JointPath.through(waypoints)):
                 continue
-            points = waypoints if self.compiled else _shorten(waypoints, accept_in_time, cost)
+            is_short = self.compiled or callable(self.seeding.planner)  # a planner of the user decides itself
+            points = waypoints if is_short else _shorten(waypoints, accept_in_time, cost)
             path = self._smooth(points, accept, lambda path: looks_free(task, path))
             if path is None and accept(JointPath.through(points)):
                 path = _round_corners(points, accept_in_time, cost)
@@ -244,6 +258,8 @@ class _Finder:
             sharp = JointPath.through(waypoints)
             if checked is None and is_allowed(sharp) and is_free(task, sharp):
                 checked = sharp
+            if callable(self.seeding.planner):
+                self.fault = f"returned a path of {len(found)} waypoints, but {fault_of(task, waypoints)}"
         self.spent = work_time() < task.deadline
         if line_is_free:
             return line
@@ -262,13 +278,15 @@ class _Finder:
     @property
     def planner(self) -> str:
         """The name of the planner, with that of OMPL for "auto"."""
-        return AUTO if self.seeding.planner == "auto" else self.seeding.planner
+        return AUTO if self.seeding.planner == "auto" else planner_name(self.seeding.planner)
 
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        search: TreeSearch | StarSearch | OmplSearch = TreeSearch(task=task)
+        search: TreeSearch | StarSearch | OmplSearch | OwnSearch = TreeSearch(task=task)
         levels: Sequence[Level] = LEVELS
-        if self.planner == STAR:
+        if callable(self.seeding.planner):
+            search, levels = OwnSearch(task, self.seeding.planner), LEVELS[-1:]
+        elif self.planner == STAR:
             checks = self.checks if task.checks is None else min(self.checks, task.checks)
             search = StarSearch(task=replace(task, checks=checks), integral=self.integral)
         elif not self.compiled:
@@ -286,11 +304,15 @@ class _Finder:
     def failure(self) -> str:
         """Why no path was found."""
         limit, is_auto = self.seeding.time_limit, self.compiled and self.seeding.planner == "auto"
+        if self.fault:
+            return f"{self.planner} {self.fault}"
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
         elif self.spent and self.constrained:
             spent, remedy = "that keeps the constraints also between its checks", "give them more width"
+        elif self.spent and callable(self.seeding.planner):
+            spent, remedy = "(it returned None)", "let it search longer"
         there = ""
         if self.nearest is not None:
             first, second, distance = self.nearest

@@ -11,6 +11,7 @@ import numpy as np
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
+from manipplan.seeds.own import Planner
 from manipplan.support.checks import Array, number, one_of, random_seed, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
@@ -39,7 +40,8 @@ class Seeding:
     Attributes:
         planner: what searches among obstacles: "auto", our compiled RRT-Connect; "connect-star", the same with a search that
             goes on to lower the path's cost; or a planner of OMPL: RRTConnect, RRT, KPIECE1, BKPIECE1, LBKPIECE1, and RRTstar,
-            InformedRRTstar, SORRTstar and BITstar, which lower their path's cost.
+            InformedRRTstar, SORRTstar and BITstar, which lower their path's cost. Or a planner of your own: a function or an
+            object that is called with a `PlannerProblem`, and returns waypoints (k, n) or None.
         seed: random seed of the planner; without a scene, of the random first paths. The same seed gives the same path, on any
             machine, unless `time_limit` ends the search.
         count: number of first paths per goal. With a scene the planner finds them, with `seed`, `seed` + 1 and so on. Paths
@@ -58,7 +60,7 @@ class Seeding:
             optimising a result again returns it. None: the straight line, or with a scene a path of the planner.
     """
 
-    planner: str = "auto"
+    planner: str | Planner = "auto"
     seed: int = 0
     count: int = 1
     time_limit: float = 10.0
@@ -66,7 +68,8 @@ class Seeding:
     initial: JointPath | Trajectory | str | Path | None = None
 
     def __post_init__(self) -> None:
-        one_of("planner", self.planner, ("auto", *PLANNERS))
+        if isinstance(self.planner, type) or not callable(self.planner):
+            one_of("planner", self.planner, ("auto", *PLANNERS))
         one_of("shifts", self.shifts, SHIFTS)
         object.__setattr__(self, "seed", random_seed("seed", self.seed))
         object.__setattr__(self, "count", whole_number("count", self.count, least=1, most=MOST_SEEDS))

@@ -23,6 +23,8 @@ GRACE, MOST_GRACE = 0.05, 0.3
 PATIENCE = 20_000
 #: Ranges of joints above this count as unlimited [rad or m].
 HUGE = 4 * np.pi + 1e-6
+#: Maximum motion of a joint from start to goal [rad or m]: a path is checked in steps of down to a thousandth of that unit.
+LONGEST = 1000.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -400,6 +400,7 @@ def calls(folder: Path) -> dict[str, Call]:
         "Robot.random_configuration": C(arm.random_configuration, {"rng": np.random.default_rng(0), "size": 3}),
         "Robot.to_srdf": C(arm.to_srdf, {"file": str(folder / "a.srdf"), "states": {"a": q}, "group": "arm"}),
         "Robot.with_limits": C(arm.with_limits, {"source": "given", "velocity": np.ones(3), "lower": -np.ones(3), "jerk": 3.0}),
+        "Robot.with_inverse_kinematics": C(arm.with_inverse_kinematics, {"solver": np.zeros_like, "complete": True}),
         "Robot.with_tool": C(arm.with_tool, {"pose": pose, "name": "tip", "tool": arm.tool}),
         "Scene": C(mp.Scene, {"obstacles": [mp.Sphere(radius=0.1, name="ball")], "allowed": [("ball", "link1")]}),
         "Scene.allow": C(scene.allow, {"first": "ball", "second": "link1"}),

@@ -291,28 +291,92 @@ def get(name): return Robot(name)
     del sys.modules["mujoco_menagerie"]
 
 
-def test_own_robots_by_an_entry_point(tmp_path, monkeypatch):
-    """An installed package whose entry point names a function."""
+OWN_CELL = """
+import manipplan as mp
+ARM = "arm.urdf"
+NO_FILE = "missing.urdf"
+def arm(**options): return mp.load_robot(FILE, **options)
+def wrong(**options): return 3
+def broken(**options): return 1 / 0
+"""
+
+
+@pytest.fixture
+def install(tmp_path, monkeypatch):
+    """Installs a package: its name, the text of its module, and its entry points; the folder has a file arm.urdf."""
     (tmp_path / "arm.urdf").write_text(urdf(["a", "b"]))
-    (tmp_path / "own_cell.py").write_text(
-        f"import manipplan as mp\ndef arm(**options): return mp.load_robot({str(tmp_path / 'arm.urdf')!r}, **options)\n"
-        "def wrong(**options): return 3\n"
-    )
-    info = tmp_path / "own_cell-1.0.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: own-cell\nVersion: 1.0\n")
-    (info / "entry_points.txt").write_text(
-        "[manipplan.robots]\ncell_arm = own_cell:arm\nwrong_arm = own_cell:wrong\npanda = own_cell:wrong\n"
-    )
     monkeypatch.syspath_prepend(tmp_path)
-    assert {"cell_arm", "wrong_arm"} <= set(mp.available_robots())
-    assert mp.available_robots().count("panda") == 1
-    robot = mp.load_robot("cell_arm", velocity=1.0)
-    assert (robot.n, robot.source.load().limits.velocity[0]) == (2, 1.0)
-    with pytest.raises(mp.errors.InvalidInputError, match="returns a Robot, not 3"):
-        mp.load_robot("wrong_arm")
+    modules = []
+
+    def make(package, text, points):
+        module = package.replace("-", "_")
+        modules.append(module)
+        (tmp_path / f"{module}.py").write_text(f"FILE = {str(tmp_path / 'arm.urdf')!r}\n{text}")
+        info = tmp_path / f"{module}-1.0.dist-info"
+        info.mkdir()
+        (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {package}\nVersion: 1.0\n")
+        lines = [f"{name} = {module}:{value}" for name, value in points.items()]
+        (info / "entry_points.txt").write_text("\n".join(["[manipplan.robots]", *lines, ""]))
+
+    yield make
+    for module in modules:
+        sys.modules.pop(module, None)
+
+
+def test_own_robots_by_an_entry_point(install):
+    """An installed package whose entry point names a function, or the path of a file."""
+    install("own-cell", OWN_CELL, {"cell_arm": "arm", "cell_file": "ARM"})
+    assert mp.available_robots()[-2:] == ("cell_arm", "cell_file")
+    for name in ("cell_arm", "cell_file"):
+        robot = mp.load_robot(name, velocity=1.0)
+        assert (robot.n, robot.source.load().limits.velocity[0]) == (2, 1.0)
     with pytest.raises(mp.errors.UnknownNameError, match="did you mean cell_arm"):
         mp.load_robot("cel_arm")
+
+
+def test_an_entry_point_that_fails_is_named_with_its_package(install):
+    points = {each: each for each in ("wrong", "broken", "no_such")} | {"no_file": "NO_FILE", "arm_of_cell": "arm"}
+    install("own-cell", OWN_CELL, points)
+    install("own-import", "import no_such_module", {"no_import": "arm"})
+    for name, reason in {
+        "wrong": r"returns a Robot, not 3: the entry point wrong = own_cell:wrong of own-cell 1\.0",
+        "broken": r"the entry point broken = own_cell:broken of own-cell 1\.0 .* ZeroDivisionError",
+        "no_such": r"the entry point no_such = own_cell:no_such of own-cell 1\.0 .* AttributeError",
+        "no_import": r"the entry point no_import = own_import:arm of own-import 1\.0 .* ModuleNotFoundError",
+    }.items():
+        with pytest.raises(mp.errors.InvalidInputError, match=reason):
+            mp.load_robot(name)
+    for name, options in {"no_file": {}, "arm_of_cell": {"velocity": -1.0}}.items():
+        with pytest.raises(mp.errors.InvalidInputError, match="missing.urdf|velocity") as caught:
+            mp.load_robot(name, **options)
+        assert f"the entry point {name} = own_cell:" in caught.value.__notes__[0]
+
+
+def test_names_that_a_package_cannot_use(install, caplog, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")
+    names = ["panda", "cell_description", "menagerie:cell", "cell.urdf", "twice"]
+    install("own-cell", OWN_CELL, dict.fromkeys(names, "arm"))
+    install("other-cell", OWN_CELL, {"twice": "arm"})
+    found = mp.available_robots()
+    assert found.count("panda") == 1
+    assert not set(names[1:]) & set(found)
+    for name in names:
+        assert f"{name} is left out" in caplog.text
+    assert mp.load_robot("panda").n == 7
+    for name in names[1:3]:
+        with pytest.raises(mp.errors.InvalidInputError, match=r"rename the entry point of own-cell 1\.0 \(own_cell:arm\)"):
+            mp.load_robot(name)
+    with pytest.raises(mp.errors.InvalidInputError, match=r"not .*(own|other)-cell 1\.0 .* and .*(own|other)-cell 1\.0"):
+        mp.load_robot("twice")
+    main(["robots"])
+    assert "cannot be loaded" in capsys.readouterr().out
+
+
+def test_listing_own_robots_imports_no_package(install):
+    install("own-cell", "raise SystemExit('imported')", {"cell_arm": "arm"})
+    assert "cell_arm" in mp.available_robots()
+    main(["robots"])
+    assert "own_cell" not in sys.modules
 
 
 FR3_JOINTS = [f"fr3_joint{k}" for k in range(1, 8)]
