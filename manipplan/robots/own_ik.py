@@ -6,10 +6,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.checks import Array, finite_array, flag, number_array
+from manipplan.support.checks import Array, ArrayLike, finite_array, flag, number_array
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from manipplan.collision.model import apart_text
 from manipplan.collision.path_clearance import path_clearance
@@ -14,7 +14,7 @@ from manipplan.robots.robot import Robot
 from manipplan.seeds.motions import Level
 from manipplan.seeds.task import LONGEST, SeedTask, crossing_limit
 from manipplan.support import checks
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import OutOfTimeError, work_time
 from manipplan.support.errors import InvalidInputError
 

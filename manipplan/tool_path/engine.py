@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from manipplan.collision.model import CollisionModel
 from manipplan.ik.newton import MovingArm
@@ -19,7 +18,7 @@ from manipplan.search.program import PoseRows, joint_path
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
 from manipplan.search.sweep import full_turns
-from manipplan.support.checks import Array
+from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, silent
 

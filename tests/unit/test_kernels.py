@@ -98,7 +98,7 @@ def test_the_installation_runs_the_file_on_its_own():
 def test_edited_sources_are_not_run_as_they_were(sources, monkeypatch):
     monkeypatch.setattr(kernels, "find_library", lambda: None)
     (sources / "curves.c").write_text((sources / "curves.c").read_text() + "\n")
-    with pytest.raises(mp.CompilerError, match=r"curves\.c: it was edited and not built; build it with: make kernels"):
+    with pytest.raises(mp.errors.CompilerError, match=r"curves\.c: it was edited and not built; build it with: make kernels"):
         kernel_by_llvm("curves")
 
 
@@ -152,7 +152,7 @@ def test_without_a_cache_folder_llvm_compiles_in_each_process(tmp_path, monkeypa
 
 
 def test_what_llvm_does_not_accept_is_refused(cache):
-    with pytest.raises(mp.CompilerError, match="a test: .*parsing error"):
+    with pytest.raises(mp.errors.CompilerError, match="a test: .*parsing error"):
         compile_by_llvm("define nonsense", "a test")
 
 

@@ -56,10 +56,10 @@ def test_no_error_is_about_positions_that_were_not_asked_for(planar, step, state
 
     def made(self, step, path, state, *, closer=False, near=None):
         if closer:
-            raise mp.InvalidInputError("path", path, "free at s = 0.25")
+            raise mp.errors.InvalidInputError("path", path, "free at s = 0.25")
         return SimpleNamespace(layers=apart, in_the_way=lambda _: "")
 
     monkeypatch.setattr(Finders, "made", made)
     leg = SimpleNamespace(rest=[(2, step)], along=step)
-    with pytest.raises(mp.PlanningError, match=r"steps\[2\]: no candidate of position 1 can be reached"):
+    with pytest.raises(mp.errors.PlanningError, match=r"steps\[2\]: no candidate of position 1 can be reached"):
         list(_on_path(leg, state, Finders(objective=mp.PathObjective(), clearance=0.0)))
