@@ -314,7 +314,7 @@ class _Bisection:
         while len(rows) and not self.decided:
             halves = split(control)
             middles = edges.mean(axis=1)
-            cut, bounds = self._look(_Intervals.of(control, *halves), middles, rows, pairs, known)
+            cut, bounds = self._measure_middles(_Intervals.of(control, *halves), middles, rows, pairs, known)
             kept, position = np.unique(rows[cut], return_inverse=True)
             control = np.concatenate([half[kept] for half in halves])
             low, high = edges[kept].T
@@ -376,7 +376,7 @@ class _Bisection:
         cut, bounds = self._judge(near.distances, motion, change, middles, near.rows, near.pairs, known)
         return near.rows[cut], near.pairs[cut], bounds[cut]
 
-    def _look(
+    def _measure_middles(
         self, on: "_Intervals", middles: Array, rows: BodyIndices, pairs: BodyIndices, known: Array
     ) -> tuple[NDArray[np.bool_], Array]:
         """Measure pairs at the middles of intervals; returns which to cut, and all bounds. The others are closed.

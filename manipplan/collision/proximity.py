@@ -1,4 +1,4 @@
-"""Where pairs of bodies are near along a curve, by the compiled `look.c`; coal tells what the kernel cannot."""
+"""Where pairs of bodies are near along a curve, by the compiled `near_pairs.c`; coal tells what the kernel cannot."""
 
 import ctypes
 from collections.abc import Callable, Sequence
@@ -16,7 +16,7 @@ from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 
-#: Number of intervals of the grid along the curve. A band around the target is only looked at in every SPACING-th place.
+#: Number of intervals of the grid along the curve. A band around the target is only searched at every SPACING-th place.
 INTERVALS, SPACING = 160, 4
 #: Distance above the target at which distances are cut off [m]; at every SPACING-th place a wider band raises it.
 FARTHEST = 0.03
@@ -30,7 +30,7 @@ MOST_DIPS = 160
 BOTTOM = 1e-6
 #: Maximum number of steps to the bottom of a dip.
 BOTTOM_STEPS = 12
-#: As in look.c.
+#: As in near_pairs.c.
 ASKING, MORE_ROOM = -1, -2
 #: Initial room for near pairs per place of the grid.
 ROOM = 16
@@ -48,7 +48,7 @@ Place = tuple[float, int]
 
 @cache
 def _call() -> Callable[..., int]:
-    return load_kernel("look").functions()["look"]
+    return load_kernel("near_pairs").functions()["near_pairs"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,7 +94,7 @@ class DistanceSearch:
         """`model` is the arm among its obstacles."""
         kernel = model.kernel_copy()
         self.model, self._kernel = model, kernel
-        self._dips = struct("look", "Dips")(
+        self._dips = struct("near_pairs", "Dips")(
             n=kernel.n,
             curve_at=load_kernel("curves").address("curve"),
             spacing=FINE,
@@ -106,7 +106,7 @@ class DistanceSearch:
         )
         self._kept: dict[str, NDArray[Any]] = {}
         self._found = np.empty(0, dtype=_FOUND)
-        self._look = self._with_room(ROOM * (INTERVALS + 1), 0)
+        self._scan = self._with_room(ROOM * (INTERVALS + 1), 0)
 
     def find_near(self, curve: Curve, target: float, band: float, known: Sequence[Place] = ()) -> ProximitySamples:
         """Places where a pair is near.
@@ -121,19 +121,19 @@ class DistanceSearch:
             known: places (s, pair) around which there is always a search for a dip.
         """
         at, pairs = np.array([x for x, _ in known], dtype=float), np.array([pair for _, pair in known], dtype=np.int64)
-        if len(self._found) < 2 * self._look.room + len(known):
-            self._look = self._with_room(self._look.room, len(known))
+        if len(self._found) < 2 * self._scan.room + len(known):
+            self._scan = self._with_room(self._scan.room, len(known))
         self._dips.curve = curve.address
         while True:
-            look = self._look
-            look.stage, look.target = 0, target
-            look.known, look.known_s, look.known_pair = len(known), at.ctypes.data, pairs.ctypes.data
-            places = (ctypes.addressof(self._dips), ctypes.addressof(look), band, self._found.ctypes.data)
+            scan = self._scan
+            scan.stage, scan.target = 0, target
+            scan.known, scan.known_s, scan.known_pair = len(known), at.ctypes.data, pairs.ctypes.data
+            places = (ctypes.addressof(self._dips), ctypes.addressof(scan), band, self._found.ctypes.data)
             while (count := _call()(*places)) == ASKING:
                 self._answer(curve)
             if count != MORE_ROOM:
                 break
-            self._look = self._with_room(2 * look.room, len(known))
+            self._scan = self._with_room(2 * scan.room, len(known))
         found = self._found[:count].copy()
         return ProximitySamples(
             distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool)
@@ -141,13 +141,13 @@ class DistanceSearch:
 
     def _answer(self, curve: Curve) -> None:
         """Put distances in place of those that the kernel cannot tell."""
-        if self._look.stage == 1:
-            where, distances = (self._kept[name][: self._look.entries] for name in ("where", "distance"))
+        if self._scan.stage == 1:
+            where, distances = (self._kept[name][: self._scan.entries] for name in ("where", "distance"))
             asked = np.flatnonzero(np.isnan(distances))
             rows, pairs = np.divmod(where[asked], self._kernel.pairs)
             distances[asked] = self.model.pair_distances(self._kept["q"][rows], pairs)
             return
-        brackets = self._kept["bracket"][: self._look.dips]
+        brackets = self._kept["bracket"][: self._scan.dips]
         pairs = brackets["pair"]
         for name, at in (("left", "low"), ("least", "middle"), ("right", "high")):
             self._measure(curve, brackets, pairs, name, at, np.isnan(brackets[name]))
@@ -162,7 +162,7 @@ class DistanceSearch:
         at: str,
         asked: NDArray[np.bool_],
     ) -> None:
-        """Put the distances at places of the brackets that are asked for, rounded as `look.c` rounds its own."""
+        """Put the distances at places of the brackets that are asked for, rounded as `near_pairs.c` rounds its own."""
         q = curve(brackets[at][asked], FINE)
         brackets[name][asked] = on_grid(self.model.pair_distances(q, pairs[asked]), FINE_DISTANCE)
 
@@ -180,7 +180,7 @@ class DistanceSearch:
             "bracket": np.empty(room + known, dtype=_BRACKET),
             "bracket_bodies": np.empty((room + known, 2), dtype=np.int64),
         }
-        return struct("look", "Look")(
+        return struct("near_pairs", "Scan")(
             pairs=pairs,
             near=self._kernel.address("near"),
             places=places,

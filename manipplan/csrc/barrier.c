@@ -83,7 +83,7 @@ static double sum(const Eight *x) {
 }
 
 /* Slacks, time and logarithms at z (k - 1). Returns 0 where a limit is exceeded. */
-static int look(const Motion *p, const double *z, State *at) {
+static int evaluate(const Motion *p, const double *z, State *at) {
     long k = p->points, stride = p->stride;
     double *c = at->c;
     memcpy(c + 1, z, (size_t)(k - 1) * sizeof *c);
@@ -252,11 +252,11 @@ static long centre(const Motion *p, const Descent *how, double weight, double ce
         if (!isfinite(decrement) || decrement < centred) break;
         for (;; size /= 2) {
             if (size <= 1e-9) {
-                look(p, z, at);
+                evaluate(p, z, at);
                 return steps;
             }
             for (long i = 0; i < count; i++) next[i] = z[i] + size * step[i];
-            if (!look(p, next, at)) continue;
+            if (!evaluate(p, next, at)) continue;
             after = weight * at->time - at->logs;
             if (after <= value - how->sufficient * size * decrement) break;
         }
@@ -292,7 +292,7 @@ long manipplan_descend(const Motion *p, const Descent *how, double *z) {
     double *step, *next, *all = room(p, &at, &model, &step, &next);
     if (!all) return -2;
     long steps = -1;
-    if (look(p, z, &at)) {
+    if (evaluate(p, z, &at)) {
         steps = 0;
         for (double weight = how->begin * how->count / at.time;; weight *= how->heavier) {
             int last = how->count / weight < how->gap * at.time;
@@ -312,7 +312,7 @@ long manipplan_enter(const Motion *p, double *z, double factor, long most) {
     double *step, *next, *all = room(p, &at, &model, &step, &next);
     if (!all) return -2;
     long times = 0;
-    while (times < most && !look(p, z, &at)) {
+    while (times < most && !evaluate(p, z, &at)) {
         for (long i = 0; i < p->points - 1; i++) z[i] *= factor;
         times++;
     }

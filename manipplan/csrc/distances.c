@@ -654,7 +654,7 @@ static double reach_of(const Search *s, long obstacle) {
 
 /* Note bounds on a distance. `apart`: whether the cores do not meet; where they do and the depth is not known, there are no bounds.
    Returns whether this is the smallest distance so far. */
-static int tell(Search *s, long obstacle, int apart, double low, double high) {
+static int note(Search *s, long obstacle, int apart, double low, double high) {
     if (s->out) {
         double *best = s->out + pair_with(s, obstacle);
         int exact = apart && high - low <= 1e3 * EXACT;
@@ -743,10 +743,10 @@ static double depth_of_triangles(const Core *one, const Core *two) {
 
 /* Note that the body, or a leaf of it, meets a leaf of an obstacle; `simplex` is what `bounds` left. Returns whether this is the
    deepest overlap so far. */
-static int tell_depth(Search *s, long obstacle, const Core *one, const Core *leaf, const Simplex *simplex) {
+static int note_depth(Search *s, long obstacle, const Core *one, const Core *leaf, const Simplex *simplex) {
     double depth, radii = s->w->radius[s->body] + s->w->radius[obstacle];
     if (!s->out) {
-        tell(s, obstacle, 0, 0, 0);
+        note(s, obstacle, 0, 0, 0);
         return 1;
     }
     if (s->w->kind[s->body] == SURFACE) depth = depth_of_triangles(one, leaf);
@@ -755,7 +755,7 @@ static int tell_depth(Search *s, long obstacle, const Core *one, const Core *lea
         return 0;
     }
     if (-depth - radii >= s->out[pair_with(s, obstacle)]) return 0;
-    tell(s, obstacle, 1, -depth - radii, -depth - radii);
+    note(s, obstacle, 1, -depth - radii, -depth - radii);
     return 1;
 }
 
@@ -778,9 +778,9 @@ static void one_leaf(Search *s, long obstacle, long at, double reach, const doub
     memcpy(towards, direction, sizeof towards);
     int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
     if (!apart) {
-        if (tell_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
+        if (note_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
     } else if (low <= reach) {
-        if (tell(s, obstacle, apart, low, high)) s->leaf = at;
+        if (note(s, obstacle, apart, low, high)) s->leaf = at;
         s->plane = plane;
     }
 }
@@ -880,8 +880,8 @@ static void two_leaves(Two *two, long a, long b) {
                              &simplex);
     if (apart && low > enough) return;
     if (!apart) {
-        if (!tell_depth(s, two->obstacle, &one, &other, &simplex)) return;
-    } else if (!tell(s, two->obstacle, apart, low, high)) return;
+        if (!note_depth(s, two->obstacle, &one, &other, &simplex)) return;
+    } else if (!note(s, two->obstacle, apart, low, high)) return;
     s->own = a, s->leaf = b;
     memcpy(two->towards, towards, sizeof towards);
 }
@@ -943,7 +943,7 @@ static int is_around(const World *w, long solid, long body, const double *frame)
 }
 
 /* Compare a body that is a surface with another one. */
-static void look_at_surfaces(Search *s, long obstacle, Two *two) {
+static void visit_surfaces(Search *s, long obstacle, Two *two) {
     const World *w = s->w;
     long one = s->body;
     two->s = s, two->obstacle = obstacle, two->radii = w->radius[one] + w->radius[obstacle];
@@ -958,7 +958,7 @@ static void look_at_surfaces(Search *s, long obstacle, Two *two) {
 }
 
 /* Compare a convex body with a surface. */
-static void look_at_surface(Search *s, long obstacle, Core *core, double *frame, double *centre) {
+static void visit_surface(Search *s, long obstacle, Core *core, double *frame, double *centre) {
     const World *w = s->w;
     const double *there = w->frames + 12 * w->joint[obstacle];
     s->frame = w->frames + 12 * w->joint[s->body], s->centre = w->centres + 3 * s->body;
@@ -976,7 +976,7 @@ static void look_at_surface(Search *s, long obstacle, Core *core, double *frame,
 }
 
 /* Compare the body, convex or a surface, with a surface that may be closed, as the body may. */
-static void look_at_solid(Search *s, long obstacle) {
+static void visit_solid(Search *s, long obstacle) {
     const World *w = s->w;
     int both = w->kind[s->body] == SURFACE;
     const Core *kept = s->core;
@@ -984,12 +984,12 @@ static void look_at_solid(Search *s, long obstacle) {
     Two two;
     double frame[12], centre[3], radii = w->radius[s->body] + w->radius[obstacle], *best = s->out ? s->out + pair_with(s, obstacle) : 0;
     s->leaf = s->own = -1, s->inside = s->failed = s->moves = 0, s->closer = 0;
-    if (both) look_at_surfaces(s, obstacle, &two);
-    else look_at_surface(s, obstacle, &core, frame, centre);
+    if (both) visit_surfaces(s, obstacle, &two);
+    else visit_surface(s, obstacle, &core, frame, centre);
     int closed = w->size[3 * obstacle] > 0, apart = !best || *best > -radii || s->leaf < 0;
     if (!ended(s, obstacle) && apart) {
         double v[3] = {1, 0, 0}, p[3], back[12];
-        if (s->failed) tell(s, obstacle, 0, 0, 0);
+        if (s->failed) note(s, obstacle, 0, 0, 0);
         else if (both) {
             s->inside = closed && is_around(w, obstacle, s->body, two.frame);
             if (!s->inside && w->size[3 * s->body] > 0) {
@@ -1001,14 +1001,14 @@ static void look_at_solid(Search *s, long obstacle) {
             s->inside = within(w, obstacle, p);
         }
     }
-    if (s->inside && !best) tell(s, obstacle, 0, 0, 0);
+    if (s->inside && !best) note(s, obstacle, 0, 0, 0);
     else if (s->inside) {
         double far = INFINITY;
         if (s->leaf >= 0 && *best < s->reach) far = *best;
         else {                                              /* farther inside than distances are looked for */
             Search deep = *s;
             deep.pairs = 0, deep.pair = 0, deep.reach = INFINITY, deep.out = &far, deep.count = 0, deep.guess = 0;
-            if (both) look_at_surfaces(&deep, obstacle, &two);
+            if (both) visit_surfaces(&deep, obstacle, &two);
             else {
                 deep.plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
                 Plane plane = deep.plane;
@@ -1016,7 +1016,7 @@ static void look_at_solid(Search *s, long obstacle) {
             }
             s->leaf = deep.leaf, s->own = deep.own, s->plane = deep.plane;
         }
-        tell(s, obstacle, !isnan(far), -fabs(far), -fabs(far));
+        note(s, obstacle, !isnan(far), -fabs(far), -fabs(far));
     }
     if (both) memcpy(s->plane.normal, two.towards, sizeof two.towards);
     s->core = kept;
@@ -1031,30 +1031,30 @@ static int are_far(const World *w, long one, long two, double reach) {
 }
 
 /* Compare the body with another one; `box`: one around that in the world, or 0. */
-static void look_at(Search *s, long obstacle, const double *box) {
+static void visit(Search *s, long obstacle, const double *box) {
     const World *w = s->w;
     if (pair_with(s, obstacle) < 0 || ended(s, obstacle)) return;
     long kind = w->kind[obstacle], own = w->kind[s->body];
     double low = -INFINITY, high = INFINITY;
     if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) {
-        tell(s, obstacle, 1, low, high);
+        note(s, obstacle, 1, low, high);
     } else if (kind == HALFSPACE) {
         low = over_plane(w, s->body, s->core, obstacle);
-        if (low <= reach_of(s, obstacle)) tell(s, obstacle, 1, low, low);
+        if (low <= reach_of(s, obstacle)) note(s, obstacle, 1, low, low);
     } else if (own == SURFACE) {
         if (are_far(w, s->body, obstacle, reach_of(s, obstacle))) return;
-        if (kind == SURFACE) look_at_solid(s, obstacle);
+        if (kind == SURFACE) visit_solid(s, obstacle);
         else {                                              /* the other way round */
             Core core;
             Search turned = *s;
             core_of(w, obstacle, &core);
             turned.body = obstacle, turned.core = &core, turned.pairs = 0, turned.pair = pair_with(s, obstacle);
-            look_at_solid(&turned, s->body);
+            visit_solid(&turned, s->body);
             s->verdict = turned.verdict, s->own = turned.leaf, s->leaf = -1;
         }
     } else if (kind == SURFACE) {
         if (w->joint[obstacle] > 0 && are_far(w, s->body, obstacle, reach_of(s, obstacle))) return;
-        look_at_solid(s, obstacle);
+        visit_solid(s, obstacle);
     } else {
         double towards[3], reach = reach_of(s, obstacle);
         const double *a = w->centres + 3 * s->body, *b = w->centres + 3 * obstacle;
@@ -1075,7 +1075,7 @@ static void look_at(Search *s, long obstacle, const double *box) {
         if (guess) keep_guess(guess, s->core, &other, towards, &simplex, apart);
         if (!apart && s->out && depth_of(s->core, &other, &simplex, &depth, 0, 0, 0))
             apart = 1, low = high = -depth - w->radius[s->body] - w->radius[obstacle];
-        if (!apart || low <= reach) tell(s, obstacle, apart, low, high);
+        if (!apart || low <= reach) note(s, obstacle, apart, low, high);
     }
 }
 
@@ -1084,7 +1084,7 @@ static void descend(Search *s, long node) {
     const double *box = w->node_box + 6 * node, reaches = s->reach + w->ball[4 * s->body + 3];
     if (square_from_box(w->centres + 3 * s->body, box) > reaches * reaches || (!s->out && s->verdict == TOUCHING)) return;
     const long *child = w->node + 2 * node;
-    if (child[0] < 0) look_at(s, child[1], box);
+    if (child[0] < 0) visit(s, child[1], box);
     else descend(s, child[0]), descend(s, child[1]);
 }
 
@@ -1129,7 +1129,7 @@ static int examine(const World *w, const double *q, double reach, long *count, d
         Core core;
         core_of(w, one, &core);
         Search s = {w, one, &core, 0, w->self[3 * k + 2], reach, out, count, verdict, -1, {{0}, 0}, guess};
-        look_at(&s, two, 0);
+        visit(&s, two, 0);
         verdict = s.verdict;
         if (!out && verdict == TOUCHING) return TOUCHING;
     }
@@ -1215,7 +1215,7 @@ static double pair_distance(const World *w, const double *q, long one, long two,
     Core core;
     core_of(w, one, &core);
     Search s = {w, one, &core, 0, 0, reach, &out, 0, FREE, -1, {{0}, 0}, guess};
-    look_at(&s, two, 0);
+    visit(&s, two, 0);
     *leaf = s.leaf;
     return out;
 }
@@ -1375,7 +1375,7 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
         double least = INFINITY;
         const double *there = w->frames + 12 * w->joint[two];
         Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, 0};
-        look_at_solid(&s, two);
+        visit_solid(&s, two);
         if (isnan(least) || s.leaf < 0) return 0;
         inside = s.inside;
         leaf_core(w->corners + 9 * s.leaf, axes, &other), other.frame = there;

@@ -61,7 +61,7 @@ static void forward(const Screws *arm, const double *q, State *at) {
 }
 
 /* The pose, the Jacobian and the error at q; returns the largest entry of the error. */
-static double look(const Screws *arm, const double *target, const double *q, State *at) {
+static double evaluate(const Screws *arm, const double *target, const double *q, State *at) {
     forward(arm, q, at);
     for (long i = 0; i < 3; i++) at->error[i] = target[4 * i + 3] - at->pose[i][3];
     /* R = target poseᵀ; its skew part is sin(angle) axis */
@@ -131,17 +131,17 @@ static int step(long n, const State *at, const char *held, double damping, doubl
    reduce the error is rejected. work: see `state_in`; held (n): scratch space. */
 static void refine(const Screws *arm, const double *target, double *q, long steps, double tolerance, double *work, char *held) {
     State at = state_in(arm, work);
-    double *trial = work + 6 * arm->n, damping = LEAST, miss = look(arm, target, q, &at);
+    double *trial = work + 6 * arm->n, damping = LEAST, miss = evaluate(arm, target, q, &at);
     for (long j = 0; j < arm->n; j++) held[j] = !arm->moves[j];
     for (long k = 0; k < steps && !(miss <= tolerance || damping > 1e-2); k++) {
         if (!step(arm->n, &at, held, 0.0, damping, q, trial)) break;
-        double nearer = look(arm, target, trial, &at);
+        double nearer = evaluate(arm, target, trial, &at);
         if (nearer < miss) {
             miss = nearer, damping = larger(damping / 100, LEAST);
             for (long j = 0; j < arm->n; j++) q[j] = trial[j];
         } else {  /* near a singularity, where only short steps reduce the error */
             damping *= 10;
-            look(arm, target, q, &at);
+            evaluate(arm, target, q, &at);
         }
     }
 }
@@ -158,7 +158,7 @@ static double squared(const double error[6]) {
 static double search(const Screws *arm, const double *target, const double *lower, const double *upper, double *q, long steps,
                      double tolerance, double *work, char *held) {
     State at = state_in(arm, work);
-    double *trial = work + 6 * arm->n, damping = DAMPING, miss = look(arm, target, q, &at), square = squared(at.error);
+    double *trial = work + 6 * arm->n, damping = DAMPING, miss = evaluate(arm, target, q, &at), square = squared(at.error);
     for (long k = 0; k < steps && !(miss <= tolerance); k++) {
         for (long j = 0; j < arm->n; j++) {
             double gradient = 0.0;
@@ -168,7 +168,7 @@ static double search(const Screws *arm, const double *target, const double *lowe
         if (!step(arm->n, &at, held, damping * square, LEAST, q, trial)) break;
         for (long j = 0; j < arm->n; j++)
             if (!held[j]) trial[j] = smaller(larger(trial[j], lower[j]), upper[j]);
-        miss = look(arm, target, trial, &at);
+        miss = evaluate(arm, target, trial, &at);
         double now = squared(at.error);
         if (now < square) {
             int stalled = now > 0.999 * square && damping > 1e3;
@@ -177,7 +177,7 @@ static double search(const Screws *arm, const double *target, const double *lowe
             if (stalled) break;
         } else {
             damping *= 8;
-            miss = look(arm, target, q, &at);
+            miss = evaluate(arm, target, q, &at);
             if (damping > 1e6) break;
         }
     }

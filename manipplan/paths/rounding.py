@@ -1,4 +1,4 @@
-"""Rounding to few bits, so that rounding errors of linear algebra do not change the course of an iteration.
+"""Rounding to few bits, so that rounding errors of linear algebra do not change what an iteration does.
 
 Processors add up in different orders, so results of a solver differ in their last digits. An iteration can amplify such
 differences from step to step, until they lead to another local optimum. Rounded steps are the same on every processor,

@@ -230,7 +230,7 @@ COARSE = 0.7
 class TimingProblem:
     """Data shared by all pieces of a path."""
 
-    course: MovingPath
+    moving: MovingPath
     limits: LimitsAlong
     names: tuple[str, ...]
     torque_model: pin.Model | None
@@ -266,14 +266,14 @@ class TimedPiece:
 
 def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """The motion from s = a to s = b without jerk limits, by toppra. `start` and `end` are speeds [rad/s]; 0: a stop."""
-    curve = ArcLength(problem.course.path, a, b)
+    curve = ArcLength(problem.moving.path, a, b)
     points = curve.grid(grid, problem.limits.edges)
     asked = problem.dynamics(curve, points)
     moving = start > 0 or end > 0
 
     def solve(tightening: LimitTightening) -> Profile | None:
         try:
-            speed = fastest_speeds(tightening.of(asked), problem.names, problem.course.given, start, end)
+            speed = fastest_speeds(tightening.of(asked), problem.names, problem.moving.given, start, end)
         except (InvalidInputError, PlanningError):
             if not tightening.rounds:
                 raise
@@ -286,7 +286,7 @@ def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: 
         remedy = "; a lower start_speed or end_speed may help" if moving else ""
         return PlanningError(
             f"no motion within the limits was found: {worst} stays at {use[worst][k]:.6g} times its limit at "
-            f"s = {problem.course.given(float(s[k])):.4f}{remedy}"
+            f"s = {problem.moving.given(float(s[k])):.4f}{remedy}"
         )
 
     tightening = LimitTightening(len(points), (start > 0, end > 0))
@@ -303,12 +303,12 @@ def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array
         if slower <= 1:
             return TimedPiece(trajectory=trajectory, ideal=motion.duration)
         factor *= slower * (1 + SPARE)
-    raise PlanningError(f"no motion within the limits was found on the straight line from s = {problem.course.given(a):.4f}")
+    raise PlanningError(f"no motion within the limits was found on the straight line from s = {problem.moving.given(a):.4f}")
 
 
 def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """As `stepped_piece`, with jerk limits: solved on two grids, the second made for the motion found on the first."""
-    curve = ArcLength(problem.course.path, a, b)
+    curve = ArcLength(problem.moving.path, a, b)
     edges = problem.limits.edges
     grid = max(grid, SMOOTH_LEAST)
     moving = start > 0 or end > 0
@@ -320,7 +320,7 @@ def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: f
 
     def check_other_limits() -> None:
         """Raises, with the reason, when no motion is within the limits other than jerk."""
-        fastest_speeds(asked, problem.names, problem.course.given, start, end)
+        fastest_speeds(asked, problem.names, problem.moving.given, start, end)
 
     def failure(*_: object) -> Exception:
         if not moving:

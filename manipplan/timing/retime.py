@@ -82,16 +82,16 @@ def retime(
     parts = check_segments(segments, limits)
     if path.length < COINCIDENT:
         raise InvalidInputError("path", f"length {path.length:g}", f"a path with a length of at least {COINCIDENT:g}")
-    course = MovingPath(path)
-    places = course.here(np.array([[part.begin, part.end] for part in parts]).reshape(-1, 2))
+    moving = MovingPath(path)
+    places = moving.here(np.array([[part.begin, part.end] for part in parts]).reshape(-1, 2))
     along = LimitsAlong(limits, parts, places)
     if torque_model is not None:
         _check_statics(path, limits, torque_model, names)
     tool = ToolSpeed(robot) if along.has_tool_speed else None
-    problem = TimingProblem(course=course, limits=along, names=names, torque_model=torque_model, tool=tool)
+    problem = TimingProblem(moving=moving, limits=along, names=names, torque_model=torque_model, tool=tool)
     found = []
     for points, standstill in ((grid, STANDSTILL), (4 * grid, STANDSTILL), (grid, NEAR_STANDSTILL)):
-        pieces = _pieces(problem, stops(course.path, standstill), points, speeds)
+        pieces = _pieces(problem, stops(moving.path, standstill), points, speeds)
         found.append(joined([piece.trajectory for piece in pieces]))
         if found[-1].duration <= CLOSE_TO_IDEAL * sum(piece.ideal for piece in pieces):
             break
@@ -101,7 +101,7 @@ def retime(
 def _pieces(problem: TimingProblem, at: list[float], grid: int, speeds: tuple[float, float]) -> list[TimedPiece]:
     """The motions between all stops."""
     pieces = []
-    path = problem.course.path
+    path = problem.moving.path
     for k, (a, b) in enumerate(pairwise(at)):
         start = speeds[0] if k == 0 else 0.0
         end = speeds[1] if k == len(at) - 2 else 0.0

@@ -15,7 +15,7 @@ from manipplan.support.errors import CompilerError
 STRUCTS = {
     "body_motion": ["Arm"],
     "distances": ["World"],
-    "look": ["Dips", "Look", "Bracket", "Found"],
+    "near_pairs": ["Dips", "Scan", "Bracket", "Found"],
     "panels": ["Integral"],
     "inverse": ["Form", "Samples", "Solutions", "Screws", "Vector", "Turns"],
     "curves": ["Curve"],

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.programs.courses import Finders, LegFailure, _along, _on_path
+from manipplan.jobs.programs.leg_motions import Finders, LegFailure, _along, _on_path
 from manipplan.optimize.result import NoPath
 from manipplan.search.sampling import sample_layers
 

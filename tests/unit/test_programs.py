@@ -13,7 +13,7 @@ from program_cell import DOWN, pose_at
 import manipplan as mp
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.blend import is_corner
-from manipplan.jobs.programs.courses import RawMotion
+from manipplan.jobs.programs.leg_motions import RawMotion
 from manipplan.jobs.programs.legs import State, read_steps
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN

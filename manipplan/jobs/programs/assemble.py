@@ -15,7 +15,7 @@ from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.measure import measure_plan
 from manipplan.jobs.programs.blend import HULL, Blend, blend_of, find_unblended, is_corner, with_blends
-from manipplan.jobs.programs.courses import RawMotion, Stop
+from manipplan.jobs.programs.leg_motions import RawMotion, Stop
 from manipplan.jobs.programs.legs import Leg, State
 from manipplan.jobs.programs.program import Mark, Program
 from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep

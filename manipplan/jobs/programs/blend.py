@@ -13,7 +13,7 @@ import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet, prove
-from manipplan.jobs.programs.courses import RawMotion
+from manipplan.jobs.programs.leg_motions import RawMotion
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath, bernstein, cut, raised

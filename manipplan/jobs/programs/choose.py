@@ -16,7 +16,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
-from manipplan.jobs.programs.courses import Finders, LegFailure, LegMotion, Node, RawMotion, course_of
+from manipplan.jobs.programs.leg_motions import Finders, LegFailure, LegMotion, Node, RawMotion, motion_of_leg
 from manipplan.jobs.programs.legs import Leg, State, rounded
 from manipplan.jobs.result import Plan
 from manipplan.optimize.result import NoPath
@@ -43,18 +43,18 @@ Planner = Callable[[Leg, Array, Array, State], Plan | NoPath]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Chosen:
-    """A complete program: for each leg its node, its free motion (None where there is none) and its course."""
+    """A complete program: for each leg its node, its free motion (None where there is none) and the motion along its paths."""
 
     nodes: tuple[int, ...]
     free: tuple[Plan | None, ...]
-    courses: tuple[LegMotion, ...]
+    along: tuple[LegMotion, ...]
 
     @property
     def minimum(self) -> float:
         """The smallest manipulability on all its motions."""
         return min(
             *(each.report.min_manipulability for each in self.free if each is not None),
-            *(each.minimum for each in self.courses),
+            *(each.minimum for each in self.along),
             np.inf,
         )
 
@@ -70,7 +70,7 @@ class ProgramSearch:
         objective, clearance: of all motions.
         planner: plans free motions.
         deadline: in `work_time` [s]; after it no further program is tried.
-        failures: why free motions or courses failed.
+        failures: why free motions or motions along paths failed.
     """
 
     legs: list[Leg]
@@ -85,7 +85,7 @@ class ProgramSearch:
 
     def __post_init__(self) -> None:
         self._finders = Finders(objective=self.objective, clearance=self.clearance)
-        self._courses: dict[tuple[object, ...], LegMotion | LegFailure] = {}
+        self._made_motions: dict[tuple[object, ...], LegMotion | LegFailure] = {}
         self._free: dict[tuple[object, ...], Plan | NoPath] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
@@ -163,25 +163,25 @@ class ProgramSearch:
         """
         q, state, before = self.start, self.state, 0
         free: list[Plan | None] = []
-        courses: list[LegMotion] = []
+        along: list[LegMotion] = []
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
             notify(k / len(self.legs), f"step {leg.number}")
-            course = self._course(k, node, state)
+            motion = self._motion_of_leg(k, node, state)
             # a part is carried in the same way after all that end with the tool in the same pose
             rows = self._tools[k] == self._tools[k][before] if state.history else np.ones(len(self._tools[k]), dtype=bool)
-            if isinstance(course, LegFailure):
-                ends = self._tools[k + 1] if course.always else np.arange(len(self.nodes[k]))
+            if isinstance(motion, LegFailure):
+                ends = self._tools[k + 1] if motion.always else np.arange(len(self.nodes[k]))
                 self._between[k][np.ix_(rows, ends == ends[node])] = -np.inf
-                self.failures.append(course.message)
+                self.failures.append(motion.message)
                 return None
-            self._between[k][rows, node] = np.minimum(self._between[k][rows, node], course.minimum)
-            if course.minimum <= least:
+            self._between[k][rows, node] = np.minimum(self._between[k][rows, node], motion.minimum)
+            if motion.minimum <= least:
                 return None
             if not self.nodes[k][node].is_given:
-                course = _turned(course, q, state)
+                motion = _turned(motion, q, state)
             plan = None
-            if leg.is_free and np.abs(course.entry - q).max() >= COINCIDENT:
-                made = self._motion(k, before, node, q, course.entry, state)
+            if leg.is_free and np.abs(motion.entry - q).max() >= COINCIDENT:
+                made = self._free_motion(k, before, node, q, motion.entry, state)
                 self._planned[k][before, node] = True
                 kept = -np.inf if isinstance(made, NoPath) else made.report.min_manipulability
                 self._between[k][before, node] = min(self._between[k][before, node], kept)
@@ -193,22 +193,22 @@ class ProgramSearch:
                     return None
                 plan = made
             free.append(plan)
-            courses.append(course)
-            q, state, before = course.exit, course.state, node
-        return Chosen(nodes=nodes, free=tuple(free), courses=tuple(courses))
+            along.append(motion)
+            q, state, before = motion.exit, motion.state, node
+        return Chosen(nodes=nodes, free=tuple(free), along=tuple(along))
 
-    def _course(self, k: int, node: int, state: State) -> LegMotion | LegFailure:
+    def _motion_of_leg(self, k: int, node: int, state: State) -> LegMotion | LegFailure:
         key = (k, node, state.history)
-        if key not in self._courses:
+        if key not in self._made_motions:
             here, leg = self.nodes[k][node], self.legs[k]
             q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
             if isinstance(q, NoPath):
-                self._courses[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
+                self._made_motions[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
-                self._courses[key] = course_of(leg, q, state, self._finders, here.found)
-        return self._courses[key]
+                self._made_motions[key] = motion_of_leg(leg, q, state, self._finders, here.found)
+        return self._made_motions[key]
 
-    def _motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | NoPath:
+    def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | NoPath:
         key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
         if key not in self._free:
             self._free[key] = self.planner(self.legs[k], q, entry, state)
@@ -260,23 +260,23 @@ def reached(target: Target, q: Array, robot: Robot) -> Array | NoPath:
     return NoPath(message=missed)
 
 
-def _turned(course: LegMotion, q: Array, state: State) -> LegMotion:
-    """The course with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
+def _turned(motion: LegMotion, q: Array, state: State) -> LegMotion:
+    """The motion with its joints turned to the nearest to q (n,) with which all its motions stay inside the limits."""
     robot = state.robot
-    bounds = np.array([each.path.bounds() for each in course.items if isinstance(each, RawMotion)])
-    low, high = (course.entry, course.entry) if not len(bounds) else (bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0))
+    bounds = np.array([each.path.bounds() for each in motion.items if isinstance(each, RawMotion)])
+    low, high = (motion.entry, motion.entry) if not len(bounds) else (bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0))
     turn = np.where(robot.turns, 2 * np.pi, np.inf)
     least, most = np.ceil((robot.limits.lower - low) / turn), np.floor((robot.limits.upper - high) / turn)
-    turns = np.clip(np.round((q - course.entry) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
+    turns = np.clip(np.round((q - motion.entry) / turn), np.minimum(least, 0.0), np.maximum(most, 0.0))
     shift = np.where(turns == 0, 0.0, np.where(robot.turns, turn, 0.0) * turns)
     if not shift.any():
-        return course
+        return motion
     items = tuple(
         replace(each, path=JointPath(breaks=each.path.breaks, control=each.path.control + shift))
         if isinstance(each, RawMotion)
         else replace(each, q=each.q + shift)
-        for each in course.items
+        for each in motion.items
     )
     return LegMotion(
-        entry=course.entry + shift, items=items, exit=course.exit + shift, state=course.state, minimum=course.minimum
+        entry=motion.entry + shift, items=items, exit=motion.exit + shift, state=motion.state, minimum=motion.minimum
     )

@@ -9,7 +9,7 @@ from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.jobs.programs.assemble import assemble
 from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.jobs.programs.courses import Node, RawMotion, Stop, nodes_of, places_after
+from manipplan.jobs.programs.leg_motions import Node, RawMotion, Stop, nodes_of, places_after
 from manipplan.jobs.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.jobs.programs.program import Program
 from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
@@ -126,7 +126,7 @@ def sequence(
     program = assemble(
         items,
         first,
-        chosen.courses[-1].state,
+        chosen.along[-1].state,
         steps,
         {leg.number: leg for leg in legs},
         goals={leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},
@@ -183,7 +183,7 @@ def _known_after(leg: Leg, state: State) -> State:
 
 def _items(legs: Sequence[Leg], chosen: Chosen) -> Iterator[RawMotion | Stop]:
     """All motions and stops of a program in their order."""
-    for leg, free, course in zip(legs, chosen.free, chosen.courses, strict=True):
+    for leg, free, motion in zip(legs, chosen.free, chosen.along, strict=True):
         if free is not None:
             yield RawMotion(step=leg.number, path=free.path, state=State(robot=free.robot, scene=free.scene))
-        yield from course.items
+        yield from motion.items

@@ -1,4 +1,4 @@
-"""Courses: the motions of a leg along paths of the tool, from a configuration in which it begins.
+"""The motions of a leg along paths of the tool, from a configuration in which it begins.
 
 Nodes: the configurations in which the free motion of a leg may end, with bounds on the manipulability that they allow.
 """
@@ -90,7 +90,7 @@ class LegMotion:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LegFailure:
-    """Why there is no course, and whether there is none from any configuration with the tool in the same pose either."""
+    """Why there is no motion, and whether there is none from any configuration with the tool in the same pose either."""
 
     message: str
     always: bool = False
@@ -152,10 +152,10 @@ class Finders:
         return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance)
 
 
-def course_of(
+def motion_of_leg(
     leg: Leg, q: Array, state: State, finders: Finders, found: tuple[FirstConfigurations, int] | None
 ) -> LegMotion | LegFailure:
-    """The course of a leg whose goal is reached at q (n,), or why there is none.
+    """The motion of a leg whose goal is reached at q (n,), or why there is none.
 
     `found`: for a leg that begins on a path, the configurations in which it can begin, and the index of q among them.
     """

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ASKING = -1, MORE_ROOM = -2 };   /* what `manipplan_look` returns when it is not done */
+enum { ASKING = -1, MORE_ROOM = -2 };   /* what `manipplan_near_pairs` returns when it is not done */
 enum { GUESS = 22 };                    /* as in distances.c */
 
 typedef struct {
@@ -84,7 +84,7 @@ static long find_bottoms(const Dips *d, const long *bodies, long m, Bracket *bra
 }
 
 typedef struct {
-    long stage, entries;        /* how far the look is: 0 at first; number of near pairs found */
+    long stage, entries;        /* how far the scan is: 0 at first; number of near pairs found */
     long pairs;                 /* number of pairs */
     const long *bodies;         /* (pairs, 2) */
     long (*near)(const void *world, const double *q, long m, const double *reach, long room, long *where,
@@ -106,7 +106,7 @@ typedef struct {
     long most_dips;             /* maximum number of brackets apart from those around known places: the lowest */
     long dips;                  /* number of brackets */
     long *bracket_bodies;       /* work: (room + known, 2) */
-} Look;
+} Scan;
 
 typedef struct {
     double distance, s;         /* signed distance [m], place on the curve */
@@ -123,7 +123,7 @@ static int order(const void *one, const void *two) {
 }
 
 /* Order the near pairs of one place, from `begin` to `end`, by their numbers. They are few. */
-static void order_pairs(const Look *l, long begin, long end) {
+static void order_pairs(const Scan *l, long begin, long end) {
     for (long k = begin + 1; k < end; k++) {
         long where = l->where[k], i = k;
         double distance = l->distance[k];
@@ -133,7 +133,7 @@ static void order_pairs(const Look *l, long begin, long end) {
 }
 
 /* Measure the near pairs of every place. Returns whether the kernel could tell all distances; the others are NaN. */
-static int measure(const Dips *d, Look *l, double band) {
+static int measure(const Dips *d, Scan *l, double band) {
     for (long i = 0; i < l->places; i++) {
         double wide = l->target + (i % l->spacing == 0 && band > l->farthest ? band : l->farthest);
         l->reach[i] = wide > 0 ? wide : 0;
@@ -146,7 +146,7 @@ static int measure(const Dips *d, Look *l, double band) {
 }
 
 /* Keep the pairs that are nearer than the reach of their place, ordered, with rounded distances. */
-static void tidy(const Dips *d, Look *l) {
+static void tidy(const Dips *d, Scan *l) {
     long kept = 0;
     for (long k = 0; k < l->entries; k++) {
         if (l->distance[k] >= l->reach[l->where[k] / l->pairs]) continue;
@@ -162,7 +162,7 @@ static void tidy(const Dips *d, Look *l) {
 
 /* The distance of the entry `wanted` (row times pairs plus pair), at most `most`; `most` as well if there is none from `start` on
    and before `end`. `start` moves to it. */
-static double beside(const Look *l, long *start, long end, long wanted, double most) {
+static double beside(const Scan *l, long *start, long end, long wanted, double most) {
     while (*start < end && l->where[*start] < wanted) ++*start;
     return *start < end && l->where[*start] == wanted ? fmin(l->distance[*start], most) : most;
 }
@@ -184,7 +184,7 @@ static int lower(const void *one, const void *two) {
 }
 
 /* Brackets around the dips that may be near the target, and around the known places. */
-static void place_brackets(Look *l) {
+static void place_brackets(Scan *l) {
     double most = l->target + l->farthest, step = 1.0 / (double)(l->places - 1);
     long found = 0, before = 0, after = 0;
     for (long k = 0; k < l->entries; k++) {
@@ -219,7 +219,7 @@ static void place_brackets(Look *l) {
    the target plus `band`, and the bottoms of dips, ordered. out: (2 room + known). Returns their number; MORE_ROOM where there is
    no room; ASKING where the kernel cannot tell a distance. Then the caller puts it in place of NaN in `distance` (stage 1), or in
    `left`, `least` and `right` of a bracket or, where `next` is a place, into `found` (stage 2), and calls again. */
-long manipplan_look(const Dips *d, Look *l, double band, Found *out) {
+long manipplan_near_pairs(const Dips *d, Scan *l, double band, Found *out) {
     long all = 0, asking = 0;
     if (l->stage == 0) {
         int known = measure(d, l, band);
