@@ -22,11 +22,11 @@ from rich.progress import track
 
 import manipplan as mp
 from manipplan.cost.crossings import least_crossings
-from manipplan.kinematics.factors import sides_of
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.seeds import task
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.ompl import OmplSearch
-from manipplan.seeds.task import SIDES_STEP
+from manipplan.seeds.task import SIGNS_STEP
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "seeds.md"
 PLANNERS = {"auto": "ours", "RRTConnect": "OMPL's RRTConnect"}
@@ -88,9 +88,9 @@ def outcome(robot: mp.Robot, problem: problems.Problem, planner: str, clock: Clo
     if path is not None:
         found = {"length": path.length, "proven": problem.scene.path_clearance(robot, path).proven}
         kinematics = robot.kinematics()
-        sides = sides_of(kinematics)
-        if sides is not None:
-            changes = sides.changes(path(path.fine_samples(SIDES_STEP)))
+        signs = singularity_signs(kinematics)
+        if signs is not None:
+            changes = signs.changes(path(path.fine_samples(SIGNS_STEP)))
             found["more"] = changes - least_crossings(kinematics, problem.start, problem.goal)
     return Outcome(
         shelf=problem.set.startswith("bookshelf"),

@@ -355,12 +355,12 @@ class _Bisection:
         change = np.maximum(q - low, high - q)
         self.upper, row, pair = self.model.least_distance(q)
         self.nearest = float(middles[row]), pair
-        rows, pairs, bounds = self._look_at_all(q, change, middles)
+        rows, pairs, bounds = self._measure_all(q, change, middles)
         times = lengths[rows]
         inside = np.arange(times.sum()) - np.repeat(np.cumsum(times) - times, times)
         return np.repeat(first[rows], times) + inside, np.repeat(pairs, times), np.repeat(bounds, times)
 
-    def _look_at_all(self, q: Array, change: Array, middles: Array) -> tuple[BodyIndices, BodyIndices, Array]:
+    def _measure_all(self, q: Array, change: Array, middles: Array) -> tuple[BodyIndices, BodyIndices, Array]:
         """Measure all pairs at the middles q (m, n) of intervals; returns row, pair and bound of those to cut."""
         most = self.motion.largest(q, change)
         beyond = np.maximum(self._target + most + 2 * SLACK, self.upper)

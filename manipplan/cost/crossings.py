@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from manipplan.cost.density import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
-from manipplan.kinematics.factors import SingularitySigns, sides_of
+from manipplan.kinematics.factors import SingularitySigns, singularity_signs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.paths.joint import JointPath
@@ -105,9 +105,9 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
     ends = {s: q for s, q in ends.items() if _loses_rank(kinematics, q)}
     if len(ends) == 2 and all(_loses_rank(kinematics, each[None]) for each in path(np.linspace(0.0, 1.0, ALONG))):
         return ()
-    sides = sides_of(kinematics)
-    if sides is not None:
-        found = _sign_changes(path, sides)
+    signs = singularity_signs(kinematics)
+    if signs is not None:
+        found = _sign_changes(path, signs)
         met = [(s, kind) for s, kind in found if not any(_is_part_of(path, kinematics, s, kind, end) for end in ends)]
     else:
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
@@ -133,11 +133,11 @@ def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | 
 
 def least_crossings_to(kinematics: Kinematics, start: Array, goals: Array) -> list[int] | list[None]:
     """The same for paths from one configuration (n,) to several (k, n)."""
-    sides = sides_of(kinematics)
-    if sides is None:
+    signs = singularity_signs(kinematics)
+    if signs is None:
         return [None] * len(goals)
     counts = np.zeros(len(goals), dtype=np.int64)
-    for k, joint in enumerate(sides.joints):
+    for k, joint in enumerate(signs.joints):
         if joint is None:
             q, owners = np.vstack([np.tile(start, (len(goals), 1)), goals]), np.tile(np.arange(len(goals)), 2)
         else:
@@ -146,8 +146,8 @@ def least_crossings_to(kinematics: Kinematics, start: Array, goals: Array) -> li
             within = np.arange(len(owners)) - np.repeat(np.cumsum(steps + 1) - (steps + 1), steps + 1)
             q = np.tile(start, (len(owners), 1))
             q[:, joint] += within / steps[owners] * (goals[owners, joint] - start[joint])
-        values = sides.values(q)[:, k]
-        clear = np.flatnonzero(np.abs(values) >= sides.zero[k])
+        values = signs.values(q)[:, k]
+        clear = np.flatnonzero(np.abs(values) >= signs.zero[k])
         clear = clear[np.argsort(owners[clear], kind="stable")]
         changed = (owners[clear[1:]] == owners[clear[:-1]]) & ((values[clear[1:]] >= 0) != (values[clear[:-1]] >= 0))
         counts += np.bincount(owners[clear[1:]][changed], minlength=len(goals))
@@ -267,18 +267,18 @@ def _linear_cost(integral: PathIntegral, most: float) -> float:
     return float(most * integral.floor**-integral.power * hyp2f1(0.5, integral.power / 2, 1.5, ratio))
 
 
-def _sign_changes(path: JointPath, sides: SingularitySigns) -> list[tuple[float, str]]:
+def _sign_changes(path: JointPath, signs: SingularitySigns) -> list[tuple[float, str]]:
     """The s where a factor of det J changes its sign, with its name; of det J itself where its factors are not known."""
     s = path.fine_samples(STEP)
     found = []
-    for k, (name, values) in enumerate(zip(sides.names, sides.values(path(s)).T, strict=True)):
+    for k, (name, values) in enumerate(zip(signs.names, signs.values(path(s)).T, strict=True)):
         changes = _changes(values)
-        found += [(at, name) for at in _zeros(partial(_along, sides, k, path), s[changes], s[changes + 1])]
+        found += [(at, name) for at in _zeros(partial(_along, signs, k, path), s[changes], s[changes + 1])]
     return found
 
 
-def _along(sides: SingularitySigns, k: int, path: JointPath, s: Array) -> Array:
-    return sides.values(path(s))[:, k]
+def _along(signs: SingularitySigns, k: int, path: JointPath, s: Array) -> Array:
+    return signs.values(path(s))[:, k]
 
 
 def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
@@ -296,8 +296,8 @@ def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[
 
 def _vanishing(kinematics: Kinematics, q: Array) -> list[str]:
     """The factors that are zero at a configuration (n,)."""
-    sides = sides_of(kinematics)
-    return [] if sides is None else sides.vanishing(q)
+    signs = singularity_signs(kinematics)
+    return [] if signs is None else signs.vanishing(q)
 
 
 def _list_names(names: list[str]) -> str:

@@ -191,10 +191,10 @@ def find_candidates(
                 argument, value, allowed, min(missed, key=lambda each: np.hypot(each.position, each.rotation))
             )
         raise InvalidInputError(*refusal)
-    return [*ordered(measured(q, index.tolist(), start, integral)), *rejected]
+    return [*ordered(rate_candidates(q, index.tolist(), start, integral)), *rejected]
 
 
-def measured(q: Array, goals: Sequence[int], start: Array, integral: PathIntegral) -> list[GoalCandidate]:
+def rate_candidates(q: Array, goals: Sequence[int], start: Array, integral: PathIntegral) -> list[GoalCandidate]:
     """Candidates with all figures, for free configurations (k, n) and the indices of their goals."""
     lines = straight_lines(start, q, integral)
     return [

@@ -159,7 +159,7 @@ def robot_of(path: Path, data: Mapping[str, Any], folder: Path, given: Robot | N
         arm.joint_names != names
         or arm.tools != tools
         or parts != data["parts"]
-        or not all(_same(a, b) for a, b in zip(found, stored, strict=True))
+        or not all(_agree(a, b) for a, b in zip(found, stored, strict=True))
     ):
         said = f"{arm.name} with {', '.join(arm.joint_names)} and tool {' and '.join(arm.tools)}"
         wanted = (
@@ -201,7 +201,7 @@ def with_parts(arm: Robot, path: Path, data: Mapping[str, Any], folder: Path) ->
     return arm
 
 
-def _same(first: Array, second: Array) -> bool:
+def _agree(first: Array, second: Array) -> bool:
     return first.shape == second.shape and np.allclose(first, second, rtol=0.0, atol=REBUILT_TOLERANCE)
 
 

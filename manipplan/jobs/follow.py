@@ -304,7 +304,7 @@ def follow(
     if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
         raise InvalidInputError("objective", kinematics.task.name, wanted)
-    result = motion.measured(integral, scene, clearance)
+    result = motion.result(integral, scene, clearance)
     least = min((each.refined for each in motion.parts), key=lambda refined: refined.refinement.refined)
     draft = replace(
         draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result

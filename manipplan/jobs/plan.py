@@ -12,7 +12,7 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet, check_start
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.candidates import GoalCandidate, find_candidates, measured
+from manipplan.goals.candidates import GoalCandidate, find_candidates, rate_candidates
 from manipplan.goals.choice import choose
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import read_configuration, read_goals
@@ -202,7 +202,7 @@ def plan(
         at_goal = replace(draft, goal_index=there)
         return _standing(at_goal, q_start, integral, taken, clearance=clearance, torque=torque, throw=throw)
     if targets[0].q is not None and not is_list:
-        candidates = measured(targets[0].q[None], [0], q_start, integral)
+        candidates = rate_candidates(targets[0].q[None], [0], q_start, integral)
     else:
         if seeding.initial is not None:
             raise InvalidInputError("seeding.initial", seeding.initial, "None: a goal with a first path is one configuration")

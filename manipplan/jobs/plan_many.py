@@ -258,7 +258,7 @@ class Packer:
         return self._pickled.get(key, lambda: pickle.dumps(value))
 
 
-class _Kept(threading.local):
+class _WorkerCache(threading.local):
     """The robots and scenes of this thread."""
 
     def __init__(self) -> None:
@@ -266,21 +266,21 @@ class _Kept(threading.local):
         self.scenes: Latest[Scene] = Latest(MOST_SCENES)
 
 
-_kept = _Kept()
+_cache = _WorkerCache()
 
 
 def plan_parcel(parcel: Parcel) -> Outcome | CacheMiss:
     """In a worker: the outcome of a parcel, or what is missing to plan it."""
-    known = {parcel.robot: parcel.robot in _kept.robots, parcel.scene: parcel.scene in _kept.scenes}
-    missing = [key for key, is_kept in known.items() if not is_kept and key not in parcel.contents]
+    known = {parcel.robot: parcel.robot in _cache.robots, parcel.scene: parcel.scene in _cache.scenes}
+    missing = [key for key, is_known in known.items() if not is_known and key not in parcel.contents]
     if missing:
         return CacheMiss(keys=missing)
-    robot = _kept.robots.get(parcel.robot, lambda: pickle.loads(parcel.contents[parcel.robot]))
-    scene = _kept.scenes.get(parcel.scene, lambda: pickle.loads(parcel.contents[parcel.scene]))
-    return Outcome.of(planned(Problem(robot=robot, scene=scene, **pickle.loads(parcel.rest))))
+    robot = _cache.robots.get(parcel.robot, lambda: pickle.loads(parcel.contents[parcel.robot]))
+    scene = _cache.scenes.get(parcel.scene, lambda: pickle.loads(parcel.contents[parcel.scene]))
+    return Outcome.of(plan_problem(Problem(robot=robot, scene=scene, **pickle.loads(parcel.rest))))
 
 
-def planned(problem: Problem) -> PartialPlan:
+def plan_problem(problem: Problem) -> PartialPlan:
     """The plan of a problem; what `plan` raises becomes a status."""
     scene = obstacles_of(problem)
     draft = PartialPlan(robot=problem.robot, scene=scene, status=Status.NOT_VALID)
@@ -564,7 +564,7 @@ class _Batch:
             problem = self.shared[k]
             scene = obstacles_of(problem)
             here = scenes.get(scene_key(scene), lambda scene=scene: copy.copy(scene))  # type: ignore[misc]
-            self._done(k, Outcome.of(planned(replace(problem, scene=here))))
+            self._done(k, Outcome.of(plan_problem(replace(problem, scene=here))))
 
     def plan_on(self, executor: Executor, numbers: Sequence[int]) -> None:
         """Plan on an executor; raises BrokenExecutor as `plan_on` does."""

@@ -280,15 +280,15 @@ class SingularitySigns:
         return sum(int((np.diff(v[np.abs(v) >= zero] >= 0)).sum()) for v, zero in zip(values.T, self.zero, strict=True))
 
 
-def sides_of(kinematics: Kinematics) -> SingularitySigns | None:
-    """The sides for an arm and task, built once; None for arms with more joints than rows."""
+def singularity_signs(kinematics: Kinematics) -> SingularitySigns | None:
+    """The signs for an arm and task, built once; None for arms with more joints than rows."""
     if not kinematics.is_square:
         return None
-    return _sides(kinematics.robot, kinematics.task, kinematics.compiled, kinematics.backend)
+    return _singularity_signs(kinematics.robot, kinematics.task, kinematics.compiled, kinematics.backend)
 
 
 @once_per_owner
-def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns:
+def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns:
     is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
     factors = determinant_factors(robot) if is_pose else ()
     kinematics = robot.kinematics(task, compiled=compiled, backend=backend)
@@ -298,7 +298,7 @@ def _sides(robot: Robot, task: Task, compiled: bool | str, backend: str) -> Sing
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
         function=function,
-        kernel=find_wanted_kernel(function, compiled, f"sides of {robot.name}, in batches"),
+        kernel=find_wanted_kernel(function, compiled, f"signs of {robot.name}, in batches"),
     )
 
 
@@ -308,7 +308,7 @@ def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Functio
     axes = [place.rotation @ ca.DM(axis) for axis, place in zip(chain.tree.axes, places, strict=True)]
     z, o = _vectors(axes), _vectors([place.origin for place in places])
     values = ca.vertcat(*(each.value(z, o) for each in factors))
-    return ca.Function("sides", [chain.q], [ca.densify(values)], ["q"], ["values"])
+    return ca.Function("signs", [chain.q], [ca.densify(values)], ["q"], ["values"])
 
 
 def _vectors(columns: Sequence[ca.SX]) -> list[list[ca.SX]]:
@@ -317,7 +317,7 @@ def _vectors(columns: Sequence[ca.SX]) -> list[list[ca.SX]]:
 
 def _determinant_function(kinematics: Kinematics) -> ca.Function:
     value = determinant(kinematics.symbolic.posture.jacobian)
-    return ca.Function("sides", [kinematics.chain.q], [ca.densify(value)], ["q"], ["values"])
+    return ca.Function("signs", [kinematics.chain.q], [ca.densify(value)], ["q"], ["values"])
 
 
 def _usual(function: ca.Function, robot: Robot) -> Array:

@@ -144,7 +144,7 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     """
     kept: list[PathResult] = []
     for result in _best_first(results):
-        same = next((k for k, other in enumerate(kept) if _same(result.path, other.path)), None)
+        same = next((k for k, other in enumerate(kept) if _coincide(result.path, other.path)), None)
         if same is None:
             kept.append(result)
         else:
@@ -197,7 +197,7 @@ def _outside(robot: Robot, joint: int, value: float) -> bool:
     return not robot.limits.lower[joint] <= value <= robot.limits.upper[joint]
 
 
-def _same(first: JointPath | None, second: JointPath | None) -> bool:
+def _coincide(first: JointPath | None, second: JointPath | None) -> bool:
     if first is None or second is None:
         return first is second
     return bool(np.abs(_even(first) - _even(second)).max() < EQUAL_PATHS)

@@ -92,7 +92,7 @@ class LocalSearch(ProvenDescents):
         solution = self.program.solve(
             self.start, self.goal, line, floor, deadline=self.deadline, constraints=self.constraint_search()
         )
-        is_free, *_ = self._judged("straight", solution)
+        is_free, *_ = self._check_solution("straight", solution)
         if not (is_free or solution.converged):
             return []
         found = self.optimum_from("straight", solution.coefficients)
@@ -230,8 +230,8 @@ class LocalSearch(ProvenDescents):
         The rows are computed again at each minimum, until one is free and the next one lowers g only slightly. Rounds end
         early at a minimum from which an optimum was found before, or whose g is much higher than that of an optimum found.
         """
-        s, beginning = self._followed(first)
-        coefficients = beginning
+        s, initial = self._followed(first)
+        coefficients = initial
         even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
@@ -249,15 +249,15 @@ class LocalSearch(ProvenDescents):
             solution = self.program.solve(
                 self.start, self.goal, coefficients, floor, rows, self.deadline, self.constraint_search()
             )
-            if not solution.converged and np.array_equal(coefficients, beginning):
+            if not solution.converged and np.array_equal(coefficients, initial):
                 break
             if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
-                coefficients = beginning
+                coefficients = initial
                 continue
             coefficients = solution.coefficients
             if any(np.abs(coefficients - each.coefficients).max() < SAME_SOLUTION for each in self.known):
                 break
-            is_free, profile, failed_at = self._judged("seed", solution)
+            is_free, profile, failed_at = self._check_solution("seed", solution)
             step = self.history[-1]
             if self.accepted and step.g > WORSE * min(each.cost.g for each in self.accepted):
                 break
@@ -299,7 +299,7 @@ class LocalSearch(ProvenDescents):
         costs = [self.program.integral.cost(each).g for each in (path, nearby)]
         return min(costs)
 
-    def _judged(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:
+    def _check_solution(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile.
 
         The third value is the place where the proof failed although the path is free at all places of the profile. The

@@ -127,8 +127,8 @@ class ProvenDescents:
         clearance_search = None if self.model is None else ClearanceSearch(model=self.model, clearance=self.clearance)
         kept_rows = self.constraint_search()
         path = program.basis.path(self.start, self.goal, coefficients)
-        beginning = integral.cost(path)
-        if not np.isfinite(beginning.g):  # without a floor, a path through a singularity has no finite g
+        first_cost = integral.cost(path)
+        if not np.isfinite(first_cost.g):  # without a floor, a path through a singularity has no finite g
             return None
         best: Candidate | None = None
         edges: Array | None = None
@@ -137,7 +137,7 @@ class ProvenDescents:
         backed_off = False
         unresolved = 0  # number of paths whose g the panels did not resolve
         *wide, final = self.margins(kept)
-        moving = self.nearly_singular(beginning)
+        moving = self.nearly_singular(first_cost)
         usual = integral.floor if moving else 0.0
         waiting = [*((margin, usual) for margin in wide), *[(final, integral.floor)] * DESCENTS]
         if moving and softens:

@@ -172,18 +172,18 @@ class MotionCheck:
         self.deadline = task.deadline
         self._failure: BaseException | None = None
         low, high = task.bounds()
-        sides = task.sides if task.most_crossings is not None else None
-        vectors: dict[str, Any] = {"low": low, "high": high, "zero": np.zeros(0) if sides is None else sides.zero}
+        signs = task.signs if task.most_crossings is not None else None
+        vectors: dict[str, Any] = {"low": low, "high": high, "zero": np.zeros(0) if signs is None else signs.zero}
         vectors |= {"step": [each.step for each in levels], "margin": [each.margin for each in levels]}
         vectors = {name: np.ascontiguousarray(vector, dtype=float) for name, vector in vectors.items()}
         vectors["until"] = np.cumsum([each.checks for each in levels])
         self.roots = np.array([task.start, task.goal], dtype=float)
         self.root_sides = np.zeros(2, dtype=SIDE)
-        if sides is not None:
-            bits = 1 << np.arange(len(sides.names))
-            for root, values in zip(self.root_sides, sides.values(self.roots), strict=True):
-                root["positive"], root["known"] = bits[values >= sides.zero].sum(), bits[np.abs(values) >= sides.zero].sum()
-        self._decide, self._values = _DECIDE(self._ask), _batch(sides, self)
+        if signs is not None:
+            bits = 1 << np.arange(len(signs.names))
+            for root, values in zip(self.root_sides, signs.values(self.roots), strict=True):
+                root["positive"], root["known"] = bits[values >= signs.zero].sum(), bits[np.abs(values) >= signs.zero].sum()
+        self._decide, self._values = _DECIDE(self._ask), _batch(signs, self)
         self._constraints = None
         if task.constraints is not None:
             self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
@@ -202,7 +202,7 @@ class MotionCheck:
             growth=GROWTH,
             range=RANGE if self._constraints is None else CONSTRAINED_RANGE,
             constraints=None if self._constraints is None else self._constraints.address,
-            sides=0 if sides is None else len(sides.names),
+            sides=0 if signs is None else len(signs.names),
             values=None if self._values is None else ctypes.cast(self._values, ctypes.c_void_p),
             most_changes=ANY if task.most_crossings is None else task.most_crossings,
             bound=np.inf,
@@ -263,18 +263,18 @@ class MotionCheck:
             return TOUCHING
 
 
-def _batch(sides: SingularitySigns | None, check: "MotionCheck") -> Any:
-    """The values of the sides as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
-    if sides is None:
+def _batch(signs: SingularitySigns | None, check: "MotionCheck") -> Any:
+    """The values of the signs as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
+    if signs is None:
         return None
-    if sides.kernel is not None:
-        return sides.kernel.run
+    if signs.kernel is not None:
+        return signs.kernel.run
 
     def values(q: int, out: int, count: int) -> int:
-        n, number = sides.function.nnz_in(0), len(sides.names)
+        n, number = signs.function.nnz_in(0), len(signs.names)
         here = np.ctypeslib.as_array((ctypes.c_double * (count * n)).from_address(q)).reshape(count, n)
         found = np.ctypeslib.as_array((ctypes.c_double * (count * number)).from_address(out)).reshape(count, number)
-        found[:] = np.array(sides.function(ca.DM(here.T))).T
+        found[:] = np.array(signs.function(ca.DM(here.T))).T
         return 0
 
     return check.guarded(values)

@@ -209,7 +209,7 @@ class _Sampled:
         self.done += 1
         if work_time() >= self.late or task.model.in_collision(q, clearance=self._clearance):
             return False
-        return task.sides is None or task.most_crossings != 0 or task.sides.changes(np.array([task.start, q])) == 0
+        return task.signs is None or task.most_crossings != 0 or task.signs.changes(np.array([task.start, q])) == 0
 
     def validator(self, _information: object) -> None:
         """None: OMPL's own check of motions, in steps, is used."""

@@ -17,7 +17,7 @@ from manipplan.constraints.constraint_set import ConstraintSet, check_ends
 from manipplan.cost.crossings import least_crossings
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.kinematics.factors import sides_of
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath, rounded
 from manipplan.robots.robot import Robot
@@ -142,7 +142,7 @@ def seed_path(
         distances=(model.least_distance(q_start[None])[0], at_goal),
         seed=seeding.seed,
         clearance=clearance,
-        sides=sides_of(kinematics),
+        signs=singularity_signs(kinematics),
         most_crossings=None,
         checks=None,
         deadline=work_time() + seeding.time_limit,
@@ -174,9 +174,9 @@ def seed_path(
 def _check_aspect(task: SeedTask, kinematics: Kinematics) -> None:
     """Raise InvalidInputError unless start and goal lie in one aspect, as far as the signs of det J's factors tell."""
     name = kinematics.task.name
-    if task.sides is None:
+    if task.signs is None:
         raise InvalidInputError("same_aspect", True, f"False: det J of the task {name} has no sign, since J is not square")
-    singular = [end for end, q in (("start", task.start), ("goal", task.goal)) if task.sides.vanishing(q)]
+    singular = [end for end, q in (("start", task.start), ("goal", task.goal)) if task.signs.vanishing(q)]
     if singular:
         raise InvalidInputError("same_aspect", True, f"False: {' and '.join(singular)} is singular for the task {name}")
     if least_crossings(kinematics, task.start, task.goal):

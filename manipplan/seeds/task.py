@@ -37,7 +37,7 @@ class SeedTask:
         distances: smallest distance of two bodies at start and at goal [m].
         seed: random seed.
         clearance: minimum distance [m] between bodies.
-        sides: the functions whose changes of sign count as crossings of singularities; None: they do not count.
+        signs: the functions whose changes of sign count as crossings of singularities; None: they do not count.
         most_crossings: maximum number of them on the path; None: any number.
         checks: maximum number of configurations checked for collision; None: any number.
         deadline: in `work_time` [s].
@@ -52,7 +52,7 @@ class SeedTask:
     distances: tuple[float, float]
     seed: int
     clearance: float
-    sides: SingularitySigns | None
+    signs: SingularitySigns | None
     most_crossings: int | None
     checks: int | None
     deadline: float
@@ -88,8 +88,8 @@ log = logging.getLogger("manipplan")
 CHECK_STEP = 1e-3
 #: The same for the look at a path before its proof, which begins with every FIRST-th configuration.
 LOOK_STEP, FIRST = 0.05, 8
-#: Maximum joint motion between two configurations whose sides of the singularities are compared [rad or m].
-SIDES_STEP = 5e-3
+#: Maximum joint motion between two configurations whose signs of the singularities are compared [rad or m].
+SIGNS_STEP = 5e-3
 #: Minimum distance of the ends beyond the clearance for a proof [m]; the proof's own tolerances take as much.
 PROVABLE = 1e-4
 
@@ -113,10 +113,10 @@ def acceptance(task: SeedTask) -> Callable[[JointPath], bool]:
 
 def crossing_limit(task: SeedTask) -> Callable[[JointPath], bool]:
     """Whether a path crosses singularities no more often than allowed."""
-    sides, most = task.sides, task.most_crossings
-    if sides is None or most is None:
+    signs, most = task.signs, task.most_crossings
+    if signs is None or most is None:
         return lambda _: True
-    return lambda path: sides.changes(configurations(path, SIDES_STEP)) <= most
+    return lambda path: signs.changes(configurations(path, SIGNS_STEP)) <= most
 
 
 def keeps_constraints(task: SeedTask, path: JointPath) -> bool:

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
-from manipplan.goals.candidates import APART, GoalCandidate, measured, straight_lines
-from manipplan.kinematics.factors import sides_of
+from manipplan.goals.candidates import APART, GoalCandidate, rate_candidates, straight_lines
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.optimize.result import NoPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
@@ -82,11 +82,11 @@ class FirstConfigurations:
     def _aspects(self) -> tuple[NDArray[np.int64], ...] | None:
         """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
         assert self.finder.layers.sampler is not None
-        sides = sides_of(self.finder.layers.sampler.kinematics)
-        if sides is None:
+        signs = singularity_signs(self.finder.layers.sampler.kinematics)
+        if signs is None:
             return None
-        powers = 2 ** np.arange(len(sides.names))
-        return tuple((sides.values(q) >= 0) @ powers for q in self.finder.layers.q)
+        powers = 2 ** np.arange(len(signs.names))
+        return tuple((signs.values(q) >= 0) @ powers for q in self.finder.layers.q)
 
     def motion(self, k: int) -> SearchResult:
         """The best motion along the path from the k-th configuration; not connected where none returns to it."""
@@ -130,7 +130,7 @@ class FirstConfigurations:
         order = np.lexsort((lines.g, _steps(np.minimum(bound, lines.m.min(axis=1))), crossings))
         while len(order):
             k = order[0]
-            (row,) = measured(q[k : k + 1], [0], start, integral)
+            (row,) = rate_candidates(q[k : k + 1], [0], start, integral)
             yield replace(row, bound=float(bound[k])), int(some[k])
             order = order[np.abs(q[order] - q[k]).max(axis=1) > APART]
 
@@ -254,7 +254,7 @@ def choose_entry(
     configurations = FirstConfigurations(finder=finder, best=first, cap=float(integral.kinematics.manipulability(start)))
     waiting = list(islice(configurations.ranked(start, integral), LISTED))
     if finder.layers.closed and int(first.indices[0]) not in {index for _, index in waiting}:
-        (row,) = measured(first.q[:1], [0], start, integral)  # others may have no motion that returns to them
+        (row,) = rate_candidates(first.q[:1], [0], start, integral)  # others may have no motion that returns to them
         waiting.append((replace(row, bound=min(row.bound, first.minimum)), int(first.indices[0])))
     done: list[GoalCandidate] = []
     best: Entry | None = None

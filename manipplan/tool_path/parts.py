@@ -155,7 +155,7 @@ class FollowingMotion:
         """Whether the tool leaves the path between."""
         return Status.FOLLOWED if len(self.parts) == 1 and self.back is None else Status.FOLLOWED_IN_PARTS
 
-    def measured(self, integral: PathIntegral, scene: Scene, clearance: float) -> PathResult:
+    def result(self, integral: PathIntegral, scene: Scene, clearance: float) -> PathResult:
         """The figures of its path, compared with those of the path that the search found."""
         transits = [each.transit for each in self.parts] + [self.back]
         pairs: list[tuple[JointPath, JointPath]] = []

@@ -14,7 +14,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
-from manipplan.kinematics.factors import sides_of
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.seeds import connect, motions
 from manipplan.seeds.connect import TreeSearch
 from manipplan.seeds.motions import Level, MotionCheck, can_check
@@ -29,11 +29,11 @@ POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0),
 
 def crossings(robot, path):
     """Number of changes of sign of any factor of det J along a path."""
-    return sides_of(robot.kinematics()).changes(path(path.fine_samples(1e-3)))
+    return singularity_signs(robot.kinematics()).changes(path(path.fine_samples(1e-3)))
 
 
 def task_of(robot, scene, start, goal, **options):
-    given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None}
+    given = {"seed": 0, "clearance": 0.0, "signs": None, "most_crossings": None, "checks": None}
     given |= {"deadline": work_time() + 30.0} | options
     model = scene.collision_model(robot)
     distances = tuple(model.least_distance(np.array([q], dtype=float))[0] for q in (start, goal))
@@ -190,22 +190,22 @@ def test_a_motion_is_free_where_all_its_samples_are(name, panda, ur5, rng):
     """Against the batch check of every sample, and the signs of every factor of det J."""
     robot = {"panda": panda, "ur5": ur5}[name]
     scene = mp.Scene([mp.Box(size=(0.2, 0.6, 0.6), position=(0.5, 0.0, 0.4), name="wall")])
-    model, sides = scene.collision_model(robot), sides_of(robot.kinematics())
+    model, signs = scene.collision_model(robot), singularity_signs(robot.kinematics())
     free = [q for q in robot.random_configuration(rng, size=1000) if not model.in_collision(q)]
-    if sides:
-        signs = np.sign(sides.values(np.array(free)))
-        free = [q for q, sign in zip(free, signs, strict=True) if (sign == signs[0]).all()]
-    task = task_of(robot, scene, free[0], free[1], sides=sides, most_crossings=0 if sides else None)
+    if signs:
+        of_each = np.sign(signs.values(np.array(free)))
+        free = [q for q, sign in zip(free, of_each, strict=True) if (sign == of_each[0]).all()]
+    task = task_of(robot, scene, free[0], free[1], signs=signs, most_crossings=0 if signs else None)
     check, verdicts = MotionCheck(task, [Level(step=0.01, margin=0.0)]), []
     for first, towards in pairwise(free[:120]):
         last = first + rng.uniform(0.0, 0.5) * (towards - first)
         q = first + np.linspace(0.0, 1.0, int(np.ceil(np.abs(last - first).max() / 0.01)) + 1)[:, None] * (last - first)
         expected = not model.in_collision_rows(q).any()
-        if sides:
-            expected &= sides.changes(np.vstack([task.start, q])) == 0 and sides.changes(np.array([last, task.goal])) == 0
+        if signs:
+            expected &= signs.changes(np.vstack([task.start, q])) == 0 and signs.changes(np.array([last, task.goal])) == 0
         verdicts.append(expected)
         assert check.motion(list(first), list(last)) == expected
-        if sides is None:
+        if signs is None:
             assert check.configuration(list(last)) != model.in_collision(last)
     assert 5 < sum(verdicts) < len(verdicts) - 5
 

@@ -297,7 +297,7 @@ def test_g_does_not_depend_on_the_processor(scene, start, goal):
 @pytest.mark.slow
 def test_a_nearly_free_solution_that_leads_nowhere_is_followed_by_the_next(planar, monkeypatch):
     """None counts as free here, and the first two descents give no path; no solution is tried twice."""
-    judge, descend_from, tried = LocalSearch._judged, LocalSearch.optimum_from, []
+    judge, descend_from, tried = LocalSearch._check_solution, LocalSearch.optimum_from, []
 
     def never_free(search, name, solution):
         _, distances, failed_at = judge(search, name, solution)
@@ -308,7 +308,7 @@ def test_a_nearly_free_solution_that_leads_nowhere_is_followed_by_the_next(plana
         tried.append((name, coefficients))
         return descend_from(search, name, coefficients) if len(tried) > 2 else []
 
-    monkeypatch.setattr(LocalSearch, "_judged", never_free)
+    monkeypatch.setattr(LocalSearch, "_check_solution", never_free)
     monkeypatch.setattr(LocalSearch, "optimum_from", fails_at_first)
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.0, 0.0), name="post")])
     result = mp.optimize_path(

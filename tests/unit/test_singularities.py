@@ -11,7 +11,7 @@ from scipy.special import ellipkinc
 import manipplan as mp
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, runs_along, with_shares
 from manipplan.cost.density import SAMPLES, SHARE, typical_measure
-from manipplan.kinematics.factors import determinant_factors, sides_of
+from manipplan.kinematics.factors import determinant_factors, singularity_signs
 from manipplan.optimize.program import PathProgram
 from manipplan.paths.basis import find_basis
 
@@ -139,9 +139,9 @@ def test_three_parallel_axes_have_three_factors(name, rng):
 
 def assert_product(robot, factors, rng):
     q = robot.random_configuration(rng, size=30)
-    sides = sides_of(robot.kinematics())
-    assert sides.names == tuple(each.name for each in factors)
-    true, product = np.linalg.det(robot.kinematics().jacobian(q)), sides.values(q).prod(axis=1)
+    signs = singularity_signs(robot.kinematics())
+    assert signs.names == tuple(each.name for each in factors)
+    true, product = np.linalg.det(robot.kinematics().jacobian(q)), signs.values(q).prod(axis=1)
     ratio = true[np.abs(true) > 1e-2 * np.abs(true).max()] / product[np.abs(true) > 1e-2 * np.abs(true).max()]
     assert len(ratio) > 10
     np.testing.assert_allclose(ratio, ratio[0], rtol=1e-2)
@@ -195,14 +195,14 @@ def test_arms_without_known_factors(tmp_path, panda):
 @pytest.mark.parametrize("name", ["ur5", "z1", "kinova"])
 def test_crossings_are_where_factors_vanish(name, rng):
     robot = mp.load_robot(name)
-    integral, sides = mp.PathObjective().integral(robot), sides_of(robot.kinematics())
+    integral, signs = mp.PathObjective().integral(robot), singularity_signs(robot.kinematics())
     count = 0
     for start, goal in robot.random_configuration(rng, size=20).reshape(10, 2, 6):
         path = mp.JointPath.line(start, goal)
         found = crossings_of(path, integral)
         assert least_crossings(integral.kinematics, start, goal) <= len(found)
         s = np.linspace(0.0, 1.0, 4001)
-        for kind, values in zip(sides.names, sides.values(path(s)).T, strict=True):
+        for kind, values in zip(signs.names, signs.values(path(s)).T, strict=True):
             places = s[:-1][np.diff(values >= 0)]
             mine = [each.at for each in found if each.kind == kind]
             np.testing.assert_allclose(mine, places, atol=1.0 / 4000)
