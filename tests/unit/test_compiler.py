@@ -240,7 +240,7 @@ sys.path.insert(0, {here!r})
 import warnings
 import numpy as np
 import manipplan as mp
-from test_compile import everything_compiled
+from test_compiler import everything_compiled
 with warnings.catch_warnings(record=True) as told:
     warnings.simplefilter("always")
     found, controller = everything_compiled(mp.planar_arm([1.0, 0.7, 0.4]), "auto")
