@@ -135,7 +135,7 @@ def symbols(program: PathProgram) -> tuple[Density, tuple[ca.Function, ...]]:
     """The energy's density and the functions of clearance rows, which CasADi can write as C."""
     kinematics = program.kinematics
     kinematics = kinematics.robot.kinematics(kinematics.task, measure=kinematics.measure, compiled=False)
-    return energy_density(replace(program.integral, kinematics=kinematics)), row_functions(kinematics)
+    return energy_density(replace(program.integral, kinematics=kinematics)), row_functions(kinematics).functions
 
 
 @cache

@@ -26,7 +26,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.derivatives import Factor, determinant, log_gradient, log_hessian
-from manipplan.symbolic.machine_code import as_asked
+from manipplan.symbolic.machine_code import CodedFunctions, as_asked
 from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")
@@ -94,11 +94,13 @@ class Density:
         value: e.
         gradient: (2n,) in (q, v).
         derivatives: (2n, 1 + 2n) gradient and Hessian side by side.
+        coded: the three, with their machine code.
     """
 
     value: ca.Function
     gradient: ca.Function
     derivatives: ca.Function
+    coded: CodedFunctions
 
     @cached_property
     def hessian(self) -> ca.Function:
@@ -108,8 +110,8 @@ class Density:
 
 
 @making_expressions()
-def energy_density(integral: PathIntegral) -> Density:
-    """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E."""
+def energy_density(integral: PathIntegral, *, at_once: bool = False) -> Density:
+    """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E; `at_once`: its machine code is built now."""
     metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
     q, v, log_m, slope, bend = _symbols(integral.kinematics, floor, ENERGY_REGULARISATION)
     weight = ca.exp(-2 * power * log_m)
@@ -119,7 +121,8 @@ def energy_density(integral: PathIntegral) -> Density:
     qq = weight * square * (4 * power**2 * slope @ slope.T - 2 * power * bend)
     qv = -4 * power * weight * slope @ (metric @ v).T
     hessian = _blocks(qq, qv, 2 * weight * metric)
-    return _density(integral, "energy", (q, v, ca.vertcat(g0, power, floor)), weight * square, gradient, hessian)
+    at = (q, v, ca.vertcat(g0, power, floor))
+    return _density(integral, "energy", at, weight * square, gradient, hessian, at_once=at_once)
 
 
 @making_expressions()
@@ -183,7 +186,14 @@ def _blocks(qq: ca.SX, qv: ca.SX, vv: ca.SX) -> ca.SX:
 
 
 def _density(
-    integral: PathIntegral, name: str, at: tuple[ca.SX, ca.SX, ca.SX], value: ca.SX, gradient: ca.SX, hessian: ca.SX
+    integral: PathIntegral,
+    name: str,
+    at: tuple[ca.SX, ca.SX, ca.SX],
+    value: ca.SX,
+    gradient: ca.SX,
+    hessian: ca.SX,
+    *,
+    at_once: bool = False,
 ) -> Density:
     """The density, compiled to machine code as `integral.kinematics.compiled` specifies."""
     functions = [
@@ -193,5 +203,6 @@ def _density(
     ]
     kinematics = integral.kinematics
     subject = f"the {name} of paths of {kinematics.robot.name}"
-    made = as_asked(functions, kinematics.compiled, subject)
-    return Density(value=made[0], gradient=made[1], derivatives=made[2])
+    made = as_asked(functions, kinematics.compiled, subject, at_once=at_once)
+    value_of, gradient_of, derivatives_of = made.functions
+    return Density(value=value_of, gradient=gradient_of, derivatives=derivatives_of, coded=made)

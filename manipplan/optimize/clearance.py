@@ -18,7 +18,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, configurations, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.expressions import making_expressions
-from manipplan.symbolic.machine_code import as_asked
+from manipplan.symbolic.machine_code import CodedFunctions, as_asked
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,7 +75,7 @@ def tree_size(function: ca.Function) -> int:
 
 
 @making_expressions()
-def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
+def row_functions(kinematics: Kinematics, *, at_once: bool = False) -> CodedFunctions:
     """Signed distance of a clearance row [m], its gradient (n) and Hessian (n, n) in q, one Function each, compiled on request.
 
     They are first taken by the positions of the N joints of the tree, which are linear in q.
@@ -128,7 +128,8 @@ def row_functions(kinematics: Kinematics) -> tuple[ca.Function, ...]:
         ca.Function("path_row_gradient", [q, column], [ca.densify(gradient)]),
         ca.Function("path_row_hessian", [q, column], [ca.densify(hessian)]),
     ]
-    return as_asked(functions, kinematics.compiled, f"clearance rows of paths of {kinematics.robot.name}")
+    subject = f"clearance rows of paths of {kinematics.robot.name}"
+    return as_asked(functions, kinematics.compiled, subject, at_once=at_once)
 
 
 #: Number of intervals of a path at whose ends all distances are measured.

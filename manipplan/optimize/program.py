@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from manipplan.cost.density import Density, energy_density, length_density
@@ -19,7 +18,7 @@ from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, building
 from manipplan.support.progress import interruptible
-from manipplan.symbolic.machine_code import BatchFunction
+from manipplan.symbolic.machine_code import CodedFunctions
 
 #: Number of Gauss points of the energy on the whole path, and minimum number on each piece.
 NODES, PIECE_NODES = 40, 8
@@ -85,7 +84,7 @@ class PathProgram:
 
     @cached_property
     @building()
-    def _rows(self) -> tuple[ca.Function, ...]:
+    def _rows(self) -> CodedFunctions:
         return row_functions(self.kinematics)
 
     @cached_property
@@ -107,8 +106,8 @@ class PathProgram:
     @cached_property
     @building()
     def _batch_rows(self) -> RowFunctions:
-        value, gradient, hessian = (BatchFunction(each) for each in self._rows)
-        return RowFunctions(joints=tree_size(self._rows[0]), value=value, gradient=gradient, hessian=hessian)
+        value, gradient, hessian = self._rows.batches()
+        return RowFunctions(joints=tree_size(self._rows.functions[0]), value=value, gradient=gradient, hessian=hessian)
 
     @property
     def _fixes_derivatives(self) -> bool:

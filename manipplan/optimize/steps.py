@@ -189,7 +189,7 @@ class BatchDensity:
     @classmethod
     def of(cls, density: Density) -> "BatchDensity":
         """The three functions of a density with buffers of their own."""
-        value, gradient, derivatives = (BatchFunction(each) for each in (density.value, density.gradient, density.derivatives))
+        value, gradient, derivatives = density.coded.batches()
         return cls(value=value, gradient=gradient, derivatives=derivatives)
 
 

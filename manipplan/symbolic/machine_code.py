@@ -3,8 +3,11 @@
 Evaluate a CasADi Function at many points at once, with reused buffers.
 """
 
+import math
+import threading
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -12,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library
+from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library, load_stored
 from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
 from manipplan.support.files import cache_folder
 from manipplan.support.untrusted import is_identifier, printable
@@ -20,6 +23,8 @@ from manipplan.support.untrusted import is_identifier, printable
 #: Minimum number of characters of source for -O1, which compiles three times faster; the code runs a tenth slower.
 LONG = 200_000
 
+#: Number of instructions of CasADi's virtual machine after which machine code is built: a quarter of a second of work.
+PAYS_OFF = 1e8
 #: Maximum number of instructions that "auto" compiles: these take a few seconds.
 SOON_DONE = 60_000
 
@@ -37,11 +42,17 @@ def compiled(function: ca.Function, subject: str) -> ca.Function:
 def compile_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...]:
     """Several functions as one library of machine code; raises as `compiled`."""
     source = generate_source(functions)
+    return load_library(source, _loader(functions), flags=(*native_flags(source), "-lm"), subject=subject)
 
-    def load(file: Path) -> tuple[ca.Function, ...]:
-        return tuple(ca.external(function.name(), str(file)) for function in functions)
 
-    return load_library(source, load, flags=(*native_flags(source), "-lm"), subject=subject)
+def _stored_together(functions: Sequence[ca.Function], subject: str) -> tuple[ca.Function, ...] | None:
+    """The same where an earlier process built it."""
+    source = generate_source(functions)
+    return load_stored(source, _loader(functions), flags=(*native_flags(source), "-lm"), subject=subject)
+
+
+def _loader(functions: Sequence[ca.Function]) -> Callable[[Path], tuple[ca.Function, ...]]:
+    return lambda file: tuple(ca.external(function.name(), str(file)) for function in functions)
 
 
 def generate_source(functions: Sequence[ca.Function]) -> str:
@@ -61,19 +72,61 @@ def wants_machine_code(compiled: bool | str) -> bool:
     return compiled is True or (compiled == "auto" and find_compiler("c") is not None)
 
 
-def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str) -> tuple[ca.Function, ...]:
+class PendingCode:
+    """Machine code of functions that is built once they were evaluated so often that this is likely to save time.
+
+    CasADi's virtual machine gives the same numbers to the last bit, so that it does not matter when. Threads may share it.
+    """
+
+    def __init__(self, functions: Sequence[ca.Function], subject: str) -> None:
+        self._functions, self._subject, self._lock = functions, subject, threading.Lock()
+        self._left = float(PAYS_OFF / sum(function.n_instructions() for function in functions))
+        self._made: tuple[ca.Function, ...] | None = None
+
+    def after(self, count: int) -> tuple[ca.Function, ...] | None:
+        """Note `count` evaluations of one of the functions; their machine code once there is any."""
+        with self._lock:
+            self._left -= count
+            if self._left < 0 and self._made is None:
+                try:
+                    self._made = compile_together(self._functions, self._subject)
+                except CompilerError as error:
+                    do_without(error, "auto")
+                    self._left = math.inf
+            return self._made
+
+
+@dataclass(frozen=True, kw_only=True)
+class CodedFunctions:
+    """Functions, and their machine code that is still to be built; None for no such."""
+
+    functions: tuple[ca.Function, ...]
+    pending: PendingCode | None = None
+
+    def batches(self) -> tuple["BatchFunction", ...]:
+        """Each of them at many points, with buffers of its own."""
+        return tuple(BatchFunction(each, self.pending, k) for k, each in enumerate(self.functions))
+
+
+def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str, *, at_once: bool = False) -> CodedFunctions:
     """The functions as machine code where `compiled` (True, False or "auto") selects it, otherwise unchanged.
 
-    "auto" leaves functions of more than SOON_DONE instructions unchanged. Raises CompilerError when `compiled` is True and
-    there is no compiler, or it fails.
+    "auto" builds it only when they are evaluated often, or `at_once`. It leaves functions of more than SOON_DONE instructions
+    unchanged.
+
+    Raises CompilerError when `compiled` is True and there is no compiler, or it fails.
     """
     soon = sum(function.n_instructions() for function in functions) <= SOON_DONE
-    if compiled is True or (soon and wants_machine_code(compiled)):
-        try:
-            return compile_together(functions, subject)
-        except CompilerError as error:
-            do_without(error, compiled)
-    return tuple(functions)
+    try:
+        if compiled is True or (soon and at_once and wants_machine_code(compiled)):
+            return CodedFunctions(functions=compile_together(functions, subject))
+        if soon and wants_machine_code(compiled):
+            stored = _stored_together(functions, subject)
+            pending = None if stored is not None else PendingCode(functions, subject)
+            return CodedFunctions(functions=stored or tuple(functions), pending=pending)
+    except CompilerError as error:
+        do_without(error, compiled)
+    return CodedFunctions(functions=tuple(functions))
 
 
 def do_without(error: CompilerError, compiled: bool | str) -> None:
@@ -101,9 +154,9 @@ CHUNKS = (64, 16, 4, 1)
 class BatchFunction:
     """Evaluates a Function of several vectors at many points. Threads must not share it: it holds its buffers."""
 
-    def __init__(self, function: ca.Function) -> None:
-        """`function` takes dense vectors and returns one dense matrix."""
-        self._function = function
+    def __init__(self, function: ca.Function, pending: PendingCode | None = None, index: int = 0) -> None:
+        """`function` takes dense vectors and returns one dense matrix; it is the one of `index` in `pending`."""
+        self._function, self._pending, self._index = function, pending, index
         self._shape = function.size1_out(0), function.size2_out(0)
         self._chunks: dict[int, _Chunk] = {}
 
@@ -115,6 +168,9 @@ class BatchFunction:
     def by_columns(self, *points: Array) -> Array:
         """The same as (m, rows times columns), each matrix column after column, as CasADi stores it."""
         begin, count = 0, len(points[0])
+        if self._pending is not None and (made := self._pending.after(count)) is not None:
+            self._function, self._pending = made[self._index], None
+            self._chunks.clear()
         out = np.empty((count, self._shape[0] * self._shape[1]))
         for size in CHUNKS:
             while count - begin >= size:

@@ -222,7 +222,7 @@ def everything_compiled(robot, compiled):
     kinematics = robot.kinematics(compiled=compiled)
     found = [kinematics.manipulability(q), kinematics.jacobian(np.tile(q, (2, 1)))]
     column = ClearanceRow(s=0.0, joint=3, point=np.ones(3), other=0, normal=np.eye(3)[0], offset=0.1, distance=0.0).column(3)
-    found.append(np.array(row_functions(kinematics)[1](q, column)))
+    found.append(np.array(row_functions(kinematics).functions[1](q, column)))
     found.append(np.array(energy_density(PathIntegral(kinematics=kinematics, power=1.0)).gradient(q, q, [1.0, 1.0, 0.0])))
     controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=compiled)
     found.append(controller.step(q, np.zeros(3), kinematics.pose(q)))
@@ -263,7 +263,7 @@ def test_a_library_that_cannot_be_loaded_is_built_again(folder, content):
     """Its checksum fits, or fits another library: it was damaged before it was summed up, or copied there."""
     assert in_another_process() == "True []"
     files = sorted(folder.glob("*.so"))
-    assert len(files) >= 5
+    assert len(files) >= 3
     before = [file.read_bytes() for file in files]
     for file, other in zip(files, files[1:] + files[:1], strict=True):
         if content == "the library of another function":

@@ -320,7 +320,7 @@ def test_rows_of_clearance(arms):
     """Value, gradient and Hessian of a clearance row by differences."""
     for name in ("double", "torso-right", "upstream"):
         _, robot, _ = arms(name)
-        functions = row_functions(robot.kinematics(mp.Task.position(), compiled=False))
+        functions = row_functions(robot.kinematics(mp.Task.position(), compiled=False)).functions
         size = tree_size(functions[0])
         rng = np.random.default_rng(2)
         for _ in range(5):

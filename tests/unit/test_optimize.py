@@ -560,7 +560,7 @@ def test_subdivision_gives_the_same_curve(rng, degree):
 @pytest.mark.parametrize("name", ["panda", "tiago", "kinova"])
 def test_clearance_rows_have_exact_derivatives(name, rng):
     robot = mp.load_robot(name)
-    value, gradient, hessian = row_functions(robot.kinematics(compiled=False))
+    value, gradient, hessian = row_functions(robot.kinematics(compiled=False)).functions
     n = robot.n
     q, column = ca.SX.sym("q", n), ca.SX.sym("column", value.size1_in(1))
     second, first = ca.hessian(value(q, column), q)

@@ -224,7 +224,7 @@ def test_bounds_on_the_motion_of_arms_towards_each_other(baxter, scene):
 
 
 def test_clearance_rows_between_the_arms(baxter):
-    value, gradient, hessian = row_functions(baxter.kinematics(compiled=False))
+    value, gradient, hessian = row_functions(baxter.kinematics(compiled=False)).functions
     rng = np.random.default_rng(6)
     for carrier, other in ((7, 14), (14, 7), (3, 10), (12, 0), (9, 12)):
         normal = rng.normal(size=3)

@@ -176,7 +176,7 @@ class TubeProgram:
     def _energy(self, c: ca.MX, control: Array, fixed: Array | None) -> tuple[ca.MX, ca.MX, ca.MX]:
         """The energy of g over that of the curve `control`, with gradient and Hessian in c; q' is `fixed` (n, k) if given."""
         n, count = self.limits.n, len(self.u)
-        density = energy_density(self.integral)
+        density = energy_density(self.integral, at_once=True)
         numbers = ca.repmat(ca.DM([1.0, self.integral.power, self.integral.floor]), 1, count)
         slopes = self.slopes if fixed is None else np.zeros_like(self.slopes)
         about = ca.DM(np.zeros((n, count)) if fixed is None else fixed)
@@ -267,7 +267,7 @@ class TubeProgram:
 
     def _clearance(self, c: ca.MX, rows: Sequence[ClearanceRow]) -> "_Rows":
         """Distances of clearance rows [m]."""
-        distance, gradient, hessian = row_functions(self.integral.kinematics)
+        distance, gradient, hessian = row_functions(self.integral.kinematics, at_once=True).functions
         columns = ca.DM(np.array([row.column(tree_size(distance)) for row in rows]).T)
         values = self.basis.values(np.array([row.s for row in rows]))
         q = c @ ca.DM(values.T)

@@ -148,13 +148,9 @@ def load_library(
         CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
     """
     folder = cache_for(subject)
-    for command in _commands(language):  # a library that is there needs no compiler that works
-        file = folder / f"{_key(source, command, flags)}.so"
-        if is_sound(file):
-            try:
-                return load(file)
-            except _UNLOADABLE as error:
-                log.debug("%s cannot be loaded and is rebuilt: %s", file, error)
+    stored = load_stored(source, load, flags=flags, language=language, subject=subject)
+    if stored is not None:
+        return stored
     compiler = find_compiler(language)
     if compiler is None:
         raise CompilerError(subject, _why_none(language))
@@ -167,6 +163,21 @@ def load_library(
         return load(file)
     except _UNLOADABLE as error:
         raise _give_up(compiler, folder, subject, f"{file} cannot be loaded: {error}") from error
+
+
+def load_stored(
+    source: str, load: Callable[[Path], Loaded], *, flags: Sequence[str] = NATIVE, language: str = "c", subject: str
+) -> Loaded | None:
+    """The same from the cache, None where it is not there; a library that is there needs no compiler that works."""
+    folder = cache_for(subject)
+    for command in _commands(language):
+        file = folder / f"{_key(source, command, flags)}.so"
+        if is_sound(file):
+            try:
+                return load(file)
+            except _UNLOADABLE as error:
+                log.debug("%s cannot be loaded and is rebuilt: %s", file, error)
+    return None
 
 
 #: What ctypes raises when the file or a function in it is missing, and what CasADi raises.
