@@ -178,7 +178,7 @@ def row_table(program: PathProgram, rows: Sequence[ClearanceRow], capacity: int)
     basis = program.basis
     if not capacity:
         return np.zeros((basis.size + 1, 0))
-    n, size = tree_size(program._rows[0]), basis.size
+    n, size = tree_size(program._rows.functions[0]), basis.size
     table = np.zeros((size + 1 + column_height(n), capacity))
     table[size + 1 :] = met_column(n)[:, None]
     at = np.array([row.s for row in rows])
@@ -196,7 +196,7 @@ def solver_of(
         basis=program.basis,
         free=program.free,
         hull=moving_hull(program),
-        rows=(rows or program._rows) if capacity else (),
+        rows=(rows or program._rows.functions) if capacity else (),
         capacity=capacity,
         n=program.n,
         power=program.integral.power,

@@ -149,7 +149,7 @@ def derivable(program: PathProgram) -> tuple[ca.Function, ca.Function]:
 def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
     """The program of one solve; `generated`: of functions that CasADi can write as C, instead of compiled ones."""
     program, capacity = each.program, capacity_for(each.rows)
-    integral, rows = program._energy, program._rows
+    integral, rows = program._energy, program._rows.functions
     if generated:
         density, rows = symbols(program)
         integral = replace(integral, density=density)

@@ -224,6 +224,12 @@ def calls(folder: Path) -> dict[str, Call]:
     baxter, up = mp.load_robot("baxter"), np.eye(4)
     up[2, 3] = 0.02
     hands = {tool: baxter.arm(tool).kinematics().pose(baxter.arm(tool).neutral) for tool in baxter.tools}
+    given = []
+    post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
+    with contextlib.suppress(mp.errors.PlanningError):
+        own = mp.Seeding(planner=given.append, time_limit=1e5)
+        mp.seed_path(mp.planar_arm([1.0, 1.0, 1.0]), [0.0, 1.5, -2.0], [3.14, -2.0, 2.0], post, seeding=own)
+    problem = given[0]
     C = Call
     ends = {"robot": arm, "start": q, "goal": goal, "scene": scene}
     found_calls = {
@@ -640,6 +646,8 @@ def calls(folder: Path) -> dict[str, Call]:
                 "closed": False,
             },
         ),
+        "PlannerProblem.is_free": C(problem.is_free, {"q": problem.start}),
+        "PlannerProblem.motion_is_free": C(problem.motion_is_free, {"first": problem.start, "last": problem.start}),
         "seed_path": C(
             mp.seed_path,
             {

@@ -31,6 +31,7 @@ MADE = [
     "MotionFigures",
     "NoPath",
     "PartialPlan",
+    "PlannerProblem",
     "PathClearance",
     "PathCost",
     "PathPart",

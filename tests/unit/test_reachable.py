@@ -35,7 +35,7 @@ def task(robot, start, goal, scene, clearance=0.0):
         for name, each in zip(("start", "goal"), (start, goal), strict=True)
     ]
     distances = tuple(model.least_distance(each[None])[0] for each in q)
-    given = {"seed": 0, "clearance": clearance, "sides": None, "most_crossings": None, "checks": None}
+    given = {"seed": 0, "clearance": clearance, "signs": None, "most_crossings": None, "checks": None}
     return SeedTask(model=model, start=q[0], goal=q[1], distances=distances, deadline=work_time() + 10.0, **given)
 
 

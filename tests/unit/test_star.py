@@ -81,7 +81,7 @@ def test_a_cost_is_that_of_the_planners_of_ompl(planar, ur5, rng):
 def motions_task(robot, start, goal):
     model = mp.Scene().collision_model(robot)
     distances = tuple(model.least_distance(q[None])[0] for q in (start, goal))
-    given = {"seed": 0, "clearance": 0.0, "sides": None, "most_crossings": None, "checks": None, "distances": distances}
+    given = {"seed": 0, "clearance": 0.0, "signs": None, "most_crossings": None, "checks": None, "distances": distances}
     return connect.SeedTask(model=model, start=start, goal=goal, deadline=work_time() + 10.0, **given)
 
 
