@@ -40,7 +40,7 @@ def own_parts(argument: str, shape: Any) -> list[MeshPart]:
     found = [name for name in ("pieces", "support") if callable(getattr(shape, name, None))]
     if len(found) != 1:
         has = "both pieces and support" if found else "neither pieces nor support"
-        raise InvalidInputError(argument, f"a {type(shape).__name__} with {has}", "a class with one of these methods")
+        raise InvalidInputError(argument, f"{type(shape).__name__} with {has}", "a class with one of these methods")
     if found == ["support"]:
         given = getattr(shape, "excess", None)
         excess = None if given is None else number(f"{argument}.excess", given, above=0.0)

@@ -86,6 +86,14 @@ class Obstacle:
     name: str = ""
     shape_name: ClassVar[str] = ""
 
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        methods = [name for name in ("pieces", "support") if callable(vars(cls).get(name))]
+        if methods and cls.parts is not Obstacle.parts:
+            raise InvalidInputError(
+                cls.__name__, f"a kind of {cls.__mro__[1].__name__} with {methods[0]}()", "one of mp.Obstacle"
+            )
+
     def __post_init__(self) -> None:
         if not isinstance(self.name, str):
             raise InvalidInputError(f"{type(self).__name__}.name", self.name, "text")

@@ -35,6 +35,8 @@ REACHED, FAR = 1e-10, 1e4
 NEARLY = COINCIDENT / 3
 #: Maximum residual of a configuration of the user's own inverse kinematics [m or 1]; it is refined.
 MISSED = 1e-3
+#: Distance beyond a limit within which such a configuration is refined from the limit [rad or m].
+NEAR_LIMIT = 1e-2
 #: Maximum residual that rounding leaves in an exact closed form near a singularity, to be refined; more is no solution.
 ROUNDED = 1e-6
 #: Maximum number of refinement steps; near a singularity they are short.
@@ -467,7 +469,7 @@ class Solver:
                 raise InvalidInputError(f"configurations of {own.name}[{worst}]", q[worst].tolist(), missed)
             q[:, turns] = (low + (q - low) % (2 * np.pi))[:, turns]
             q[:, turns] -= np.where(q - 2 * np.pi >= low - NEARLY, 2 * np.pi, 0.0)[:, turns]
-            q = q[(limits.outside(q) <= NEARLY).all(axis=1)]
+            q = q[(limits.outside(q) <= NEAR_LIMIT).all(axis=1)]  # refinement moves them back to where they reach the pose
             q = np.clip(q, limits.lower, limits.upper)
             blocks.append(self._check_solutions(q, np.full(len(q), k), targets, np.full(len(q), rows[k])))
             if deadline.passed:

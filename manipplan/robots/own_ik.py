@@ -61,7 +61,7 @@ class OwnInverseKinematics:
                 answer = self.solver(of_solver)
         except Exception as error:  # whatever the user's function raises
             wanted = f"one that returns configurations (k, {robot.n}) or None; it raised {type(error).__name__}: {error}"
-            raise InvalidInputError("the inverse kinematics", self.name, wanted) from error
+            raise InvalidInputError("inverse kinematics", self.name, wanted) from error
         argument = f"configurations of {self.name}"
         q = np.zeros(0) if answer is None else number_array(argument, answer)
         return finite_array(argument, q if q.size else q.reshape(0, robot.n), (None, robot.n)).copy()

@@ -96,7 +96,8 @@ def refine(
 
     Finer samples around the path are searched first. Then a nonlinear program over all positions at once raises the minimum
     manipulability, and finally shortens the path, for which it gives up at most 1e-4 of that minimum. A step is accepted only
-    when an independent check of poses, limits, ε and collisions passes: the result is never worse than the given path.
+    when an independent check of poses, limits, ε and collisions passes: the result is never worse than the given path. With an
+    inverse kinematics of the user the path stays as it is.
 
     Args:
         layers: made by `sample_layers`.
@@ -153,13 +154,15 @@ class _Refiner:
 
     def run(self, resample: int, progress: Progress) -> Refinement:
         q = self.found.q
-        for k in range(resample):
+        fixed = self.sampler.solver.own is not None  # the user's inverse kinematics may leave out what is in between
+        for k in range(0 if fixed else resample):
             progress(0.3 * k / max(resample, 1), f"finer samples, minimum manipulability {self.least(q):.6g}")
             q = self._resample(q, self.found.epsilon * CLOSER**k)
         resampled = self.least(q)
-        q = self._raise_minimum(q, progress)
-        progress(0.9, "shortening the path")
-        q = self._shorten(q, resampled)
+        if not fixed:
+            q = self._raise_minimum(q, progress)
+            progress(0.9, "shortening the path")
+            q = self._shorten(q, resampled)
         m = self.kinematics.manipulability(q)
         return Refinement(
             q=q,

@@ -69,6 +69,8 @@ class Seeding:
 
     def __post_init__(self) -> None:
         if isinstance(self.planner, type) or not callable(self.planner):
+            if not isinstance(self.planner, str):
+                raise InvalidInputError("planner", self.planner, "the name of a planner, or a function of a PlannerProblem")
             one_of("planner", self.planner, ("auto", *PLANNERS))
         one_of("shifts", self.shifts, SHIFTS)
         object.__setattr__(self, "seed", random_seed("seed", self.seed))

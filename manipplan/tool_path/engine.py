@@ -89,7 +89,8 @@ class ToolPathPlanner:
     def starting_at(self, q: Array) -> "ToolPathPlanner":
         """The same with q (n,) as only candidate at the first position, at the pose that it reaches.
 
-        Where steps from one position to the next lead from it is added to the candidates of the others.
+        Where steps from one position to the next lead from it is added to the candidates of the others; not with an inverse
+        kinematics of the user, which may leave postures out on purpose.
         """
         assert self.layers.poses is not None
         kinematics, poses = self._sampler.kinematics, self.layers.poses.copy()
@@ -108,6 +109,8 @@ class ToolPathPlanner:
         assert self.layers.poses is not None
         solver, limits = self._sampler.solver, self._sampler.spec.robot.limits
         arm, found = MovingArm(solver.screws, np.ones(len(q), dtype=np.bool_)), [np.zeros((0, len(q)))]
+        if solver.own is not None:
+            return found[0]
         for pose in self.layers.poses[1:]:
             target = solver.free.nearest(solver.kinematics.pose(q[None]), pose[None])[0]
             moved, miss = arm.search(q[None], target, limits.lower, limits.upper, steps=STEPS, tolerance=EXACT)

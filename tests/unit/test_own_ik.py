@@ -192,3 +192,39 @@ def test_stored_results_name_it():
     robots.append(UR5.with_inverse_kinematics(nothing))
     assert len({robot_key(each) for each in robots}) == 4
     assert robot_key(robots[1]) == robot_key(UR5.with_inverse_kinematics(of_ur5))
+
+
+def test_a_path_does_not_leave_what_the_solver_returns():
+    """From a given start, too, where steps along the path would lead on into postures that are left out."""
+    library = mp.load_robot("ur5")
+
+    def bent(pose):
+        """Those with an elbow beyond 1.3 rad, or bent to the other side."""
+        q = mp.inverse_kinematics(library, pose).q
+        return q[(q[:, 2] > 1.3) | (q[:, 2] < 0)]
+
+    arm = library.with_inverse_kinematics(bent, complete=True)
+    first = library.kinematics().pose([0.3, -1.2, -1.4, -1.0, 1.3, 0.2])
+    last = first.copy()
+    last[:3, 3] += [0.0, 0.06, 0.03]
+    path = mp.CartesianPath.through([first, last])
+    solutions = mp.inverse_kinematics(arm, first).q
+    start = solutions[(solutions[:, 2] > 1.3) & (np.abs(solutions) < 3.6).all(axis=1)][0]
+    assert mp.follow(library, path, start=start, throw=False).status is mp.Status.FOLLOWED
+    assert mp.follow(arm, path, start=start, throw=False).status is mp.Status.NOT_CONNECTED
+    with pytest.raises(mp.errors.PlanningError, match="no program was found"):
+        mp.sequence(arm, start, [mp.MoveAlong(path)])
+    begins = mp.follow(arm, path, throw=False)
+    elbow = begins.path(np.linspace(0.0, 1.0, 50))[:, 2]
+    assert begins.status is mp.Status.FOLLOWED and ((elbow > 1.3).all() or (elbow < 0).all())
+
+
+def test_rounded_answers_at_a_limit_are_not_lost(ur5):
+    upper = np.array([0.5, 6.0, 6.0, 6.0, 6.0, 6.0])
+    arm, q = ur5.with_limits(upper=upper, lower=-3.0), np.array([0.5, -1.0, 1.0, -1.0, -1.0, 0.0])
+    pose = arm.kinematics().pose(q)
+    exact = arm.with_inverse_kinematics(lambda pose: mp.inverse_kinematics(ur5, pose).q, complete=True)
+    rough = arm.with_inverse_kinematics(lambda pose: mp.inverse_kinematics(ur5, pose).q + 1e-4, complete=True)
+    expected, found = (mp.inverse_kinematics(each, pose).q for each in (exact, rough))
+    np.testing.assert_allclose(found[np.lexsort(found.round(5).T)], expected[np.lexsort(expected.round(5).T)], atol=1e-7)
+    assert (np.abs(found - q).max(axis=1) < 1e-6).any()

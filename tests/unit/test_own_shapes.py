@@ -265,3 +265,11 @@ def test_support_functions_that_are_refused(answer, message):
 def test_excess_is_a_length(excess):
     with pytest.raises(mp.errors.InvalidInputError, match="Answering.excess"):
         mp.Scene([Answering(answer=support_of(0.1), excess=excess)])
+
+
+@pytest.mark.parametrize("method", ["pieces", "support"])
+def test_a_kind_of_a_built_in_shape_has_no_parts_of_its_own(method):
+    with pytest.raises(
+        mp.errors.InvalidInputError, match=rf"Tall: got 'a kind of Box with {method}\(\)'; allowed: one of mp.Obstacle"
+    ):
+        type("Tall", (mp.Box,), {method: lambda self, *_: []})
