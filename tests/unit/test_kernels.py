@@ -78,10 +78,20 @@ def test_the_library_is_built_once_and_has_every_kernel(sources, monkeypatch):
     assert kernel_library.find_library() is None, "it is of other sources"
 
 
-@pytest.mark.parametrize("command", ["", "/nowhere/cc", "/bin/false"])
-def test_where_no_library_can_be_built_it_says_why(sources, monkeypatch, command):
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("", "there is no C compiler"),
+        ("/nowhere/cc", "there is no C compiler"),
+        ("/bin/false", "/bin/false -O3"),
+        ("cc 'open", "is no command"),
+        ("sh -c 'exec sleep 60'", "did not end within 0.2 s"),
+    ],
+)
+def test_where_no_library_can_be_built_it_says_why(sources, monkeypatch, command, reason):
     monkeypatch.setenv("CC", command)
-    with pytest.raises(OSError, match="there is no C compiler" if "false" not in command else r"/bin/false -O3"):
+    monkeypatch.setattr(kernel_library, "TIME_LIMIT", 0.2 if "sleep" in command else 60.0)
+    with pytest.raises(OSError, match=reason):
         build_library()
     assert not list(sources.glob("kernels-*"))
 
@@ -100,6 +110,18 @@ def test_edited_sources_are_not_run_as_they_were(sources, monkeypatch):
     (sources / "curves.c").write_text((sources / "curves.c").read_text() + "\n")
     with pytest.raises(mp.errors.CompilerError, match=r"curves\.c: it was edited and not built; build it with: make kernels"):
         kernel_by_llvm("curves")
+
+
+def test_a_library_that_cannot_be_loaded_is_not_needed(tmp_path, monkeypatch, caplog):
+    (tmp_path / "broken.so").write_bytes(b"garbage" * 100)
+    monkeypatch.setattr(kernels, "find_library", lambda: tmp_path / "broken.so")
+    kernels._library.cache_clear()
+    try:
+        with caplog.at_level(logging.WARNING, logger="manipplan"):
+            assert kernels._library() is None
+        assert "broken.so cannot be loaded, so LLVM compiles the kernels" in caplog.text
+    finally:
+        kernels._library.cache_clear()
 
 
 def test_a_kernel_is_loaded_once():

@@ -20,6 +20,8 @@ KERNELS = (
 )
 #: Products and sums are not fused, so that every machine computes the same numbers.
 FLAGS = ("-O3", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-w")
+#: Time limit of the build [s]; it takes 5 s on a computer of today.
+TIME_LIMIT = 600.0
 #: Compilers that are tried, unless $CC names one; an empty $CC means none.
 USUAL = ("cc", "gcc", "clang")
 
@@ -35,14 +37,15 @@ def build_library() -> Path:
     file = library_file()
     if file.is_file():
         return file
-    command = _compiler()
     new = file.with_suffix(f".{os.getpid()}")
     sources = [str(FOLDER / f"{name}.c") for name in KERNELS]
-    command = [*command, *FLAGS, *_processor_flags(), *sources, "-o", str(new), "-lm"]
+    command = [*_compiler(), *FLAGS, *_processor_flags(), *sources, "-o", str(new), "-lm"]
     try:
-        subprocess.run(command, check=True, stderr=subprocess.PIPE, text=True)
+        subprocess.run(command, check=True, stderr=subprocess.PIPE, text=True, timeout=TIME_LIMIT)
     except subprocess.CalledProcessError as error:
         raise OSError(f"{shlex.join(command)}\n{error.stderr.strip()}") from error
+    except subprocess.TimeoutExpired as error:
+        raise OSError(f"{shlex.join(command)}\ndid not end within {TIME_LIMIT:g} s") from error
     new.replace(file)
     return file
 
@@ -67,7 +70,10 @@ def _processor_flags() -> tuple[str, ...]:
 
 
 def _compiler() -> list[str]:
-    commands = [shlex.split(os.environ["CC"])] if "CC" in os.environ else [[name] for name in USUAL]
+    try:
+        commands = [shlex.split(os.environ["CC"])] if "CC" in os.environ else [[name] for name in USUAL]
+    except ValueError as error:
+        raise OSError(f"$CC = {os.environ['CC']!r} is no command") from error
     for command in commands:
         if command and shutil.which(command[0]):
             return command

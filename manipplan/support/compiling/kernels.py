@@ -62,7 +62,11 @@ def _library() -> ctypes.CDLL | None:
     if file is None:
         log.info("the library of kernels was not built with the package: LLVM compiles them, which are up to a fifth slower")
         return None
-    return ctypes.CDLL(str(file))
+    try:
+        return ctypes.CDLL(str(file))
+    except OSError as error:
+        log.warning("%s cannot be loaded, so LLVM compiles the kernels: %s", file, error)
+        return None
 
 
 def _addresses(library: ctypes.CDLL) -> Callable[[str], int]:
