@@ -69,9 +69,11 @@ class Seeding:
 
     def __post_init__(self) -> None:
         if isinstance(self.planner, type) or not callable(self.planner):
+            names = ("auto", *PLANNERS)
             if not isinstance(self.planner, str):
-                raise InvalidInputError("planner", self.planner, "the name of a planner, or a function of a PlannerProblem")
-            one_of("planner", self.planner, ("auto", *PLANNERS))
+                wanted = f"one of {', '.join(names)}, or a function of a PlannerProblem"
+                raise InvalidInputError("planner", self.planner, wanted)
+            one_of("planner", self.planner, names)
         one_of("shifts", self.shifts, SHIFTS)
         object.__setattr__(self, "seed", random_seed("seed", self.seed))
         object.__setattr__(self, "count", whole_number("count", self.count, least=1, most=MOST_SEEDS))
