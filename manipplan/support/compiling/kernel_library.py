@@ -20,6 +20,14 @@ KERNELS = (
 )
 #: Products and sums are not fused, so that every machine computes the same numbers.
 FLAGS = ("-O3", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-w")
+#: Extensions of x86 processors that are used together, and the options for them.
+EXTENSIONS = (
+    ({"avx2", "fma", "bmi1", "bmi2"}, ("-mavx2", "-mfma", "-mbmi", "-mbmi2")),
+    (
+        {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
+        ("-mavx512f", "-mavx512bw", "-mavx512cd", "-mavx512dq", "-mavx512vl"),
+    ),
+)
 #: Time limit of the build [s]; it takes 5 s on a computer of today.
 TIME_LIMIT = 600.0
 #: Compilers that are tried, unless $CC names one; an empty $CC means none.
@@ -64,9 +72,12 @@ def digest_of(name: str) -> str:
 
 
 def _processor_flags() -> tuple[str, ...]:
-    """Options for this processor: vectors of four numbers where an x86 processor has them."""
+    """Options for what this processor can do, of x86 processors only."""
     listing = Path("/proc/cpuinfo")
-    return ("-mavx2",) if platform.machine() == "x86_64" and listing.is_file() and " avx2" in listing.read_text() else ()
+    if platform.machine() != "x86_64" or not listing.is_file():
+        return ()
+    able = set(next((line for line in listing.read_text().splitlines() if line.startswith("flags")), "").split())
+    return tuple(option for needed, options in EXTENSIONS if needed <= able for option in options)
 
 
 def _compiler() -> list[str]:
