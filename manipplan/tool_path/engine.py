@@ -108,9 +108,10 @@ class ToolPathPlanner:
         """Configurations (j, n) at the positions after the first, the first by steps from q, each other from the one before."""
         assert self.layers.poses is not None
         solver, limits = self._sampler.solver, self._sampler.spec.robot.limits
-        arm, found = MovingArm(solver.screws, np.ones(len(q), dtype=np.bool_)), [np.zeros((0, len(q)))]
+        found = [np.zeros((0, len(q)))]
         if solver.own is not None:
             return found[0]
+        arm = MovingArm(solver.screws, np.ones(len(q), dtype=np.bool_))
         for pose in self.layers.poses[1:]:
             target = solver.free.nearest(solver.kinematics.pose(q[None]), pose[None])[0]
             moved, miss = arm.search(q[None], target, limits.lower, limits.upper, steps=STEPS, tolerance=EXACT)

@@ -110,11 +110,11 @@ class TransitPlanner:
     def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""
 
-        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
+        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
             made = self.plan_free(start, goal, seconds, notify)
             return made if isinstance(made, NoPath) else self._of([made[0]], [made[1]])
 
-        return planned
+        return plan_to
 
     def between(self, begin: Array, way: Array) -> PlanTransit | NoPath:
         """The planner of motions off the path and onto it again, from a configuration (n,) on the path; or why there is none.
@@ -127,7 +127,7 @@ class TransitPlanner:
         if isinstance(off, NoPath):
             return NoPath(message=f"no straight retreat from the path: {off.message}")
 
-        def planned(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
+        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
             on = self._straight(goal, way)
             if isinstance(on, NoPath):
                 return NoPath(message=f"no straight way back onto the path: {on.message}")
@@ -141,7 +141,7 @@ class TransitPlanner:
                 return NoPath(message=f"the straight way cannot be timed: {error}")
             return self._of([off, middle[0], back], [timed[0], middle[1], timed[1]])
 
-        return planned
+        return plan_to
 
     def _straight(self, q: Array, way: Array) -> JointPath | NoPath:
         """The best motion from q (n,) on which the tool moves straight by `way` (3,) in its frame, or why there is none.

@@ -70,7 +70,7 @@ def search(layers: mp.Layers, epsilon: float, *, memoised: bool, most_branches: 
     path: list[int] | None = None
     end: Literal["found", "not connected", "gave up"] = "not connected"
     number = 0
-    for number, (layer, rank) in enumerate(_starts(layers, ranked), start=1):  # noqa: B007
+    for number, (layer, rank) in enumerate(_starts(layers, ranked), start=1):  # noqa: B007  # used after the loop
         try:
             path = work.path_from(layer, rank)
         except _TooManyError:

@@ -27,7 +27,7 @@ def test_a_public_name_is_in_one_namespace():
 
 def test_a_name_that_is_in_a_namespace_is_found_by_the_message():
     with pytest.raises(AttributeError, match="manipplan has no Yoshikawa; it is manipplan.measures.Yoshikawa"):
-        mp.Yoshikawa  # noqa: B018
+        mp.Yoshikawa  # noqa: B018  # to read it raises
     assert not hasattr(mp, "nonsense")
 
 

@@ -201,7 +201,7 @@ class ProgramSearch:
         key = (k, node, state.history)
         if key not in self._made_motions:
             here, leg = self.nodes[k][node], self.legs[k]
-            q = here.q if not leg.targets else reached(leg.targets[here.goal_index], here.q, state.robot)
+            q = here.q if not leg.targets else move_onto(leg.targets[here.goal_index], here.q, state.robot)
             if isinstance(q, NoPath):
                 self._made_motions[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
@@ -241,7 +241,7 @@ class ProgramSearch:
         return bounds, lengths, likely
 
 
-def reached(target: Target, q: Array, robot: Robot) -> Array | NoPath:
+def move_onto(target: Target, q: Array, robot: Robot) -> Array | NoPath:
     """The configuration nearest to q (n,) that reaches a goal exactly, or why there is none.
 
     A part that was taken up at the end of a path is not quite where it was to be: as far off as the path's tolerance.

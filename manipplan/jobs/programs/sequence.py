@@ -146,7 +146,7 @@ def sequence(
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
-    def planned(leg: Leg, q: Array, entry: Array, state: State) -> Plan | NoPath:
+    def plan_leg(leg: Leg, q: Array, entry: Array, state: State) -> Plan | NoPath:
         try:
             made = plan(
                 state.robot,
@@ -165,7 +165,7 @@ def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clear
             return NoPath(message=str(error))
         return made if isinstance(made, Plan) and made.report.passed else NoPath(message=made.message)
 
-    return planned
+    return plan_leg
 
 
 def _known_after(leg: Leg, state: State) -> State:
