@@ -33,10 +33,7 @@ from manipplan.jobs.follow import follow
 from manipplan.jobs.improve import improve
 from manipplan.jobs.plan import plan
 from manipplan.jobs.plan_many import Problem, plan_many
-from manipplan.jobs.programs.program import Program
-from manipplan.jobs.programs.sequence import sequence
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
-from manipplan.jobs.result import Plan
+from manipplan.jobs.sequence import sequence
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.optimize import optimize_path
 from manipplan.paths.basis import PathShape
@@ -44,6 +41,9 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.result import Plan
+from manipplan.programs.program import Program
+from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, Wait
 from manipplan.robots.catalog import available_robots, load_robot, planar_arm
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot

@@ -6,15 +6,15 @@ from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.ik.solutions import Completeness, SolutionSet
-from manipplan.jobs.programs.program import Mark
-from manipplan.jobs.programs.steps import ProgramStep
-from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
-from manipplan.jobs.report import PathPart, PlanReport, Report, ToolFigure
-from manipplan.jobs.result import PartialPlan
 from manipplan.kinematics.batch import Evaluator
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.deviation import Deviation
+from manipplan.plans.comparison import Comparison, MotionFigures
+from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure
+from manipplan.plans.result import PartialPlan
+from manipplan.programs.program import Mark
+from manipplan.programs.steps import ProgramStep
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.search.interruptions import Interruptions
 from manipplan.search.max_min import SearchResult

@@ -17,7 +17,7 @@ from fuzz.text_edits import edit_bytes, edit_encoding, edit_lines, edit_words
 from fuzz.tree_edits import edit_value, edit_xml
 
 import manipplan as mp
-from manipplan.jobs.archive import checksum
+from manipplan.plans.archive import checksum
 
 #: Longest file [bytes], and edits of any file; some twice or three times, since they are more often of use.
 LARGEST = 500_000

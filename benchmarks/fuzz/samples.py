@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import manipplan as mp
-from manipplan.jobs.archive import write_plan
+from manipplan.plans.archive import write_plan
 
 #: Corners and faces of a wedge.
 CORNERS = np.array([[0, 0, 0], [0.2, 0, 0], [0, 0.2, 0], [0, 0, 0.2], [0.2, 0.2, 0]], dtype=float)

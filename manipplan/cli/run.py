@@ -7,8 +7,8 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, WithRobotOptions
-from manipplan.jobs.programs.sequence import sequence
-from manipplan.jobs.programs.steps import ProgramFile
+from manipplan.jobs.sequence import sequence
+from manipplan.programs.steps import ProgramFile
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import place_for
 from manipplan.support.progress import part

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from manipplan.jobs.result import Plan
+from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.progress import Progress
 from manipplan.support.untrusted import printable, terminal_text

@@ -7,9 +7,9 @@ from rich.console import Console
 from tyro.conf import Positional
 
 from manipplan.cli.terminal import show_line
-from manipplan.jobs.programs.program import NAME as PROGRAM
-from manipplan.jobs.programs.program import Program
-from manipplan.jobs.result import Plan
+from manipplan.plans.result import Plan
+from manipplan.programs.program import NAME as PROGRAM
+from manipplan.programs.program import Program
 
 
 def view(

@@ -11,12 +11,12 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solver import Solver
 from manipplan.jobs.carry_request import Request, held_errors, tool_poses
-from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.result import NoPath, make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
 from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.paths.tolerance import Tolerance
+from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.robots.arms import arm_of, own_joints
 from manipplan.robots.attached import without_bodies
 from manipplan.robots.robot import Robot

@@ -13,16 +13,16 @@ from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.goals.read import read_configuration
-from manipplan.jobs.measure import tool_distances
 from manipplan.jobs.plan import plan
-from manipplan.jobs.recordings.comparison import VANISHING
-from manipplan.jobs.report import PathPart
-from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.plans.comparison import VANISHING
+from manipplan.plans.measure import tool_distances
+from manipplan.plans.report import PathPart
+from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot

@@ -7,15 +7,15 @@ from typing import Literal, overload
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.recordings.comparison import MotionFigures
-from manipplan.jobs.recordings.inside import Tube, best_motion, blocked
-from manipplan.jobs.recordings.read import noise_beyond_limits, read_recording
-from manipplan.jobs.recordings.smooth import smooth
-from manipplan.jobs.result import PartialPlan, Plan, failed, finish
 from manipplan.optimize.result import make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.comparison import MotionFigures
+from manipplan.plans.result import PartialPlan, Plan, failed, finish
+from manipplan.recordings.inside import Tube, best_motion, blocked
+from manipplan.recordings.read import noise_beyond_limits, read_recording
+from manipplan.recordings.smooth import smooth
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.processes.one_thread import one_thread

@@ -16,14 +16,14 @@ from manipplan.goals.candidates import GoalCandidate, find_candidates, rate_cand
 from manipplan.goals.choice import choose
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import read_configuration, read_goals
-from manipplan.jobs.report import with_goals
-from manipplan.jobs.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.optimize.homotopy import shift_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.report import with_goals
+from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding

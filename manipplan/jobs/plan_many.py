@@ -34,13 +34,13 @@ from manipplan.cost.integral import metric_matrix
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import read_configuration, read_goals
-from manipplan.jobs.archive import plan_of, read_checked_json, write_plan
 from manipplan.jobs.plan import plan
-from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.measures.measure import Measure
 from manipplan.optimize.optimize import check_options
 from manipplan.optimize.problem import initial_path
 from manipplan.paths.basis import PathShape
+from manipplan.plans.archive import plan_of, read_checked_json, write_plan
+from manipplan.plans.result import PartialPlan, Plan
 from manipplan.robots.robot import Robot
 from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding

@@ -24,7 +24,7 @@ from manipplan.viz.motions import beside, drawn_tools, name_paths, skeleton, too
 from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
 
 if TYPE_CHECKING:
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
 
 #: Time for which a GIF shows its last frame before it repeats [s].
 HOLD = 1.0

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from manipplan.jobs.recordings.comparison import pose_distances
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult
 from manipplan.paths.deviation import deviations
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.comparison import pose_distances
 from manipplan.robots.limits import JointLimits
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult
@@ -29,7 +29,7 @@ from manipplan.viz import style
 from manipplan.viz.motions import Motion, joint_path, length_shares
 
 if TYPE_CHECKING:
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
 
 #: Number of points per curve.
 POINTS = 801

@@ -21,8 +21,8 @@ from manipplan.viz.motions import MovedPart, bare, find_moved_parts, name_paths
 from manipplan.viz.shapes import draw_surface, joined, surface_of, write
 
 if TYPE_CHECKING:
-    from manipplan.jobs.programs.program import Program
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
+    from manipplan.programs.program import Program
 
 #: Number of postures of the arm that are drawn, and of places of a part while it is carried.
 POSTURES, CARRIED = 9, 4
@@ -98,7 +98,7 @@ def draw_motion(figure: Any, title: str, robot: Robot, trajectory: Trajectory) -
 
 def finished(plan: "Plan") -> None:
     """Raises InvalidInputError for an object that is not a plan, PlanningError for a plan without trajectory."""
-    from manipplan.jobs.result import PartialPlan, Plan
+    from manipplan.plans.result import PartialPlan, Plan
 
     instance("plan", plan, PartialPlan)
     if not isinstance(plan, Plan):
@@ -116,7 +116,7 @@ def program_figure(program: "Program", figure: Any = None) -> Any:
     Parts are drawn where they are at the start, on their way, and where they are put down. `figure` is a Matplotlib figure
     to draw into; default: a new one of 11.5 x 6 inches. Returns the figure.
     """
-    from manipplan.jobs.programs.program import Program
+    from manipplan.programs.program import Program
 
     instance("program", program, Program)
     robot = bare(program.robot)

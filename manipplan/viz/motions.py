@@ -24,8 +24,8 @@ from manipplan.symbolic.task import Task
 from manipplan.tracking.track import Tracking
 
 if TYPE_CHECKING:
-    from manipplan.jobs.programs.program import Program
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
+    from manipplan.programs.program import Program
 
 Motion = JointPath | Trajectory | Tracking
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.ik.solutions import SolutionSet
-from manipplan.jobs.programs.program import Program
-from manipplan.jobs.result import PartialPlan
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.result import PartialPlan
+from manipplan.programs.program import Program
 from manipplan.robots.robot import Robot
 from manipplan.viz import style
 from manipplan.viz.arm import draw_scene

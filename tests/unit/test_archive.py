@@ -22,10 +22,10 @@ from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.archive import checksum, fingerprint
-from manipplan.jobs.measure import measure_plan
-from manipplan.jobs.result import Plan
 from manipplan.optimize.result import make_result
+from manipplan.plans.archive import checksum, fingerprint
+from manipplan.plans.measure import measure_plan
+from manipplan.plans.result import Plan
 
 #: What only the solvers need.
 LEFT_OUT = {"history", "rivals", "search", "cache", "model", "geometry", "built"}
@@ -492,7 +492,7 @@ def test_a_killed_save_leaves_the_old_file_whole(small_plan, tmp_path):
     small_plan.save(tmp_path)
     script = (
         "import sys, manipplan as mp\n"
-        "from manipplan.jobs.archive import write_plan\n"
+        "from manipplan.plans.archive import write_plan\n"
         "from pathlib import Path\n"
         "folder = Path(sys.argv[1]); plan = mp.Plan.load(folder)\n"
         "print('ready', flush=True)\n"

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.jobs.programs.blend import BlendHull
-from manipplan.jobs.programs.steps import ProgramFile
+from manipplan.programs.blend import BlendHull
+from manipplan.programs.steps import ProgramFile
 
 START = {
     "panda": np.array([0.0, -0.5, 0.0, -2.2, 0.0, 1.8, 0.8]),

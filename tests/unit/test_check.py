@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.archive import checksum
+from manipplan.plans.archive import checksum
 from manipplan.seeds.task import CHECK_STEP
 
 START, GOAL = np.array([0.1, 1.0, -1.2]), np.array([0.9, 0.6, -0.4])

@@ -470,7 +470,7 @@ def test_many_problems_take_all_forms(panda, pose, plan_to_pose):
 
 
 def test_a_saved_plan_keeps_its_candidates(panda, plan_to_pose, tmp_path):
-    from manipplan.jobs.archive import read_plan, write_plan
+    from manipplan.plans.archive import read_plan, write_plan
 
     write_plan(plan_to_pose, tmp_path / "plan.json")
     again = read_plan(tmp_path / "plan.json", robot=panda, scene=None, measure=None)

@@ -8,9 +8,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import manipplan as mp
-from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
-from manipplan.jobs.recordings.program import TubeProgram, Weights
-from manipplan.jobs.recordings.smooth import Ends, SplineBasis, smooth
+from manipplan.plans.comparison import Comparison, MotionFigures
+from manipplan.recordings.program import TubeProgram, Weights
+from manipplan.recordings.smooth import Ends, SplineBasis, smooth
 
 TUBE = mp.Tolerance(position=0.02, rotation=0.2)
 

@@ -8,8 +8,8 @@ import pytest
 from matplotlib.figure import Figure
 
 import manipplan as mp
-from manipplan.jobs.report import PathPart
 from manipplan.paths.deviation import deviation_from
+from manipplan.plans.report import PathPart
 from manipplan.search.layers import choose_positions
 from manipplan.viz.figure import plan_figure
 

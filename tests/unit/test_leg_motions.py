@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.programs.leg_motions import Finders, LegFailure, _along, _on_path
 from manipplan.optimize.result import NoPath
+from manipplan.programs.leg_motions import Finders, LegFailure, _along, _on_path
 from manipplan.search.sampling import sample_layers
 
 

@@ -19,7 +19,7 @@ import pytest
 import manipplan as mp
 from manipplan.jobs import plan_many
 from manipplan.jobs import plan_many as dispatch
-from manipplan.jobs.archive import checksum
+from manipplan.plans.archive import checksum
 from manipplan.support.status import Status
 
 POST = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])

@@ -161,7 +161,7 @@ def test_the_other_hand_puts_a_part_down_where_it_is(left, baxter, tmp_path):
 
 
 def test_a_program_file_names_the_hand(baxter, tmp_path):
-    from manipplan.jobs.programs.steps import ProgramFile
+    from manipplan.programs.steps import ProgramFile
 
     file = tmp_path / "program.yaml"
     file.write_text("start: [0]\nsteps:\n- attach: {part: ball, tool: left_gripper}\n- attach: ball\n")

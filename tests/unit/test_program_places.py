@@ -6,8 +6,8 @@ from program_cell import DOWN, UPRIGHT, carried_to, part_pose, placed_part, pose
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.jobs.programs.leg_motions import nodes_of
-from manipplan.jobs.programs.legs import NOWHERE, State, read_steps
+from manipplan.programs.leg_motions import nodes_of
+from manipplan.programs.legs import NOWHERE, State, read_steps
 
 
 @pytest.mark.slow

@@ -11,12 +11,12 @@ import pytest
 from program_cell import DOWN, pose_at
 
 import manipplan as mp
-from manipplan.jobs.programs.assemble import assemble
-from manipplan.jobs.programs.blend import is_corner
-from manipplan.jobs.programs.leg_motions import RawMotion
-from manipplan.jobs.programs.legs import State, read_steps
 from manipplan.paths.joint import cut
 from manipplan.paths.tolerance import BETWEEN
+from manipplan.programs.assemble import assemble
+from manipplan.programs.blend import is_corner
+from manipplan.programs.leg_motions import RawMotion
+from manipplan.programs.legs import State, read_steps
 from manipplan.timing.constant_speed import check_corners, most_acceleration
 from manipplan.tool_path.engine import outside_limits
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_finder, straight_on
@@ -412,7 +412,7 @@ def test_each_given_pose_of_a_path_is_met(hand):
 def test_a_corner_that_no_motion_takes_is_refused_before_work_starts(hand, monkeypatch):
     poses = poses_around_a_corner(0.001)
     path = mp.CartesianPath.through(poses)
-    monkeypatch.setattr("manipplan.jobs.programs.sequence.nodes_of", None)  # where work starts
+    monkeypatch.setattr("manipplan.jobs.sequence.nodes_of", None)  # where work starts
     with pytest.raises(
         mp.errors.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
     ) as caught:

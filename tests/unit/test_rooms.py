@@ -18,12 +18,12 @@ CONVENIENCES = {
     "robots.robot.Robot.kinematics",
     "robots.robot.Robot.self_collisions",
     "support.display.Pictured._repr_html_",
-    "jobs.result.PartialPlan.save",
-    "jobs.result.PartialPlan.show",
-    "jobs.result.PartialPlan.record",
-    "jobs.programs.program.Program.save",
-    "jobs.programs.program.Program.show",
-    "jobs.programs.program.Program.record",
+    "plans.result.PartialPlan.save",
+    "plans.result.PartialPlan.show",
+    "plans.result.PartialPlan.record",
+    "programs.program.Program.save",
+    "programs.program.Program.show",
+    "programs.program.Program.record",
 }
 
 

@@ -123,7 +123,7 @@ def test_a_post_that_the_tolerance_clears_is_left_to_the_solver(panda, sweep):
     """A thin post at the edge of the hand: it overlaps less than the tube lets the hand move."""
     beside = panda.kinematics().pose(sweep.q[100])[:3, 3]
     thin = mp.Scene([mp.Sphere(radius=0.003, position=beside, name="post")])
-    from manipplan.jobs.recordings.inside import blocked
+    from manipplan.recordings.inside import blocked
 
     model = thin.collision_model(panda)
     wide = mp.Tolerance(position=0.2, rotation=0.1)

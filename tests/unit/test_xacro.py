@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.jobs.archive import robot_data, robot_of
+from manipplan.plans.archive import robot_data, robot_of
 from manipplan.robots.formats import urdf_files
 from manipplan.robots.formats.expressions import RefusedError, evaluate
 from manipplan.robots.formats.packages import PackageFolders

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.programs.program import Mark, Program
-from manipplan.jobs.result import PartialPlan, Plan
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.result import PartialPlan, Plan
+from manipplan.programs.program import Mark, Program
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError, PlanningError

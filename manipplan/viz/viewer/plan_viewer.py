@@ -23,8 +23,8 @@ from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
 
 if TYPE_CHECKING:
-    from manipplan.jobs.programs.program import Program
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
+    from manipplan.programs.program import Program
 
 
 def switches(gui: Any, layers: Mapping[str, Any]) -> None:

@@ -8,9 +8,6 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.goals.candidates import GoalCandidate
-from manipplan.jobs.measure import measure_plan
-from manipplan.jobs.recordings.comparison import Comparison
-from manipplan.jobs.report import PlanReport
 from manipplan.measures.measure import Measure
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
@@ -18,6 +15,9 @@ from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.comparison import Comparison
+from manipplan.plans.measure import measure_plan
+from manipplan.plans.report import PlanReport
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
@@ -115,7 +115,7 @@ class PartialPlan(Pictured):
 
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
-        from manipplan.jobs import archive
+        from manipplan.plans import archive
         from manipplan.viz import save_plan
 
         plan = self._complete("save")
@@ -151,7 +151,7 @@ class PartialPlan(Pictured):
                 missing or was changed.
             MissingExtraError: the robot is from the catalogue, whose package is not installed.
         """
-        from manipplan.jobs import archive
+        from manipplan.plans import archive
 
         return archive.read_plan(file, robot=robot, scene=scene, measure=measure)
 

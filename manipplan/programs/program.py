@@ -10,7 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from manipplan.collision.scene import Scene
-from manipplan.jobs.archive import (
+from manipplan.measures.measure import Measure
+from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.archive import (
     checksum,
     plan_of,
     read_checked_json,
@@ -21,10 +23,8 @@ from manipplan.jobs.archive import (
     with_parts,
     write_plan,
 )
-from manipplan.jobs.report import shown
-from manipplan.jobs.result import Plan
-from manipplan.measures.measure import Measure
-from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.report import shown
+from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
 from manipplan.support.display import Pictured, one_line

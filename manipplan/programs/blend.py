@@ -13,10 +13,10 @@ import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet, prove
-from manipplan.jobs.programs.leg_motions import RawMotion
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath, bernstein, cut, raised
+from manipplan.programs.leg_motions import RawMotion
 from manipplan.support.checks import Array
 from manipplan.timing.stops import CORNER, turn_cosine
 

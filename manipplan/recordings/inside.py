@@ -12,9 +12,6 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.path_clearance import PathClearance, path_clearance
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.recordings.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
-from manipplan.jobs.recordings.program import TubeProgram, Weights
-from manipplan.jobs.recordings.smooth import Smooth
 from manipplan.optimize.clearance import (
     DISTANCE_INTERVALS,
     NEAR,
@@ -28,6 +25,9 @@ from manipplan.optimize.clearance import (
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
+from manipplan.recordings.program import TubeProgram, Weights
+from manipplan.recordings.smooth import Smooth
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array
 from manipplan.support.display import round_up

@@ -19,9 +19,9 @@ from manipplan.collision.shapes import Obstacle
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.goals.read import Target, read_goals
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import with_defaults
+from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
 from manipplan.robots.arms import carriers, known_tool, one_tool
 from manipplan.robots.attached import Solid, check_in_hand
 from manipplan.robots.model_tree import frame_pose

@@ -13,17 +13,17 @@ from manipplan.constraints.constraint import ROW_TOLERANCE
 from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
-from manipplan.jobs.measure import measure_plan
-from manipplan.jobs.programs.blend import HULL, Blend, blend_of, find_unblended, is_corner, with_blends
-from manipplan.jobs.programs.leg_motions import RawMotion, Stop
-from manipplan.jobs.programs.legs import Leg, State
-from manipplan.jobs.programs.program import Mark, Program
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
-from manipplan.jobs.result import Plan
 from manipplan.optimize.result import NoPath, make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
+from manipplan.plans.measure import measure_plan
+from manipplan.plans.result import Plan
+from manipplan.programs.blend import HULL, Blend, blend_of, find_unblended, is_corner, with_blends
+from manipplan.programs.leg_motions import RawMotion, Stop
+from manipplan.programs.legs import Leg, State
+from manipplan.programs.program import Mark, Program
+from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError, PlanningError

@@ -20,8 +20,8 @@ import numpy as np
 
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.jobs.recordings.smooth import Ends, SplineBasis
 from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.recordings.smooth import Ends, SplineBasis
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array

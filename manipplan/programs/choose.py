@@ -16,11 +16,11 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
-from manipplan.jobs.programs.leg_motions import Finders, LegFailure, LegMotion, Node, RawMotion, motion_of_leg
-from manipplan.jobs.programs.legs import Leg, State, rounded
-from manipplan.jobs.result import Plan
 from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath
+from manipplan.plans.result import Plan
+from manipplan.programs.leg_motions import Finders, LegFailure, LegMotion, Node, RawMotion, motion_of_leg
+from manipplan.programs.legs import Leg, State, rounded
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

@@ -7,16 +7,16 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
-from manipplan.jobs.programs.assemble import assemble
-from manipplan.jobs.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.jobs.programs.leg_motions import Node, RawMotion, Stop, nodes_of, places_after
-from manipplan.jobs.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
-from manipplan.jobs.programs.program import Program
-from manipplan.jobs.programs.steps import Attach, Detach, ProgramStep
-from manipplan.jobs.result import Plan
 from manipplan.optimize.optimize import check_options
 from manipplan.optimize.result import NoPath
 from manipplan.paths.basis import PathShape
+from manipplan.plans.result import Plan
+from manipplan.programs.assemble import assemble
+from manipplan.programs.choose import Chosen, Planner, ProgramSearch
+from manipplan.programs.leg_motions import Node, RawMotion, Stop, nodes_of, places_after
+from manipplan.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
+from manipplan.programs.program import Program
+from manipplan.programs.steps import Attach, Detach, ProgramStep
 from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding

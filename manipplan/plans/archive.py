@@ -24,7 +24,6 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_file import constraint_data, constraint_of
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
-from manipplan.jobs.report import PlanReport
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import measure_data, restore_measure
 from manipplan.optimize.certificate import Certificate
@@ -34,6 +33,7 @@ from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.report import PlanReport
 from manipplan.robots.attached import CarriedPart, with_part
 from manipplan.robots.description import FILES, FOLDERS, FOLDERS_BY_NAME, TRUST, RobotSource
 from manipplan.robots.hulls import box_around
@@ -50,7 +50,7 @@ from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
-    from manipplan.jobs.result import PartialPlan, Plan
+    from manipplan.plans.result import PartialPlan, Plan
 
 log = logging.getLogger("manipplan")
 
@@ -317,7 +317,7 @@ def _result_data(result: PathResult | None) -> dict[str, Any]:
 
 def read_plan(file: str | Path, *, robot: Robot | None, scene: Scene | None, measure: Measure | None) -> "Plan":
     """Read a file of `write_plan`; see `Plan.load`."""
-    from manipplan.jobs.result import Plan
+    from manipplan.plans.result import Plan
 
     path = _plan_file(file)
     plan = plan_of(path, read_checked_json(path), robot=robot, scene=scene, measure=measure)
@@ -331,7 +331,7 @@ def plan_of(
     path: Path, data: Mapping[str, Any], *, robot: Robot | None, scene: Scene | None, measure: Measure | None
 ) -> "PartialPlan":
     """The plan of a file's data, a Plan if it has a trajectory."""
-    from manipplan.jobs.result import PartialPlan, Plan
+    from manipplan.plans.result import PartialPlan, Plan
 
     folder = path.resolve().parent
     try:

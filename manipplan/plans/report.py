@@ -15,11 +15,11 @@ import numpy as np
 from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.pose_goal import PoseGoal
-from manipplan.jobs.recordings.comparison import VANISHING, Comparison
 from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
+from manipplan.plans.comparison import VANISHING, Comparison
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, existing_file

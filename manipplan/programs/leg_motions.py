@@ -13,11 +13,11 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import find_candidates
 from manipplan.goals.read import Target
-from manipplan.jobs.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
-from manipplan.jobs.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
+from manipplan.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
+from manipplan.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.search.layers import STRIDE, choose_positions
 from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers

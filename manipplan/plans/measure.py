@@ -15,8 +15,6 @@ from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import idle_hint
-from manipplan.jobs.recordings.comparison import VANISHING
-from manipplan.jobs.report import UNCOUNTED, PathPart, PlanReport, Report, first_path, tool_figures
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
@@ -24,6 +22,8 @@ from manipplan.paths.deviation import Deviation, beyond_polygon, deviations, dis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.comparison import VANISHING
+from manipplan.plans.report import UNCOUNTED, PathPart, PlanReport, Report, first_path, tool_figures
 from manipplan.robots.robot import Robot
 from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import Array
