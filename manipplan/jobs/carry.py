@@ -16,7 +16,9 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
 from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.paths.tolerance import Tolerance
-from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.report import PlanReport
+from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import arm_of, own_joints
 from manipplan.robots.attached import without_bodies
 from manipplan.robots.robot import Robot
@@ -29,7 +31,7 @@ from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
 from manipplan.timing.retime import retime
-from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.engine import MORE_POSITIONS, RefinedToolPath, ToolPathPlanner
 
 #: Number of times at which the tools are compared with each other and with the path.
 TIMES = 4001
@@ -162,52 +164,41 @@ def carry(
         joint, seed_path = _motion_of_both(request, part(notify, 0.0, 0.9))
     except PlanningError as error:
         return failed(draft, throw, str(error))
-    notify(0.9, "timing the motion")
-    model = request.scene.collision_model(robot)
     result = make_result(
         joint,
         integral,
         cost=integral.cost(joint),
         seed=seed_path,
         seed_cost=integral.cost(seed_path),
-        model=model,
+        model=request.scene.collision_model(robot),
         clearance=request.clearance,
         status=Status.CARRIED,
     )
-    draft = replace(draft, status=Status.CARRIED, path=joint, result=result)
-    try:
-        trajectory = retime(joint, robot, torque=torque)
-    except PlanningError as error:
-        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    notify(0.95, "checking the result")
-    poses = tool_poses(robot, trajectory(np.linspace(0.0, trajectory.duration, TIMES)))
-    deviation = deviation_from(first, poses[next(iter(held))])
-    made = finish(
-        replace(draft, deviation=deviation),
-        joint,
-        trajectory,
-        result,
-        model,
-        joint.goal,
+
+    def compare_tools(report: PlanReport, trajectory: Trajectory) -> PlanReport:
+        poses = tool_poses(robot, trajectory(np.linspace(0.0, trajectory.duration, TIMES)))
+        deviation, errors = deviation_from(first, poses[next(iter(held))]), held_errors(poses, held)
+        tools = tuple(
+            replace(each, held_position=errors[each.tool][0], held_rotation=errors[each.tool][1])
+            if each.tool in errors
+            else each
+            for each in report.tools
+        )
+        faults = filter(None, (deviation.excess(allowed, "time"), _excess(errors, allowed)))
+        return replace(report, deviation=deviation, tools=tools, faults=(*report.faults, *faults))
+
+    return finish(
+        replace(draft, status=Status.CARRIED, path=joint, result=result),
+        lambda: (retime(joint, robot, torque=torque), ()),
         taken=request.taken,
         clearance=request.clearance,
         torque=torque,
-        jerk=True,
-        throw=False,
+        throw=throw,
+        notify=notify,
+        begins=0.9,
+        amend=compare_tools,
+        advice=MORE_POSITIONS,
     )
-    errors = held_errors(poses, held)
-    tools = tuple(
-        replace(each, held_position=errors[each.tool][0], held_rotation=errors[each.tool][1]) if each.tool in errors else each
-        for each in made.report.tools
-    )
-    made = replace(made, report=replace(made.report, tools=tools))
-    if made.status is not Status.CARRIED:
-        return failed(made, throw, str(made.report))
-    fault = deviation.excess(allowed, "time") or _excess(errors, allowed)
-    if fault:
-        return check_failed(made, throw, f"{fault}. Take more positions")
-    notify(1.0, "done")
-    return made
 
 
 def _excess(errors: Mapping[str, tuple[float, float]], allowed: Tolerance) -> str:

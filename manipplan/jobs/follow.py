@@ -14,15 +14,14 @@ from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
-from manipplan.optimize.result import NoPath, PathResult
+from manipplan.optimize.result import NoPath
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.plans.comparison import VANISHING
-from manipplan.plans.measure import tool_distances
-from manipplan.plans.report import PathPart
-from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.plans.report import PathPart, PlanReport
+from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
@@ -32,16 +31,16 @@ from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
-from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
-from manipplan.support.status import ALONG, Status
+from manipplan.support.status import Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import check_tool_speed, measure_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
-from manipplan.tool_path.engine import ToolPathPlanner, nearest_pair
-from manipplan.tool_path.parts import S_SAMPLES, Failure, FollowingMotion, PartsJoiner, find_parts
+from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
+from manipplan.tool_path.parts import Failure, FollowingMotion, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
@@ -257,9 +256,8 @@ def follow(
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
     integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
-    draft = PartialPlan(
-        robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=with_defaults(tolerance)
-    )
+    allowed = with_defaults(tolerance)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
     stands = q_start is not None and finder.is_at_start(q_start)
     begin = q_start if stands else None
     parts = find_parts(finder, finer, epsilon, interruptions, part(notify, 0.4, 0.6), start=begin)
@@ -306,25 +304,35 @@ def follow(
         raise InvalidInputError("objective", kinematics.task.name, wanted)
     result = motion.result(integral, scene, clearance)
     least = min((each.refined for each in motion.parts), key=lambda refined: refined.refinement.refined)
+    is_followed = not is_singular(result.path, integral, integral.cost(result.path))
     draft = replace(
-        draft, status=motion.status, search=least.search, refinement=least.refinement, path=result.path, result=result
+        draft,
+        status=motion.status if is_followed else Status.SINGULAR,
+        search=least.search,
+        refinement=least.refinement,
+        path=result.path,
+        result=result,
     )
-    notify(0.95, "timing the motion")
-    try:
-        trajectory, along = _time(motion, robot, integral, tool_speed, torque=torque)
-    except PlanningError as error:
-        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    notify(0.97, "checking the result")
-    made, fault = _check(motion, draft, result, trajectory, along, integral, clearance=clearance, torque=torque)
-    made = replace(made, report=replace(made.report, taken_to_limits=taken))
-    if made.status not in ALONG:
-        return failed(made, throw, fault)
-    if fault:
-        return check_failed(made, throw, fault)
-    if is_singular(result.path, integral, integral.cost(result.path)):
-        made = replace(made, status=Status.SINGULAR, report=replace(made.report, status=Status.SINGULAR))
-    notify(1.0, "done")
-    return made
+
+    def compare_in_order(report: PlanReport, _: Trajectory) -> PlanReport:
+        """Each pose with that at its s, and the speeds; the measurement compares with the nearest pose."""
+        missed = [each.missed(integral.kinematics, allowed) for each in motion.parts]
+        unsteady = [each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady]
+        speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
+        return replace(report, faults=(*report.faults, *filter(None, missed), *speeds))
+
+    return finish(
+        draft,
+        lambda: _time(motion, robot, integral, tool_speed, torque=torque),
+        taken=taken,
+        clearance=clearance,
+        torque=torque,
+        throw=throw,
+        notify=notify,
+        begins=0.95,
+        amend=compare_in_order,
+        advice=MORE_POSITIONS,
+    )
 
 
 def _time(
@@ -360,45 +368,6 @@ def _time(
     if followed.back is not None:
         pieces.append(followed.back.trajectory)
     return joined(pieces), tuple(along)
-
-
-def _check(
-    followed: FollowingMotion,
-    draft: PartialPlan,
-    result: PathResult,
-    trajectory: Trajectory,
-    along: tuple[PathPart, ...],
-    integral: PathIntegral,
-    *,
-    clearance: float,
-    torque: bool,
-) -> tuple[Plan, str]:
-    """The plan, measured on its trajectory, and what is wrong with it; its status tells of faults of any kind of plan."""
-    path, tolerance = draft.workspace_path, draft.tolerance
-    assert path is not None and tolerance is not None
-    model = draft.scene.collision_model(draft.robot)
-    deviation, _ = tool_distances(trajectory.path(), trajectory.duration, integral.kinematics, path, along)
-    made = finish(
-        replace(draft, deviation=deviation),
-        result.path,
-        trajectory,
-        result,
-        model,
-        result.path.goal,
-        clearance=clearance,
-        torque=torque,
-        jerk=True,
-        throw=False,
-    )
-    made = replace(made, report=replace(made.report, along=along))
-    if made.status not in ALONG:
-        near = "" if made.report.collision_free else f"\n  {nearest_pair(model, result.path(S_SAMPLES))}; take more positions"
-        return made, f"{made.report}{near}"
-    faults = [deviation.excess(tolerance, "time"), *(each.missed(integral.kinematics, tolerance) for each in followed.parts)]
-    if any(faults):
-        return made, f"{next(filter(None, faults))}. Take more positions"
-    speeds = [part.tool_speed for part in along if part.tool_speed is not None and not part.tool_speed.is_steady]
-    return made, f"the tool speed is not constant: {speeds[0]}" if speeds else ""
 
 
 def _retreat(value: float | ArrayLike) -> Array:

@@ -147,7 +147,6 @@ def improve(
         return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")
     trajectory, comparison = found
     status = Status.IMPROVED if comparison.better else Status.NOT_BETTER
-    notify(0.8, "checking the result")
     path, seed = trajectory.path(), motion.path()
     result = make_result(
         path,
@@ -159,23 +158,15 @@ def improve(
         clearance=clearance,
         status=status,
     )
-    goal = curve.ends.goal
-    draft = replace(draft, status=status)
-    made = finish(
-        draft,
-        path,
-        trajectory,
-        result,
-        model,
-        goal,
+    return finish(
+        replace(draft, status=status, path=path, result=result),
+        lambda: (trajectory, ()),
+        goal=curve.ends.goal,
         taken=noise_beyond_limits(robot, motion),
         clearance=clearance,
         torque=False,
-        jerk=True,
-        throw=False,
+        throw=throw,
+        notify=notify,
+        begins=0.8,
+        amend=lambda report, _: replace(report, comparison=comparison),
     )
-    made = replace(made, report=replace(made.report, comparison=comparison))
-    if not made.report.passed:
-        return failed(made, throw, made.message)
-    notify(1.0, "done")
-    return made

@@ -22,14 +22,14 @@ from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.report import with_goals
-from manipplan.plans.result import PartialPlan, Plan, check_failed, failed, finish
+from manipplan.plans.report import PlanReport, with_errors
+from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import Deadline
-from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
@@ -237,36 +237,26 @@ def plan(
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         result = min(result, more, key=lambda each: (not each.status.ok, each.g))
-    path = result.path
-    draft = replace(draft, path=path, result=result, status=result.status)
-    try:
-        notify(0.8, "timing the motion")
-        trajectory = retime(path, robot, torque=torque)
-    except PlanningError as error:
-        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
-    notify(0.9, "checking the result")
-    model = scene.collision_model(robot)
     reached = targets[draft.goal_index]
-    made = finish(
-        draft,
-        path,
-        trajectory,
-        result,
-        model,
-        path.goal,
+
+    def compare_with_goal(report: PlanReport, trajectory: Trajectory) -> PlanReport:
+        q = trajectory.q[-1]
+        missed = reached.missed_by(robot, q)
+        faults = (*report.faults, missed) if missed else report.faults
+        errors = {tool: goal.errors(robot, q, tool) for tool, goal in (reached.tools or {}).items()}
+        return replace(report, tools=with_errors(report.tools, errors, "goal"), faults=faults)
+
+    return finish(
+        replace(draft, path=result.path, result=result, status=result.status),
+        lambda: (retime(result.path, robot, torque=torque), ()),
         taken=(*start_taken, *reached.taken),
         clearance=clearance,
         torque=torque,
-        jerk=True,
         throw=throw,
+        notify=notify,
+        begins=0.8,
+        amend=compare_with_goal,
     )
-    missed = reached.missed_by(robot, trajectory.q[-1])
-    tools = with_goals(made.report.tools, robot, trajectory.q[-1], reached.tools)
-    made = replace(made, report=replace(made.report, tools=tools))
-    if missed and made.report.passed:
-        made = check_failed(made, throw, missed)
-    notify(1.0, "done")
-    return made
 
 
 def _standing(
@@ -315,8 +305,7 @@ def _standing(
         status="chosen: the arm stands there",
     )
     draft = replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
-    model = draft.scene.collision_model(draft.robot)
-    return finish(draft, path, stays, result, model, q, taken=taken, clearance=clearance, torque=torque, jerk=True, throw=throw)
+    return finish(draft, lambda: (stays, ()), taken=taken, clearance=clearance, torque=torque, throw=throw)
 
 
 def _out_of_time(result: PathResult) -> PathResult:

@@ -29,7 +29,6 @@ from manipplan.measures.names import measure_data, restore_measure
 from manipplan.optimize.certificate import Certificate
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
-from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -252,7 +251,7 @@ def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
     return read_array(value) if key in (*LIMITS, "neutral", "lengths") else value
 
 
-FORMAT, VERSION = "manipplan-plan", 2
+FORMAT, VERSION = "manipplan-plan", 3
 #: Name of the file in a result's folder.
 NAME = "plan.json"
 
@@ -284,7 +283,6 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, h
         "workspace_path": _workspace_data(plan.workspace_path),
         "tolerance": plan.tolerance,
         "refinement": plan.refinement,
-        "deviation": plan.deviation,
         "constraints": [constraint_data(each) for each in plan.constraints],
         "goal_index": plan.goal_index,
         "candidates": plan.candidates,
@@ -350,7 +348,6 @@ def plan_of(
             "workspace_path": _maybe(data["workspace_path"], _workspace),
             "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
             "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
-            "deviation": _maybe(data["deviation"], lambda each: from_json(each, Deviation)),
             "constraints": _constraints(data["constraints"]),
             "goal_index": int(data["goal_index"]),
             "candidates": tuple(from_json(each, GoalCandidate) for each in data["candidates"]),

@@ -108,7 +108,6 @@ def measure(
     constraints: Sequence[Constraint] = (),
     clearance: float = 0.0,
     torque: bool = False,
-    jerk: bool = True,
 ) -> Report:
     """Measure a finished trajectory of the model's robot.
 
@@ -121,13 +120,13 @@ def measure(
         constraints: what every configuration has to keep; held joints keep their first value.
         along: the parts of the motion on which the tool follows that path; (): all of it.
         clearance: required clearance [m].
-        torque, jerk: whether these limits are checked; infinite jerk limits are not.
+        torque: whether these limits are checked, too.
     """
     robot, kinematics = model.robot, integral.kinematics
     path = trajectory.path()
     cost = integral.cost(path)
     crossings = with_shares(find_crossings(path, integral, cost), path, integral, cost)
-    use = _limit_uses(trajectory, robot, torque=torque, jerk=jerk)
+    use = _limit_uses(trajectory, robot, torque=torque)
     unit = _unit_of(use["position"].joint, robot)
     faults = list(_excesses(use, unit))
     errors: dict[str, float | None] = {"start": None, "goal": None}
@@ -186,6 +185,7 @@ def measure(
         missed=missed,
         tolerance=tolerance,
         constraints=constraint_figures,
+        along=tuple(along) if workspace_path is not None else (),
         tools=tool_figures(path, integral),
         faults=tuple(faults),
         passed=not faults,
@@ -198,10 +198,12 @@ def measure_plan(
     model: CollisionModel,
     goal: Array,
     *,
+    workspace_path: CartesianPath | None = None,
+    along: Sequence[PathPart] = (),
+    tolerance: Tolerance | None = None,
     constraints: Sequence[Constraint] = (),
     clearance: float,
     torque: bool,
-    jerk: bool,
 ) -> PlanReport:
     """Measure the trajectory of a plan, with arguments as in `measure`; only figures of the seed are the optimiser's."""
     kinematics = model.robot.kinematics(result.task, measure=result.measure)
@@ -213,10 +215,12 @@ def measure_plan(
         integral,
         start=start,
         goal=goal,
+        workspace_path=workspace_path,
+        along=along,
+        tolerance=tolerance,
         constraints=constraints,
         clearance=clearance,
         torque=torque,
-        jerk=jerk,
     )
     first, last = trajectory.q[0], trajectory.q[-1]
     line = JointPath.line(first, last) if np.linalg.norm(last - first) >= COINCIDENT else None
@@ -266,10 +270,10 @@ class _Clearance:
         return f"collision: two bodies come nearer than {1e3 * clearance:g} mm, at a sample of those {CHECK_STEP:g} rad apart"
 
 
-def _limit_uses(trajectory: Trajectory, robot: Robot, *, torque: bool, jerk: bool) -> Mapping[str, LimitUse]:
+def _limit_uses(trajectory: Trajectory, robot: Robot, *, torque: bool) -> Mapping[str, LimitUse]:
     """The highest use of each kind of limit that is checked."""
     use = dict(limit_use(trajectory, robot.limits))
-    if jerk and np.isfinite(robot.limits.jerk).any():
+    if np.isfinite(robot.limits.jerk).any():
         use["jerk"] = jerk_use(trajectory, robot.limits)
     if torque:
         use["torque"] = torque_use(trajectory, robot.model, robot.limits.effort)

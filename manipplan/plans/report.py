@@ -9,20 +9,19 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, Literal
 
 import numpy as np
 
 from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.integral import PathIntegral
-from manipplan.goals.pose_goal import PoseGoal
 from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.plans.comparison import VANISHING, Comparison
 from manipplan.robots.configuration import TakenToLimit
-from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, existing_file
+from manipplan.support.checks import existing_file
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
@@ -131,17 +130,12 @@ def tool_figures(path: JointPath, integral: PathIntegral) -> tuple[ToolFigure, .
     return tuple(found)
 
 
-def with_goals(
-    figures: tuple[ToolFigure, ...], robot: Robot, q: Array, goals: Mapping[str, PoseGoal] | None
+def with_errors(
+    figures: tuple[ToolFigure, ...], errors: Mapping[str, tuple[float, float]], name: Literal["goal", "held"]
 ) -> tuple[ToolFigure, ...]:
-    """The figures with the distances of the tools from their goals at the last configuration q (n,)."""
-    if goals is None:
-        return figures
-    errors = {tool: goal.errors(robot, q, tool) for tool, goal in goals.items()}
-    return tuple(
-        replace(each, goal_position=errors[each.tool][0], goal_rotation=errors[each.tool][1]) if each.tool in errors else each
-        for each in figures
-    )
+    """The figures with the distance [m] and angle [rad] of some tools from where each has to be: at its goal, or held."""
+    found: dict[str, Any] = {tool: {f"{name}_position": p, f"{name}_rotation": r} for tool, (p, r) in errors.items()}
+    return tuple(replace(each, **found.get(each.tool, {})) for each in figures)
 
 
 #: What stands in place of the minimum manipulability where it does not count.

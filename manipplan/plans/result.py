@@ -1,10 +1,10 @@
-"""Plan and PartialPlan: the results of all jobs, and the check that every job runs."""
+"""Plan and PartialPlan: the results of all jobs, and `finish`, which ends every job with a timed and checked motion."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
 from manipplan.goals.candidates import GoalCandidate
@@ -17,7 +17,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.comparison import Comparison
 from manipplan.plans.measure import measure_plan
-from manipplan.plans.report import PlanReport
+from manipplan.plans.report import PathPart, PlanReport
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
@@ -26,6 +26,7 @@ from manipplan.support.checks import Array
 from manipplan.support.display import Pictured, short
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.files import replacing, write_text
+from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Status
 
 if TYPE_CHECKING:
@@ -45,8 +46,8 @@ class PartialPlan(Pictured):
         trajectory: the timed motion along it.
         report: the figures of this trajectory, measured on it; raises InvalidInputError together with another trajectory.
         result: the optimiser's result, with seed and history; for `improve` the seed is the recorded motion.
-        search, refinement, deviation: for `follow`: the path found among the samples, its refinement, and the tool's
-            deviation from the workspace path; with interruptions the first two are those of the part with the smallest minimum.
+        search, refinement: for `follow`: the path found among the samples, and its refinement; with interruptions those of the
+            part with the smallest minimum.
         workspace_path: the path that `follow` follows.
         tolerance: maximum deviation of the tool, for `follow` and `improve`.
         constraints: for `plan`: what the motion keeps beside limits and clearance.
@@ -65,7 +66,6 @@ class PartialPlan(Pictured):
     result: PathResult | None = None
     search: SearchResult | None = None
     refinement: Refinement | None = None
-    deviation: Deviation | None = None
     workspace_path: CartesianPath | None = None
     tolerance: Tolerance | None = None
     constraints: tuple[Constraint, ...] = ()
@@ -100,6 +100,11 @@ class PartialPlan(Pictured):
         along = self.report.along
         times = [0.0, *(time for part in along for time in (part.begin, part.end)), self.report.duration]
         return tuple((begin, end) for begin, end in zip(times[::2], times[1::2], strict=True) if end > begin)
+
+    @property
+    def deviation(self) -> Deviation | None:
+        """For `follow` and `carry`: the largest distances of the tool from the workspace path; those of the report."""
+        return None if self.report is None else self.report.deviation
 
     @property
     def comparison(self) -> Comparison | None:
@@ -189,33 +194,61 @@ class Plan(PartialPlan):
 
 def finish(
     draft: PartialPlan,
-    path: JointPath,
-    trajectory: Trajectory,
-    result: PathResult,
-    model: CollisionModel,
-    goal: Array,
+    time: Callable[[], tuple[Trajectory, tuple[PathPart, ...]]],
     *,
+    goal: Array | None = None,
     taken: tuple[TakenToLimit, ...] = (),
     clearance: float,
     torque: bool,
-    jerk: bool,
     throw: bool,
-) -> Plan:
-    """The plan with its report; its status is CHECK_FAILED if the report does not pass."""
+    notify: Progress = silent,
+    begins: float = 0.0,
+    amend: Callable[[PlanReport, Trajectory], PlanReport] = lambda report, _: report,
+    advice: str = "",
+) -> Plan | PartialPlan:
+    """End a job: time the path of the draft, measure the motion, and return the plan or raise it where something is wrong.
+
+    Args:
+        draft: the plan so far, with path, result and the status that it has if all checks pass.
+        time: makes the motion along the path, and tells which parts of it follow the workspace path; a PlanningError of it is
+            Status.NO_TIMING.
+        goal: (n,) where the motion has to end [rad or m]; None: where the path does.
+        taken: joints of start and goal that were taken to a limit.
+        clearance, torque, throw: as in `plan`.
+        notify: called with the fraction done in [0, 1] and a text.
+        begins: the fraction at which this ending begins.
+        amend: adds to the report what only this job knows, and its faults.
+        advice: what the user can do where a check does not pass.
+    """
+    path, result = draft.path, draft.result
+    assert path is not None and result is not None
+    notify(begins, "timing the motion")
+    try:
+        trajectory, along = time()
+    except PlanningError as error:
+        return failed(replace(draft, status=Status.NO_TIMING), throw, str(error))
+    notify((begins + 1) / 2, "checking the result")
     report = measure_plan(
-        trajectory, result, model, goal, constraints=draft.constraints, clearance=clearance, torque=torque, jerk=jerk
+        trajectory,
+        result,
+        draft.scene.collision_model(draft.robot),
+        path.goal if goal is None else goal,
+        workspace_path=draft.workspace_path if along else None,
+        along=along,
+        tolerance=draft.tolerance if along else None,
+        constraints=draft.constraints,
+        clearance=clearance,
+        torque=torque,
     )
-    report = replace(report, taken_to_limits=taken)
+    report = amend(replace(report, status=draft.status, taken_to_limits=taken), trajectory)
+    if report.faults:
+        report = replace(report, status=Status.CHECK_FAILED, passed=False)
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
-    plan = Plan(**parts | {"path": path, "trajectory": trajectory, "result": result, "report": report})
-    return plan if report.passed else check_failed(plan, throw)
-
-
-def check_failed(plan: Plan, throw: bool, message: str = "") -> Plan:
-    """The plan with Status.CHECK_FAILED, returned or raised; without a message that of its report."""
-    faults = plan.report.faults or (message,)
-    report = replace(plan.report, status=Status.CHECK_FAILED, passed=False, faults=faults)
-    return failed(replace(plan, status=Status.CHECK_FAILED, report=report), throw, message or str(report))
+    plan = Plan(**parts | {"status": report.status, "trajectory": trajectory, "report": report})
+    if report.faults:
+        return failed(plan, throw, f"{report}\n  {advice}" if advice else str(report))
+    notify(1.0, "done")
+    return plan
 
 
 def failed(plan: Given, throw: bool, message: str) -> Given:

@@ -17,8 +17,8 @@ from manipplan.optimize.result import NoPath, make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
-from manipplan.plans.measure import measure_plan
-from manipplan.plans.result import Plan
+from manipplan.plans.report import PlanReport
+from manipplan.plans.result import PartialPlan, Plan, finish
 from manipplan.programs.blend import HULL, Blend, blend_of, find_unblended, is_corner, with_blends
 from manipplan.programs.leg_motions import RawMotion, Stop
 from manipplan.programs.legs import Leg, State
@@ -283,36 +283,46 @@ def _part(
         clearance=clearance,
         status=Status.COMPOSED,
     )
-    report = measure_plan(trajectory, result, model, path.goal, clearance=clearance, torque=torque, jerk=True)
     begins = times_of(trajectory, path, middles)
-    kept = _constraint_figures(group, trajectory, begins, legs)
-    broken = [f"constraint: {each}" for each in kept if each.least < -ROW_TOLERANCE]
-    faults = (
-        *report.faults,
-        *broken,
-        *(f"steps[{group[k].step}]: the tool speed is not constant: {v}" for k, v in timed.speeds.items() if not v.is_steady),
-        *_off_paths(group, blends, own, trajectory, path),
-        *_off_hulls(group, blends, own, trajectory, path),
-        *_missed(group, blends, goals, legs, trajectory),
-    )
-    status = Status.SINGULAR if is_singular(path, integral, cost) else Status.COMPOSED
-    status = Status.CHECK_FAILED if faults else status
     taken = tuple(
         each
         for motion in group
         if motion.workspace_path is None and motion.step in goals
         for each in legs[motion.step].targets[goals[motion.step]].taken
     )
-    report = replace(report, faults=faults, passed=not faults, status=status, constraints=tuple(kept), taken_to_limits=taken)
-    part = Plan(
-        robot=robot,
-        scene=state.scene,
-        status=status,
-        path=path,
-        trajectory=trajectory,
-        report=report,
-        result=result,
+
+    def compare_with_steps(report: PlanReport, _: Trajectory) -> PlanReport:
+        figures = _constraint_figures(group, trajectory, begins, legs)
+        faults = (
+            *report.faults,
+            *(f"constraint: {each}" for each in figures if each.least < -ROW_TOLERANCE),
+            *(
+                f"steps[{group[k].step}]: the tool speed is not constant: {v}"
+                for k, v in timed.speeds.items()
+                if not v.is_steady
+            ),
+            *_off_paths(group, blends, own, trajectory, path),
+            *_off_hulls(group, blends, own, trajectory, path),
+            *_missed(group, blends, goals, legs, trajectory),
+        )
+        return replace(report, faults=faults, constraints=tuple(figures))
+
+    part = finish(
+        PartialPlan(
+            robot=robot,
+            scene=state.scene,
+            status=Status.SINGULAR if is_singular(path, integral, cost) else Status.COMPOSED,
+            path=path,
+            result=result,
+        ),
+        lambda: (trajectory, ()),
+        taken=taken,
+        clearance=clearance,
+        torque=torque,
+        throw=False,
+        amend=compare_with_steps,
     )
+    assert isinstance(part, Plan)
     corners = [
         clock + begin
         for begin, one, other, made in zip(begins, group[:-1], group[1:], blends, strict=True)

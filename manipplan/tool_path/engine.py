@@ -45,6 +45,8 @@ class RefinedToolPath:
     seed: JointPath
 
 
+#: What can be done where the tool leaves the path, or bodies touch, between the positions.
+MORE_POSITIONS = "Take more positions"
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
 

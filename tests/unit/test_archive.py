@@ -70,7 +70,7 @@ def made_plan(robot, path, *, scene=None, task=None, measure=None, power=1.0, me
         path, objective, cost=cost, seed=seed, seed_cost=objective.cost(seed), model=model, clearance=0.0, status=status
     )
     trajectory = mp.retime(path, robot)
-    report = measure_plan(trajectory, result, model, path.goal, clearance=0.0, torque=False, jerk=False)
+    report = measure_plan(trajectory, result, model, path.goal, clearance=0.0, torque=False)
     return Plan(
         robot=robot,
         scene=scene,
@@ -227,7 +227,8 @@ def test_a_followed_path_comes_back(planar, small_plan, tmp_path):
             bound=0.4, length=1.0, history=(0.1, 0.3),
         )  # fmt: skip
         deviation = mp.results.Deviation(position=1e-4, position_at=0.3, rotation=1e-3, rotation_at=0.7)
-        followed = {"workspace_path": workspace, "refinement": refined, "deviation": deviation}
+        report = replace(small_plan.report, deviation=deviation)
+        followed = {"workspace_path": workspace, "refinement": refined, "report": report}
         plan = replace(small_plan, **followed, tolerance=mp.Tolerance(position=0.01), message="for a test")
         plan.save(tmp_path)
         again = mp.Plan.load(tmp_path)
