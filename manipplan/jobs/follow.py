@@ -20,6 +20,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.plans.comparison import VANISHING
+from manipplan.plans.measure import tool_distances
 from manipplan.plans.report import PathPart, PlanReport
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
@@ -314,12 +315,14 @@ def follow(
         result=result,
     )
 
-    def compare_in_order(report: PlanReport, _: Trajectory) -> PlanReport:
-        """Each pose with that at its s, and the speeds; the measurement compares with the nearest pose."""
-        missed = [each.missed(integral.kinematics, allowed) for each in motion.parts]
+    def compare_with_path(report: PlanReport, trajectory: Trajectory) -> PlanReport:
+        """The tool over its time with the whole path, and in order with its poses; its speeds."""
+        kinematics = integral.kinematics
+        deviation, _ = tool_distances(trajectory.path(), trajectory.duration, kinematics, path, report.along)
+        left = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
         unsteady = [each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady]
         speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
-        return replace(report, faults=(*report.faults, *filter(None, missed), *speeds))
+        return replace(report, deviation=deviation, faults=(*report.faults, *filter(None, left), *speeds))
 
     return finish(
         draft,
@@ -330,7 +333,7 @@ def follow(
         throw=throw,
         notify=notify,
         begins=0.95,
-        amend=compare_in_order,
+        amend=compare_with_path,
         advice=MORE_POSITIONS,
     )
 

@@ -233,14 +233,11 @@ def finish(
         result,
         draft.scene.collision_model(draft.robot),
         path.goal if goal is None else goal,
-        workspace_path=draft.workspace_path if along else None,
-        along=along,
-        tolerance=draft.tolerance if along else None,
         constraints=draft.constraints,
         clearance=clearance,
         torque=torque,
     )
-    report = amend(replace(report, status=draft.status, taken_to_limits=taken), trajectory)
+    report = amend(replace(report, status=draft.status, along=along, taken_to_limits=taken), trajectory)
     if report.faults:
         report = replace(report, status=Status.CHECK_FAILED, passed=False)
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}

@@ -399,8 +399,8 @@ def test_what_cannot_be_written_is_told_and_can_be_given(planar, small_plan, tmp
         (lambda text: "[1, 2]", "an object with format 'manipplan-plan'"),
         (lambda text: json.dumps({"format": "manipplan-trajectory"}), "an object with format"),
         (
-            lambda text: text.replace('"version": 2', '"version": 1'),
-            rf"of version 2; this is version 1, written by manipplan '{re.escape(mp.__version__)}'",
+            lambda text: text.replace('"version": 3', '"version": 2'),
+            rf"of version 3; this is version 2, written by manipplan '{re.escape(mp.__version__)}'",
         ),
         (lambda text: text.replace('"passed": false', '"passed": true'), "this one was changed since"),
         (lambda text: text.replace('"sha256"', '"sha"'), "this one was changed since"),
