@@ -6,18 +6,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.goals.candidates import APART, TIE, GoalCandidate
-from manipplan.optimize.result import NoPath, PathResult
+from manipplan.optimize.result import PathResult
 from manipplan.support.checks import Array
 from manipplan.support.deadline import Deadline
 from manipplan.support.progress import Progress, part
+from manipplan.support.status import Failure
 
 #: Maximum number of paths that are planned, and of candidates to which one is tried.
 PATHS, TRIES = 4, 8
 #: Share of the remaining time that one candidate gets while there are others.
 SHARE = 0.75
 
-#: Plans a path to a configuration (n,) within a time [s]: the result, or a NoPath with the reason.
-Planner = Callable[[Array, float, Progress], PathResult | NoPath]
+#: Plans a path to a configuration (n,) within a time [s]: the result, or a Failure with the reason.
+Planner = Callable[[Array, float, Progress], PathResult | Failure]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -109,10 +110,10 @@ class _Search:
         a, b = self.rows[first], self.rows[second]
         return a.goal_index != b.goal_index or bool(np.abs(a.q - b.q).max() > APART)
 
-    def take(self, k: int, found: PathResult | NoPath) -> None:
+    def take(self, k: int, found: PathResult | Failure) -> None:
         """Take what planning to a candidate gave."""
         self.tried.append(k)
-        if isinstance(found, NoPath):
+        if isinstance(found, Failure):
             self.failures[k] = found.message
             self.rows[k] = replace(self.rows[k], status=f"left out: no path: {found.message}")
             return

@@ -11,7 +11,7 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solver import Solver
 from manipplan.jobs.carry_request import Request, held_errors, tool_poses
-from manipplan.optimize.result import NoPath, make_result
+from manipplan.optimize.result import make_result
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import deviation_from
 from manipplan.paths.joint import JointPath, side_by_side
@@ -29,7 +29,7 @@ from manipplan.support.checks import Array, ArrayLike, flag
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
-from manipplan.support.status import Status
+from manipplan.support.status import Failure, Status
 from manipplan.timing.retime import retime
 from manipplan.tool_path.engine import MORE_POSITIONS, RefinedToolPath, ToolPathPlanner
 
@@ -234,7 +234,7 @@ class LoneArm:
     def best(self, request: Request) -> RefinedToolPath:
         """The best motion through the candidates; raises PlanningError where none is continuous."""
         found = self.planner.best(request.epsilon[self.joints], hold_start=request.start is not None)
-        if isinstance(found, NoPath):
+        if isinstance(found, Failure):
             raise PlanningError(f"{self.tool}: {found.message}")
         return found
 

@@ -14,7 +14,6 @@ from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
-from manipplan.optimize.result import NoPath
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
@@ -35,13 +34,13 @@ from manipplan.support.checks import Array, ArrayLike, finite_array, flag, insta
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
-from manipplan.support.status import Status
+from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import check_tool_speed, measure_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
-from manipplan.tool_path.parts import Failure, FollowingMotion, PartsJoiner, find_parts
+from manipplan.tool_path.parts import FollowingMotion, PartsFailure, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
@@ -268,7 +267,7 @@ def follow(
         return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
     free_objective = replace(objective, task=kinematics.task)
 
-    def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | NoPath:
+    def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
         made = plan(
             robot,
             begin,
@@ -281,7 +280,9 @@ def follow(
             throw=False,
             progress=notify,
         )
-        return (made.path, made.trajectory) if isinstance(made, Plan) and made.status.has_path else NoPath(message=made.message)
+        return (
+            (made.path, made.trajectory) if isinstance(made, Plan) and made.status.has_path else Failure(message=made.message)
+        )
 
     transits = TransitPlanner(
         robot=robot,
@@ -297,8 +298,8 @@ def follow(
     )
     motion = joiner.first_of(parts)
     draft = replace(draft, candidates=motion.candidates)
-    if isinstance(motion, Failure):
-        return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.reason)
+    if isinstance(motion, PartsFailure):
+        return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.message)
     still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
     if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
         wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"

@@ -8,7 +8,6 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.optimize.optimize import check_options
-from manipplan.optimize.result import NoPath
 from manipplan.paths.basis import PathShape
 from manipplan.plans.result import Plan
 from manipplan.programs.assemble import assemble
@@ -25,6 +24,7 @@ from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
+from manipplan.support.status import Failure
 from manipplan.timing.retime import check_timing_limits
 
 
@@ -146,7 +146,7 @@ def sequence(
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
-    def plan_leg(leg: Leg, q: Array, entry: Array, state: State) -> Plan | NoPath:
+    def plan_leg(leg: Leg, q: Array, entry: Array, state: State) -> Plan | Failure:
         try:
             made = plan(
                 state.robot,
@@ -162,8 +162,8 @@ def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clear
                 throw=False,
             )
         except InvalidInputError as error:
-            return NoPath(message=str(error))
-        return made if isinstance(made, Plan) and made.report.passed else NoPath(message=made.message)
+            return Failure(message=str(error))
+        return made if isinstance(made, Plan) and made.report.passed else Failure(message=made.message)
 
     return plan_leg
 

@@ -13,7 +13,7 @@ from manipplan.optimize.certificate import Certificate, Optimality
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
-from manipplan.support.status import Status
+from manipplan.support.status import Failure, Status
 from manipplan.symbolic.task import Task
 
 
@@ -73,7 +73,7 @@ class PathResult:
 
 @one_line
 @dataclass(frozen=True, kw_only=True)
-class NoPath:
+class NoPath(Failure):
     """What `optimize_path` returns with throw=False when it finds no collision-free first path.
 
     Attributes:
@@ -83,7 +83,6 @@ class NoPath:
         g: inf.
     """
 
-    message: str
     status: Status = Status.NO_PATH
     path: None = None
     seed: None = None

@@ -13,7 +13,7 @@ from manipplan.constraints.constraint import ROW_TOLERANCE
 from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.result import NoPath, make_result
+from manipplan.optimize.result import make_result
 from manipplan.paths.deviation import deviation_at, deviation_from
 from manipplan.paths.joint import JointPath, cut
 from manipplan.paths.trajectory import Trajectory, joined
@@ -27,7 +27,7 @@ from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramS
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.status import Status
+from manipplan.support.status import Failure, Status
 from manipplan.timing.constant_speed import GRIDS, RAMP, SteadySpeed, measure_speed, slower, steady_segments
 from manipplan.timing.retime import retime
 from manipplan.timing.stops import Segment
@@ -223,9 +223,9 @@ def _corners(group: list[RawMotion], steps: Sequence[ProgramStep], blend: float)
 
 def _blends(
     group: list[RawMotion], corners: list[float | None], clearance: float, legs: Mapping[int, Leg]
-) -> list[Blend | NoPath | None]:
+) -> list[Blend | Failure | None]:
     """The blends of motions, or why there is none; None where none is asked for."""
-    made: list[Blend | NoPath | None] = []
+    made: list[Blend | Failure | None] = []
     for k, ((one, other), asked) in enumerate(zip(pairwise(group), corners, strict=True)):
         if not asked:
             made.append(None)
@@ -236,7 +236,7 @@ def _blends(
     return made
 
 
-def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[Blend | NoPath | None]) -> list[str]:
+def _smaller(group: list[RawMotion], corners: list[float | None], blends: list[Blend | Failure | None]) -> list[str]:
     """A warning for each blend that is smaller than asked for, or replaced by a stop."""
     warnings = []
     for (one, other), asked, made in zip(pairwise(group), corners, blends, strict=True):

@@ -14,10 +14,10 @@ import numpy as np
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath, bernstein, cut, raised
 from manipplan.programs.leg_motions import RawMotion
 from manipplan.support.checks import Array
+from manipplan.support.status import Failure
 from manipplan.timing.stops import CORNER, turn_cosine
 
 #: Weight of the sum of shares in the distances that are minimised; places are scaled to the size of the hull.
@@ -129,14 +129,14 @@ def blend_of(
     constraints: tuple[ConstraintSet, ...],
     *,
     alone: tuple[bool, bool] = (False, False),
-) -> Blend | NoPath:
+) -> Blend | Failure:
     """The widest blend of two motions whose tool stays within the radius asked for [m] of their corner and that is proven free.
 
-    `alone`: whether it is the only blend of the motion before, and of that after. NoPath tells why there is none: then the arm
+    `alone`: whether it is the only blend of the motion before, and of that after. Failure tells why there is none: then the arm
     stops at the corner.
     """
     if _turn(before.path, after.path) < BACK:
-        return NoPath(message="the second motion goes straight back")
+        return Failure(message="the second motion goes straight back")
     distance = asked
     for motion, only in zip((before, after), alone, strict=True):
         if motion.workspace_path is not None and motion.workspace_path.length > 0:
@@ -167,7 +167,7 @@ def blend_of(
             return Blend(leaves=leaves, joins=joins, path=path, radius=distance, note=refused, tools=tools, hulls=hulls)
         refused = reason
         distance /= 2
-    return NoPath(message=refused)
+    return Failure(message=refused)
 
 
 def is_corner(before: JointPath, after: JointPath) -> bool:

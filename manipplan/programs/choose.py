@@ -16,7 +16,6 @@ from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
-from manipplan.optimize.result import NoPath
 from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan
 from manipplan.programs.leg_motions import Finders, LegFailure, LegMotion, Node, RawMotion, motion_of_leg
@@ -26,6 +25,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress
+from manipplan.support.status import Failure
 from manipplan.support.tolerances import COINCIDENT
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
@@ -38,7 +38,7 @@ NEARBY = 0.05
 UNPLANNED = 1e9
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
-Planner = Callable[[Leg, Array, Array, State], Plan | NoPath]
+Planner = Callable[[Leg, Array, Array, State], Plan | Failure]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,7 +86,7 @@ class ProgramSearch:
     def __post_init__(self) -> None:
         self._finders = Finders(objective=self.objective, clearance=self.clearance)
         self._made_motions: dict[tuple[object, ...], LegMotion | LegFailure] = {}
-        self._free: dict[tuple[object, ...], Plan | NoPath] = {}
+        self._free: dict[tuple[object, ...], Plan | Failure] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
         edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
@@ -183,10 +183,10 @@ class ProgramSearch:
             if leg.is_free and np.abs(motion.entry - q).max() >= COINCIDENT:
                 made = self._free_motion(k, before, node, q, motion.entry, state)
                 self._planned[k][before, node] = True
-                kept = -np.inf if isinstance(made, NoPath) else made.report.min_manipulability
+                kept = -np.inf if isinstance(made, Failure) else made.report.min_manipulability
                 self._between[k][before, node] = min(self._between[k][before, node], kept)
                 self._likely[k][before, node] = kept
-                if isinstance(made, NoPath):
+                if isinstance(made, Failure):
                     self.failures.append(f"steps[{leg.number}]: {made.message}")
                     return None
                 if kept <= least:
@@ -202,13 +202,13 @@ class ProgramSearch:
         if key not in self._made_motions:
             here, leg = self.nodes[k][node], self.legs[k]
             q = here.q if not leg.targets else move_onto(leg.targets[here.goal_index], here.q, state.robot)
-            if isinstance(q, NoPath):
+            if isinstance(q, Failure):
                 self._made_motions[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
                 self._made_motions[key] = motion_of_leg(leg, q, state, self._finders, here.found)
         return self._made_motions[key]
 
-    def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | NoPath:
+    def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | Failure:
         key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
         if key not in self._free:
             self._free[key] = self.planner(self.legs[k], q, entry, state)
@@ -241,7 +241,7 @@ class ProgramSearch:
         return bounds, lengths, likely
 
 
-def move_onto(target: Target, q: Array, robot: Robot) -> Array | NoPath:
+def move_onto(target: Target, q: Array, robot: Robot) -> Array | Failure:
     """The configuration nearest to q (n,) that reaches a goal exactly, or why there is none.
 
     A part that was taken up at the end of a path is not quite where it was to be: as far off as the path's tolerance.
@@ -251,13 +251,13 @@ def move_onto(target: Target, q: Array, robot: Robot) -> Array | NoPath:
         return q
     tool = target.of_tool(robot).pose
     if tool is None:
-        return NoPath(message=missed)
+        return Failure(message=missed)
     near = nearest(robot, [tool], q, np.zeros(robot.n, dtype=bool))[0].reaching
     if len(near):
         best = near[np.abs(near - q).max(axis=1).argmin()]
         if np.abs(best - q).max() <= NEARBY:
             return np.asarray(best)
-    return NoPath(message=missed)
+    return Failure(message=missed)
 
 
 def _turned(motion: LegMotion, q: Array, state: State) -> LegMotion:

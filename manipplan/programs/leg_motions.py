@@ -24,6 +24,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import silent
+from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
@@ -89,10 +90,9 @@ class LegMotion:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LegFailure:
+class LegFailure(Failure):
     """Why there is no motion, and whether there is none from any configuration with the tool in the same pose either."""
 
-    message: str
     always: bool = False
 
 

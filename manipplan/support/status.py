@@ -1,5 +1,6 @@
-"""Return status of a result: the outcome and, where something is left to do, the remedy."""
+"""Return status of a result: the outcome and, where something is left to do, the remedy; Failure: why there is no result."""
 
+from dataclasses import dataclass
 from enum import Enum
 
 
@@ -141,3 +142,10 @@ FAILED = (
 ALONG = (Status.FOLLOWED, Status.FOLLOWED_IN_PARTS)
 #: Statuses of motions that `improve` returns: they start from a recording, not from a planner's seed.
 RECORDED = (Status.IMPROVED, Status.NOT_BETTER)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Failure:
+    """What a step of a job returns where it has no result: the reason. Subclasses add what its caller can still do."""
+
+    message: str

@@ -7,7 +7,6 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.ik.newton import MovingArm
-from manipplan.optimize.result import NoPath
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
@@ -21,6 +20,7 @@ from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import PlanningError
 from manipplan.support.progress import Progress, silent
+from manipplan.support.status import Failure
 
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
@@ -142,18 +142,18 @@ class ToolPathPlanner:
             free_m.append(values[free])
         return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)))
 
-    def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | NoPath:
+    def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
         found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
-        return self.along(found, silent, hold_start=hold_start) if found.connected else NoPath(message=found.message)
+        return self.along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
 
-    def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | NoPath:
+    def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
         """The same from q (n,), inside the limits also between the positions."""
         found = self.starting_at(q).best(epsilon, hold_start=True, explain=False)
-        if isinstance(found, NoPath):
+        if isinstance(found, Failure):
             return found
         outside = outside_limits(found.path, self._sampler.spec.robot)
-        return NoPath(message=outside) if outside else found.path
+        return Failure(message=outside) if outside else found.path
 
     def between(self, first: int, last: int) -> "ToolPathPlanner":
         """The same for the part of the path from one position to another, which may be beyond the last one of a closed path."""

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import APART, GoalCandidate, rate_candidates, straight_lines
 from manipplan.kinematics.factors import singularity_signs
-from manipplan.optimize.result import NoPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 from manipplan.support.progress import Progress, part
+from manipplan.support.status import Failure
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.transit import PlanTransit, Transit
@@ -279,7 +279,7 @@ def choose_entry(
         lead_in = plan_transit(refined.path.start, max(SHARE * seconds, SHARE), part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= work_time() - began
         row = replace(row, q=refined.path.start)
-        if isinstance(lead_in, NoPath):
+        if isinstance(lead_in, Failure):
             failure = failure or lead_in.message
             done.append(replace(row, status=f"left out: no lead-in: {lead_in.message}"))
             continue

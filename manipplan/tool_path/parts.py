@@ -5,6 +5,7 @@ The parts of a workspace path along which there are continuous motions: all of i
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -13,7 +14,7 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.kinematics.kinematics import Kinematics
-from manipplan.optimize.result import NoPath, PathResult, make_result
+from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
@@ -22,7 +23,7 @@ from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
-from manipplan.support.status import Status
+from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import SECONDS, choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
@@ -184,17 +185,16 @@ class FollowingMotion:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Failure:
+class PartsFailure(Failure):
     """Why parts cannot be joined.
 
     Attributes:
-        reason: what is wrong.
+        message: what is wrong.
         search: the search of the first part.
         candidates: the configurations in which the motion can begin.
         at_cut: whether other edges can help.
     """
 
-    reason: str
     search: SearchResult
     candidates: tuple[GoalCandidate, ...]
     at_cut: bool
@@ -220,9 +220,9 @@ class PartsJoiner:
     transits: TransitPlanner
     notify: Progress
 
-    def first_of(self, options: Iterable[list[FoundPart]]) -> FollowingMotion | Failure:
+    def first_of(self, options: Iterable[list[FoundPart]]) -> FollowingMotion | PartsFailure:
         """The motion along the first of several sets of parts that can be joined."""
-        failures: list[Failure] = []
+        failures: list[PartsFailure] = []
         for tried, parts in enumerate(options):
             made = self._joined(parts, part(self.notify, 1 - 0.5**tried, 1 - 0.5 ** (tried + 1)))
             if isinstance(made, FollowingMotion) or not made.at_cut:
@@ -232,9 +232,9 @@ class PartsJoiner:
         if not others:
             return first
         places = "another place does" if others == 1 else f"{others} other places do"
-        return replace(first, reason=f"{first.reason}; {places} not help either")
+        return replace(first, message=f"{first.message}; {places} not help either")
 
-    def _joined(self, parts: list[FoundPart], notify: Progress) -> FollowingMotion | Failure:
+    def _joined(self, parts: list[FoundPart], notify: Progress) -> FollowingMotion | PartsFailure:
         """The motion along parts of the path, or why there is none."""
         pieces: list[FollowedPart] = []
         search = parts[0].found
@@ -250,19 +250,22 @@ class PartsJoiner:
                 continue
             plan_transit = self.transits.between(begin, self.way) if pieces else self.transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
-            if isinstance(plan_transit, NoPath):
-                return Failure(reason=where + plan_transit.message, search=search, candidates=candidates, at_cut=bool(pieces))
+            failure = partial(PartsFailure, search=search, at_cut=bool(pieces))
+            if isinstance(plan_transit, Failure):
+                return failure(message=where + plan_transit.message, candidates=candidates)
             choice = choose_entry(each.finder, each.found, begin, self.transits.integral, plan_transit, share)
             if not pieces:
                 candidates = choice.candidates
             if choice.entry is None:
-                return Failure(reason=where + choice.failure, search=search, candidates=candidates, at_cut=bool(pieces))
+                return failure(message=where + choice.failure, candidates=candidates)
             pieces.append(FollowedPart(part=each, refined=choice.entry.refined, transit=choice.entry.lead_in))
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
         plan_transit = self.transits.between(pieces[-1].refined.path.goal, self.way)
-        back = plan_transit if isinstance(plan_transit, NoPath) else plan_transit(pieces[0].refined.path.start, SECONDS, silent)
-        if isinstance(back, NoPath):
-            reason = f"no way back to the configuration in which the path began: {back.message}"
-            return Failure(reason=reason, search=search, candidates=candidates, at_cut=True)
+        back = (
+            plan_transit if isinstance(plan_transit, Failure) else plan_transit(pieces[0].refined.path.start, SECONDS, silent)
+        )
+        if isinstance(back, Failure):
+            message = f"no way back to the configuration in which the path began: {back.message}"
+            return PartsFailure(message=message, search=search, candidates=candidates, at_cut=True)
         return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)

@@ -13,7 +13,6 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.ik.solver import Solver
 from manipplan.measures.measure import Measure
-from manipplan.optimize.result import NoPath
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
@@ -24,6 +23,7 @@ from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress
+from manipplan.support.status import Failure
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.tool_path.engine import ToolPathPlanner
@@ -81,9 +81,9 @@ class Transit:
 
 
 #: Plans a free motion from one configuration (n,) to another within a time [s].
-PlanFree = Callable[[Array, Array, float, Progress], tuple[JointPath, Trajectory] | NoPath]
-#: Plans a transit to a configuration (n,) within a time [s]; NoPath tells why there is none.
-PlanTransit = Callable[[Array, float, Progress], Transit | NoPath]
+PlanFree = Callable[[Array, Array, float, Progress], tuple[JointPath, Trajectory] | Failure]
+#: Plans a transit to a configuration (n,) within a time [s]; Failure tells why there is none.
+PlanTransit = Callable[[Array, float, Progress], Transit | Failure]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -110,13 +110,13 @@ class TransitPlanner:
     def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""
 
-        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
+        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | Failure:
             made = self.plan_free(start, goal, seconds, notify)
-            return made if isinstance(made, NoPath) else self._of([made[0]], [made[1]])
+            return made if isinstance(made, Failure) else self._of([made[0]], [made[1]])
 
         return plan_to
 
-    def between(self, begin: Array, way: Array) -> PlanTransit | NoPath:
+    def between(self, begin: Array, way: Array) -> PlanTransit | Failure:
         """The planner of motions off the path and onto it again, from a configuration (n,) on the path; or why there is none.
 
         The tool leaves the path and comes back along the straight `way` (3,) in its frame [m]; zeros: freely.
@@ -124,26 +124,26 @@ class TransitPlanner:
         if not way.any():
             return self.lead_in(begin)
         off = self._straight(begin, way)
-        if isinstance(off, NoPath):
-            return NoPath(message=f"no straight retreat from the path: {off.message}")
+        if isinstance(off, Failure):
+            return Failure(message=f"no straight retreat from the path: {off.message}")
 
-        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | NoPath:
+        def plan_to(goal: Array, seconds: float, notify: Progress) -> Transit | Failure:
             on = self._straight(goal, way)
-            if isinstance(on, NoPath):
-                return NoPath(message=f"no straight way back onto the path: {on.message}")
+            if isinstance(on, Failure):
+                return Failure(message=f"no straight way back onto the path: {on.message}")
             back = on.backwards()
             middle = self.plan_free(off.goal, back.start, seconds, notify)
-            if isinstance(middle, NoPath):
+            if isinstance(middle, Failure):
                 return middle
             try:
                 timed = [retime(each, self.robot, torque=self.torque) for each in (off, back)]
             except PlanningError as error:
-                return NoPath(message=f"the straight way cannot be timed: {error}")
+                return Failure(message=f"the straight way cannot be timed: {error}")
             return self._of([off, middle[0], back], [timed[0], middle[1], timed[1]])
 
         return plan_to
 
-    def _straight(self, q: Array, way: Array) -> JointPath | NoPath:
+    def _straight(self, q: Array, way: Array) -> JointPath | Failure:
         """The best motion from q (n,) on which the tool moves straight by `way` (3,) in its frame, or why there is none.
 
         The tool keeps its orientation; that of an arm with too few joints for that keeps what counts on the path.
@@ -159,7 +159,7 @@ class TransitPlanner:
                 task=self.objective.task if has_few_joints(self.robot) else None,
             )
         except InvalidInputError as error:
-            return NoPath(message=f"{error.argument} is not {error.allowed}")
+            return Failure(message=f"{error.argument} is not {error.allowed}")
         return finder.best_from(q, STRAIGHT_EPSILON)
 
     def _of(self, paths: list[JointPath], motions: list[Trajectory]) -> Transit:

@@ -5,7 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.optimize.result import NoPath
+from manipplan.support.status import Failure
 from manipplan.tool_path.engine import ToolPathPlanner
 from manipplan.tool_path.entry import FirstConfigurations, choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
@@ -208,7 +208,7 @@ class Lead:
         self.goals.append(goal)
         least = self.minima[len(self.goals) - 1] if len(self.goals) <= len(self.minima) else None
         if least is None:
-            return NoPath(message="a wall is in the way")
+            return Failure(message="a wall is in the way")
         made = mp.plan(self.robot, self.robot.neutral, self.robot.neutral + 0.1)
         return Transit(path=made.path, trajectory=made.trajectory, min_manipulability=least, g=made.report.g)
 

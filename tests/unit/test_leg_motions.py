@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import pytest
 
 import manipplan as mp
-from manipplan.optimize.result import NoPath
 from manipplan.programs.leg_motions import Finders, LegFailure, _along, _on_path
 from manipplan.search.sampling import sample_layers
+from manipplan.support.status import Failure
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def finder_that_fails_with_closer(planner):
 
 def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state, monkeypatch):
     """That a position in between is out of reach does not rule out other configurations in which the path begins."""
-    failure = NoPath(message="positions 3 and 4 are not connected")
+    failure = Failure(message="positions 3 and 4 are not connected")
     planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
     monkeypatch.setattr(Finders, "along", finder_that_fails_with_closer(planner))
     finders = Finders(objective=mp.PathObjective(), clearance=0.0)
@@ -42,7 +42,7 @@ def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state
 
 
 def test_a_reason_that_is_the_same_twice_is_said_once(planar, step, state, monkeypatch):
-    failure = NoPath(message="not connected")
+    failure = Failure(message="not connected")
     planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
     monkeypatch.setattr(Finders, "along", lambda *_, **__: planner)
     finders = Finders(objective=mp.PathObjective(), clearance=0.0)
