@@ -11,6 +11,7 @@ from manipplan.cost.objective import PathObjective
 from manipplan.jobs.follow import follow as follow_job
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
+from manipplan.seeds.seeding import Seeding
 from manipplan.support.files import place_for
 from manipplan.support.progress import part
 
@@ -37,6 +38,7 @@ def follow(
     torque: bool = False,
     measure: str | None = None,
     seed: int = 0,
+    time_limit: float = 10.0,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
@@ -60,7 +62,8 @@ def follow(
         closed: The path returns to its start, and so does the motion.
         torque: Keep the joints' effort limits as well.
         measure: Name of the manipulability measure; default: Yoshikawa's.
-        seed: Seed of random starts, for arms without closed-form inverse kinematics.
+        seed: Random seed of free motions, and of inverse kinematics without a closed form.
+        time_limit: Time limit of the free motions to each part of the path [s].
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
@@ -83,7 +86,7 @@ def follow(
             clearance=clearance,
             closed=closed,
             torque=torque,
-            seed=seed,
+            seeding=Seeding(seed=seed, time_limit=time_limit),
             progress=part(notify, 0.0, 0.95),
         )
         notify(1.0, "writing files")

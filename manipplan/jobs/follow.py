@@ -29,7 +29,7 @@ from manipplan.search.layers import SPARE_CLEARANCE, STRIDE, choose_positions
 from manipplan.search.max_min import SearchResult
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.search.sweep import check_epsilon
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
@@ -70,7 +70,7 @@ def follow(
     closed: bool = ...,
     torque: bool = ...,
     executor: Executor | None = ...,
-    seed: int = ...,
+    seeding: Seeding = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -95,7 +95,7 @@ def follow(
     closed: bool = ...,
     torque: bool = ...,
     executor: Executor | None = ...,
-    seed: int = ...,
+    seeding: Seeding = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -121,7 +121,7 @@ def follow(
     closed: bool = False,
     torque: bool = False,
     executor: Executor | None = None,
-    seed: int = 0,
+    seeding: Seeding = Seeding(),
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
@@ -169,7 +169,9 @@ def follow(
         closed: the path returns to its start, and the motion to its first configuration.
         torque: keep the joints' effort limits as well.
         executor: runs the sampling of positions; see `sample_layers`.
-        seed: of random starts, for arms without closed-form inverse kinematics.
+        seeding: how free motions to the path and between its parts are planned, as for `plan`; its `time_limit` holds for all
+            that lead to one part, its `seed` also for the random starts of arms without closed-form inverse kinematics.
+            `shifts` and `initial` stay at their defaults.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -184,6 +186,10 @@ def follow(
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath, such as CartesianPath.through([pose, pose])")
     instance("objective", objective, PathObjective)
+    instance("seeding", seeding, Seeding)
+    if seeding.shifts != AS_GIVEN or seeding.initial is not None:
+        name = "shifts" if seeding.shifts != AS_GIVEN else "initial"
+        raise InvalidInputError(f"seeding.{name}", getattr(seeding, name), "its default: the path decides where a motion leads")
     metric = metric_matrix("metric", objective.metric, robot.n)
     if objective.measure is not None:
         check_measure(robot.kinematics(objective.task or Task.pose(), measure=objective.measure))
@@ -231,7 +237,7 @@ def follow(
             closed=closed,
             near=q_start,
             executor=executor,
-            seed=seed,
+            seed=seeding.seed,
             progress=notify,
         )
         return ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
@@ -274,7 +280,7 @@ def follow(
             goal,
             scene,
             objective=free_objective,
-            seeding=Seeding(seed=seed, time_limit=seconds),
+            seeding=replace(seeding, time_limit=seconds / seeding.count),
             clearance=clearance,
             torque=torque,
             throw=False,
@@ -292,6 +298,7 @@ def follow(
         clearance=clearance,
         torque=torque,
         plan_free=plan_free,
+        seconds=seeding.time_limit,
     )
     joiner = PartsJoiner(
         start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)

@@ -206,8 +206,10 @@ def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: i
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.
 MOTIONS, TRIES, LISTED = 4, 8, 16
-#: Time for all lead-ins [s], and share of what is left that one gets.
-SECONDS, SHARE = 10.0, 0.75
+#: Share of the time that is left that one lead-in gets.
+SHARE = 0.75
+#: Minimum time of one lead-in, where as much is left [s].
+LEAST = 0.75
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -234,6 +236,7 @@ def choose_entry(
     start: Array,
     integral: PathIntegral,
     plan_transit: PlanTransit,
+    seconds: float,
     notify: Progress,
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and path together.
@@ -249,7 +252,8 @@ def choose_entry(
         start: (n,).
         integral: of the g and the manipulability that count.
         plan_transit: plans lead-ins.
-        tell: called with the share done.
+        seconds: time limit of all lead-ins together [s].
+        notify: called with the share done.
     """
     configurations = FirstConfigurations(finder=finder, best=first, cap=float(integral.kinematics.manipulability(start)))
     waiting = list(islice(configurations.ranked(start, integral), LISTED))
@@ -258,8 +262,8 @@ def choose_entry(
         waiting.append((replace(row, bound=min(row.bound, first.minimum)), int(first.indices[0])))
     done: list[GoalCandidate] = []
     best: Entry | None = None
-    failure, tried, planned, seconds = "", 0, 0, SECONDS
-    while waiting and tried < TRIES and planned < MOTIONS and (seconds > 0 or best is None):
+    failure, tried, planned = "", 0, 0
+    while waiting and tried < TRIES and planned < MOTIONS and (seconds > 0 or not tried):
         if best is not None:
             better = [each for each in waiting if each[0].bound > best.minimum * (1 + GAIN)]
             if not better:
@@ -276,7 +280,9 @@ def choose_entry(
         tried += 1
         refined = finder.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
-        lead_in = plan_transit(refined.path.start, max(SHARE * seconds, SHARE), part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
+        lead_in = plan_transit(
+            refined.path.start, max(SHARE * seconds, min(LEAST, seconds)), part(notify, 1 - 0.7 * left, 1 - 0.5 * left)
+        )
         seconds -= work_time() - began
         row = replace(row, q=refined.path.start)
         if isinstance(lead_in, Failure):

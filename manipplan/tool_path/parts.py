@@ -25,7 +25,7 @@ from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
-from manipplan.tool_path.entry import SECONDS, choose_entry
+from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
 
 
@@ -236,7 +236,7 @@ class PartsJoiner:
 
     def _joined(self, parts: list[FoundPart], notify: Progress) -> FollowingMotion | PartsFailure:
         """The motion along parts of the path, or why there is none."""
-        pieces: list[FollowedPart] = []
+        transits, pieces = self.transits, list[FollowedPart]()
         search = parts[0].found
         candidates: tuple[GoalCandidate, ...] = ()
         returns = self.closed and not parts[0].finder.layers.closed
@@ -248,12 +248,14 @@ class PartsJoiner:
                 refined = each.finder.along(each.found, share, hold_start=begin is not None)
                 pieces.append(FollowedPart(part=each, refined=refined, transit=None))
                 continue
-            plan_transit = self.transits.between(begin, self.way) if pieces else self.transits.lead_in(begin)
+            plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
             failure = partial(PartsFailure, search=search, at_cut=bool(pieces))
             if isinstance(plan_transit, Failure):
                 return failure(message=where + plan_transit.message, candidates=candidates)
-            choice = choose_entry(each.finder, each.found, begin, self.transits.integral, plan_transit, share)
+            choice = choose_entry(
+                each.finder, each.found, begin, self.transits.integral, plan_transit, self.transits.seconds, share
+            )
             if not pieces:
                 candidates = choice.candidates
             if choice.entry is None:
@@ -261,10 +263,8 @@ class PartsJoiner:
             pieces.append(FollowedPart(part=each, refined=choice.entry.refined, transit=choice.entry.lead_in))
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
-        plan_transit = self.transits.between(pieces[-1].refined.path.goal, self.way)
-        back = (
-            plan_transit if isinstance(plan_transit, Failure) else plan_transit(pieces[0].refined.path.start, SECONDS, silent)
-        )
+        plan_transit, first = transits.between(pieces[-1].refined.path.goal, self.way), pieces[0].refined.path.start
+        back = plan_transit if isinstance(plan_transit, Failure) else plan_transit(first, transits.seconds, silent)
         if isinstance(back, Failure):
             message = f"no way back to the configuration in which the path began: {back.message}"
             return PartsFailure(message=message, search=search, candidates=candidates, at_cut=True)

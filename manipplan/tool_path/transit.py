@@ -97,6 +97,7 @@ class TransitPlanner:
         clearance: distance to keep [m].
         torque: whether the joints' effort limits are kept.
         plan_free: plans free motions.
+        seconds: time limit of all transits that are tried to one place [s].
     """
 
     robot: Robot
@@ -106,6 +107,7 @@ class TransitPlanner:
     clearance: float
     torque: bool
     plan_free: PlanFree
+    seconds: float
 
     def lead_in(self, start: Array) -> PlanTransit:
         """The planner of free motions from a start (n,)."""

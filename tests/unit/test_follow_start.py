@@ -1,5 +1,7 @@
 """follow with a start: the lead-in, the choice of the first configuration, and motions that begin on the path."""
 
+import time
+
 import numpy as np
 import pinocchio as pin
 import pytest
@@ -230,7 +232,7 @@ def test_the_best_entry_is_chosen(panda, searched, minima, chosen, tried):
     # the start allows more than any path, so that it does not bound the minimum
     start = panda.neutral
     integral = mp.PathObjective().integral(panda)
-    choice = choose_entry(finder, first, start, integral, planner, lambda share, text: None)
+    choice = choose_entry(finder, first, start, integral, planner, 10.0, lambda share, text: None)
     assert len(planner.goals) == tried
     marks = [each.chosen for each in choice.candidates]
     if chosen is None:
@@ -286,3 +288,34 @@ def test_bodies_in_the_way_are_named(panda, line):
     plan = mp.follow(panda, line, scene, positions=6, throw=False, **FEW)
     assert plan.status is mp.Status.NOT_CONNECTED
     assert "without bodies in the way there is a motion, on which" in plan.message and "pole overlap by" in plan.message
+
+
+@pytest.mark.parametrize(
+    "seeding", [mp.Seeding(shifts="nearest"), mp.Seeding(initial=mp.JointPath.line([0.0] * 3, [1.0] * 3)), 3]
+)
+def test_a_seeding_that_says_nothing_of_a_path_is_refused(planar, seeding):
+    path = mp.CartesianPath.line(*planar.kinematics(mp.Task.planar()).pose(np.array([[0.3, 0.8, 0.6], [0.4, 0.9, 0.5]])))
+    with pytest.raises(mp.errors.InvalidInputError, match="seeding"):
+        mp.follow(planar, path, seeding=seeding)
+
+
+def test_lead_ins_keep_the_time_limit(planar):
+    """All lead-ins together take the time limit: a planner that finds nothing and takes all the time it gets."""
+    wall = mp.Scene([mp.Box(size=[0.2, 0.2, 0.2], position=[0.92, 2.53, 0.0], name="wall")])
+    path = mp.CartesianPath.line(*planar.kinematics(mp.Task.planar()).pose(np.array([[0.3, 0.8, 0.6], [0.4, 0.9, 0.5]])))
+    calls = []
+
+    def planner(problem):
+        calls.append(problem.time_left)
+        time.sleep(problem.time_left)
+
+    options = {"positions": 8, "epsilon": 0.5, "throw": False}
+    began = time.monotonic()
+    free = mp.follow(planar, path, wall, start=[1.5, 0.2, 0.1], **options)
+    work = time.monotonic() - began
+    assert free.status is mp.Status.FOLLOWED
+    began = time.monotonic()
+    seeding = mp.Seeding(planner=planner, time_limit=1.0)
+    made = mp.follow(planar, path, wall, start=[1.5, 0.2, 0.1], seeding=seeding, **options)
+    assert calls and made.status is mp.Status.NO_PATH
+    assert time.monotonic() - began < work + 2.0
