@@ -38,7 +38,7 @@ class OwnArm:
         arm: the arm.
         joints: indices of its joints.
         carrier: index in the model of the last joint before those of the arm alone; 0: the world.
-        home: (4, 4) place of that joint in the neutral posture.
+        home: (4, 4) pose of that joint in the neutral posture.
     """
 
     arm: Robot
@@ -56,22 +56,22 @@ class OwnArm:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OfTool:
-    """Configurations q (k, n) in which one tool reaches its goal, each with the shared joints of place number `place` (k,)."""
+    """Configurations q (k, n) in which one tool reaches its goal, each with the shared joints as in `torso` (k,)."""
 
     q: Array
-    place: NDArray[np.int64]
+    torso: NDArray[np.int64]
 
     def rows(self, kept: NDArray[np.int64] | NDArray[np.bool_]) -> "OfTool":
         """These rows only."""
-        return OfTool(q=self.q[kept], place=self.place[kept])
+        return OfTool(q=self.q[kept], torso=self.torso[kept])
 
     def with_more(self, other: "OfTool") -> "OfTool":
         """These rows, then those of another set."""
-        return OfTool(q=np.vstack([self.q, other.q]), place=np.concatenate([self.place, other.place]))
+        return OfTool(q=np.vstack([self.q, other.q]), torso=np.concatenate([self.torso, other.torso]))
 
-    def at(self, place: int) -> "OfTool":
-        """Those of one place."""
-        return self.rows(self.place == place)
+    def at(self, torso: int) -> "OfTool":
+        """Those of one torso."""
+        return self.rows(self.torso == torso)
 
 
 @once_per_owner
@@ -98,13 +98,13 @@ def solutions(
     robot: Robot,
     tool: str,
     goal: PoseGoal,
-    places: Array,
+    torsos: Array,
     start: Array,
     held: NDArray[np.bool_],
     *,
     by_steps: bool = False,
 ) -> OfTool:
-    """The solutions of a tool's own arm with the shared joints as in each of the places (p, n); others as there.
+    """The solutions of a tool's own arm with the shared joints as in each of `torsos` (p, n); others as there.
 
     They are those of inverse kinematics, nearest to start (n,). With `by_steps`, solutions found by damped steps are added.
     Where joints of the arm are held, only these are returned.
@@ -112,18 +112,18 @@ def solutions(
     own = own_arms(robot)[tool]
     joints, near = list(own.joints), start[list(own.joints)]
     data = robot.model.createData()
-    goals = [own.seen(robot, goal, each, data) for each in places]
-    q, place = np.zeros((0, len(joints))), np.zeros(0, dtype=np.int64)
+    goals = [own.seen(robot, goal, each, data) for each in torsos]
+    q, torso = np.zeros((0, len(joints))), np.zeros(0, dtype=np.int64)
     if not held[joints].any():
         found = reaching(own.arm, dict(enumerate(goals)), near)
-        q, place = found.q, found.goals
+        q, torso = found.q, found.goals
     if by_steps or held[joints].any():
         stepped = [each.reaching for each in nearest(own.arm, goals, near, held[joints])]
         q = np.concatenate([q, *stepped])
-        place = np.concatenate([place, np.repeat(np.arange(len(places)), [len(each) for each in stepped])])
-    whole = places[place]
+        torso = np.concatenate([torso, np.repeat(np.arange(len(torsos)), [len(each) for each in stepped])])
+    whole = torsos[torso]
     whole[:, joints] = nearest_turns(own.arm, q, near)
-    return OfTool(q=whole, place=place)
+    return OfTool(q=whole, torso=torso)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -142,14 +142,14 @@ class Ranking:
         """The same by the arm of one tool alone."""
         return self._order(self._figures(tool, np.vstack([self.start, q])), q)
 
-    def places(self, places: Array, found: Mapping[str, OfTool]) -> NDArray[np.int64]:
-        """The order of the places (p, n) at which every tool has a solution: the first one first, then the best."""
-        least = np.full(len(places), np.inf)
+    def torsos(self, torsos: Array, found: Mapping[str, OfTool]) -> NDArray[np.int64]:
+        """The order of the torsos (p, n) at which every tool has a solution: the first one first, then the best."""
+        least = np.full(len(torsos), np.inf)
         for tool, each in found.items():
-            figures, best = self._figures(tool, np.vstack([self.start, each.q])), np.full(len(places), -np.inf)
-            np.maximum.at(best, each.place, np.minimum(figures[1:], figures[0]))
+            figures, best = self._figures(tool, np.vstack([self.start, each.q])), np.full(len(torsos), -np.inf)
+            np.maximum.at(best, each.torso, np.minimum(figures[1:], figures[0]))
             least = np.minimum(least, best)
-        order = np.lexsort((np.linalg.norm(places - self.start, axis=1), -least.round(12), np.arange(len(places)) > 0))
+        order = np.lexsort((np.linalg.norm(torsos - self.start, axis=1), -least.round(12), np.arange(len(torsos)) > 0))
         return np.asarray(order[np.isfinite(least[order])])
 
     def _figures(self, tool: str, q: Array) -> Array:
@@ -184,27 +184,27 @@ def torso_grid(robot: Robot, start: Array, held: NDArray[np.bool_]) -> Array:
     count = GRID if len(free) == 1 else max(FEWEST, round(GRID_OF_SEVERAL ** (1 / len(free))))
     lower, width = _ranges(robot, free)
     values = np.array(list(product(np.linspace(0.0, 1.0, count), repeat=len(free))))
-    places = np.tile(start, (1 + len(values), 1))
-    places[1:, free] = np.clip(lower + values * width, robot.limits.lower[free], robot.limits.upper[free])
-    return places
+    torsos = np.tile(start, (1 + len(values), 1))
+    torsos[1:, free] = np.clip(lower + values * width, robot.limits.lower[free], robot.limits.upper[free])
+    return torsos
 
 
 def meeting(
     robot: Robot,
     goals: Mapping[str, PoseGoal],
-    places: Array,
+    torsos: Array,
     found: Mapping[str, OfTool],
     start: Array,
     held: NDArray[np.bool_],
 ) -> Array:
     """Configurations (k, n) that reach all goals, by damped steps; no two have the same values of shared joints.
 
-    The steps begin at random, and where the places (p, n) with which each tool has solutions are nearest to each other. They
+    The steps begin at random, and where the torsos (p, n) with which each tool has solutions are nearest to each other. They
     are sorted by the distance of their shared joints from start (n,).
     """
     shared = shared_joints(robot)
     random = robot.random_configuration(np.random.default_rng(0), size=RANDOM)
-    begins = np.vstack([start, robot.neutral, random, *_between(robot, places, found)])
+    begins = np.vstack([start, robot.neutral, random, *_between(robot, torsos, found)])
     q = _reaching(robot, goals, np.where(held, start, begins), held)
     _, width = _ranges(robot, shared)
     kept: list[Array] = []
@@ -214,22 +214,22 @@ def meeting(
     return np.array(kept).reshape(-1, robot.n)
 
 
-def _between(robot: Robot, places: Array, found: Mapping[str, OfTool]) -> list[Array]:
-    """Starts (n,) at the places that are nearest to those with which the tools have solutions, each tool at such a solution."""
+def _between(robot: Robot, torsos: Array, found: Mapping[str, OfTool]) -> list[Array]:
+    """Starts (n,) at the torsos that are nearest to those with which the tools have solutions, each tool at such a solution."""
     shared = shared_joints(robot)
     _, width = _ranges(robot, shared)
-    values = places[:, shared] / width
+    values = torsos[:, shared] / width
     solved = {tool: each for tool, each in found.items() if len(each.q)}
-    apart, nearest = np.zeros(len(places)), {}
+    apart, nearest = np.zeros(len(torsos)), {}
     for tool, each in solved.items():
-        own = np.unique(each.place)
+        own = np.unique(each.torso)
         distances = np.linalg.norm(values[:, None] - values[own], axis=2)
         nearest[tool] = own[distances.argmin(axis=1)]
         apart += distances.min(axis=1)
     starts, rng = [], np.random.default_rng(1)
     for k in np.argsort(apart, kind="stable")[: NEAREST if solved else 0]:
         for _ in range(STARTS):
-            q = places[k].copy()
+            q = torsos[k].copy()
             for tool, each in solved.items():
                 joints, rows = list(own_arms(robot)[tool].joints), each.at(nearest[tool][k]).q
                 q[joints] = rows[rng.integers(len(rows))][joints]
@@ -262,7 +262,7 @@ def _ranges(robot: Robot, joints: list[int]) -> tuple[Array, Array]:
     return np.where(limited, lower, -np.pi), np.where(limited, np.maximum(upper - lower, 1e-9), 2 * np.pi)
 
 
-#: Number of places of the shared joints that are looked at together, and of configurations that are joined at all of them.
+#: Number of torso configurations that are looked at together, and of configurations that are joined at all of them.
 TOGETHER, JOINED = 12, 2400
 #: Largest difference of a joint below which two solutions of one arm count as one.
 APART = 0.25
@@ -312,13 +312,13 @@ def reaching_tools(
         return Joined(q=np.zeros((0, robot.n)), rejected=rejected)
     ranking = Ranking(robot=robot, start=start, integral=integral)
     by_steps = any(held[list(own_arms(robot)[tool].joints)].any() for tool in goals)
-    places = start[None] if by_steps else torso_grid(robot, start, held)
-    found = {tool: solutions(robot, tool, goal, places, start, held) for tool, goal in goals.items()}
-    joined = _free_together(model, ranking, places, found, clearance)
+    torsos = start[None] if by_steps else torso_grid(robot, start, held)
+    found = {tool: solutions(robot, tool, goal, torsos, start, held) for tool, goal in goals.items()}
+    joined = _free_together(model, ranking, torsos, found, clearance)
     if by_steps or not joined.is_free:
-        common = places[ranking.places(places, found)[:TOGETHER]]
+        common = torsos[ranking.torsos(torsos, found)[:TOGETHER]]
         moves = not held[shared_joints(robot)].all()
-        met = meeting(robot, goals, places, found, start, held) if moves else np.zeros((0, robot.n))
+        met = meeting(robot, goals, torsos, found, start, held) if moves else np.zeros((0, robot.n))
         more = _closer(robot, goals, common if moves else start[None], met, start, held)
         closer = _free_together(model, ranking, *more, clearance)
         joined = closer if closer.is_free or not len(joined.q) else joined
@@ -327,17 +327,17 @@ def reaching_tools(
 
 
 def _free_together(
-    model: CollisionModel, ranking: Ranking, places: Array, found: Mapping[str, OfTool], clearance: float
+    model: CollisionModel, ranking: Ranking, torsos: Array, found: Mapping[str, OfTool], clearance: float
 ) -> _Together:
-    """Configurations with a solution of each arm at the same place: the free ones; if there are none, some in collision."""
-    touching = [np.zeros((0, places.shape[1]))]
-    order = ranking.places(places, found)
+    """Configurations with a solution of each arm at the same torso: the free ones; if there are none, some in collision."""
+    touching = [np.zeros((0, torsos.shape[1]))]
+    order = ranking.torsos(torsos, found)
     for begin in range(0, len(order), TOGETHER):
         some = order[begin : begin + TOGETHER]
-        sets = {tool: each.rows(np.isin(each.place, some)) for tool, each in found.items()}
+        sets = {tool: each.rows(np.isin(each.torso, some)) for tool, each in found.items()}
         free = {tool: each.rows(~_touching(model, each.q, tool, clearance)) for tool, each in sets.items()}
         touching += [sets[tool].q[:OTHER_PAIRS] for tool, each in free.items() if not len(each.q)]
-        joined = _join(ranking, places, some, free)
+        joined = _join(ranking, torsos, some, free)
         is_free = ~model.in_collision_rows(joined, clearance=clearance)
         if is_free.any():
             return _Together(q=joined[is_free][:FREE_PAIRS], is_free=True)
@@ -353,15 +353,15 @@ def _closer(
     The configurations `met` reach all goals, and are solutions themselves.
     """
     shared = np.isin(np.arange(robot.n), shared_joints(robot)) & ~held
-    places, found = np.vstack([common, np.where(shared, met, start)]), {}
+    torsos, found = np.vstack([common, np.where(shared, met, start)]), {}
     for tool, goal in goals.items():
         own = own_arms(robot)[tool]
-        stepped = places[len(common) :].copy()
+        stepped = torsos[len(common) :].copy()
         stepped[:, own.joints] = nearest_turns(own.arm, met[:, own.joints], start[list(own.joints)])
-        itself = OfTool(q=stepped, place=np.arange(len(common), len(places)))
-        more = solutions(robot, tool, goal, places, start, held, by_steps=True) if len(places) else itself
+        itself = OfTool(q=stepped, torso=np.arange(len(common), len(torsos)))
+        more = solutions(robot, tool, goal, torsos, start, held, by_steps=True) if len(torsos) else itself
         found[tool] = itself.with_more(more)
-    return places, found
+    return torsos, found
 
 
 def _find_misses(
@@ -396,13 +396,13 @@ def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> N
     return touching
 
 
-def _join(ranking: Ranking, places: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
-    """Configurations (k, n) with a solution of each arm at the same one of some places (p, n), the best first."""
-    count, found = int((JOINED / len(some)) ** (1 / len(free))), [np.zeros((0, places.shape[1]))]
-    for place in some.tolist():
-        q = places[place][None]
+def _join(ranking: Ranking, torsos: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
+    """Configurations (k, n) with a solution of each arm at the same one of some torsos (p, n), the best first."""
+    count, found = int((JOINED / len(some)) ** (1 / len(free))), [np.zeros((0, torsos.shape[1]))]
+    for torso in some.tolist():
+        q = torsos[torso][None]
         for tool, each in free.items():
-            own, joints = each.at(place).q, list(ranking.robot.joints_of(tool))
+            own, joints = each.at(torso).q, list(ranking.robot.joints_of(tool))
             own = own[_different(own, ranking.of_tool(tool, own), count)][:, joints]
             q = np.repeat(q, len(own), axis=0)
             q[:, joints] = np.tile(own, (len(q) // max(len(own), 1), 1))

@@ -313,8 +313,8 @@ def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
 def _count(lone: Robot) -> int:
     """Default number of samples per parameter of redundancy."""
     solver = Solver.of(lone, task=None, held=None, method="auto", seed=0)
-    usual = default_samples(solver)
-    return usual[min(max(len(solver.names), 1), len(usual)) - 1]
+    counts = default_samples(solver)
+    return counts[min(max(len(solver.names), 1), len(counts)) - 1]
 
 
 def _motion(request: Request, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:

@@ -68,8 +68,8 @@ def tool_tolerance(tolerance: Tolerance, grasps: Mapping[str, Array]) -> Toleran
     An angle of one tool moves the place of another, seen from it, by the angle times their distance.
     """
     assert tolerance.position is not None and tolerance.rotation is not None
-    places = [grasp[:3, 3] for grasp in grasps.values()]
-    far = max(float(np.linalg.norm(a - b)) for a in places for b in places)
+    origins = [grasp[:3, 3] for grasp in grasps.values()]
+    far = max(float(np.linalg.norm(a - b)) for a in origins for b in origins)
     position = SHARE * tolerance.position
     return Tolerance(position=position, rotation=min(SHARE * tolerance.rotation, position / max(far, 1e-3)))
 
@@ -237,6 +237,8 @@ def _check_start(robot: Robot, start: Array, path: CartesianPath, grasps: Mappin
         position = float(np.linalg.norm(got[:3, 3] - wanted[:3, 3]))
         rotation = float(angles_between(got[None, :3, :3], wanted[:3, :3], None)[0])
         if position > own.position or rotation > own.rotation:
-            told = f"{tool} is {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from its grasp of the path's first pose"
+            found = f"{tool} is {1e3 * position:.3g} mm and {np.rad2deg(rotation):.2g}° from its grasp of the path's first pose"
             needed = f"at most {1e3 * own.position:.2g} mm and {np.rad2deg(own.rotation):.2g}°"
-            raise InvalidInputError("start", start.tolist(), f"a configuration that holds the object: {told}; needed: {needed}")
+            raise InvalidInputError(
+                "start", start.tolist(), f"a configuration that holds the object: {found}; needed: {needed}"
+            )

@@ -243,17 +243,17 @@ def follow(
         return ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
 
     spread = positions if positions is not None else choose_positions(path, closed=closed)
-    finder = sampled(spread, samples, part(notify, 0.0, 0.4))
-    sampler = finder.layers.sampler
+    planner = sampled(spread, samples, part(notify, 0.0, 0.4))
+    sampler = planner.layers.sampler
     assert sampler is not None
-    if max(float(m.max()) for m in finder.layers.m) < VANISHING:
+    if max(float(m.max()) for m in planner.layers.m) < VANISHING:
         hint = idle_hint(sampler.kinematics)
         wanted = "a task whose rows are independent somewhere on the path: the arm is singular in every configuration there"
         wanted += f"; {hint}" if hint else ""
         raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
-    def finer(notify: Progress) -> ToolPathPlanner | None:
-        one = samples is None and len(sampler.solver.names) == 1 and FINER * finder.layers.count <= MOST
+    def make_finer(notify: Progress) -> ToolPathPlanner | None:
+        one = samples is None and len(sampler.solver.names) == 1 and FINER * planner.layers.count <= MOST
         if positions is not None and not one:
             return None
         closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
@@ -264,13 +264,13 @@ def follow(
     integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
     allowed = with_defaults(tolerance)
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
-    stands = q_start is not None and finder.is_at_start(q_start)
+    stands = q_start is not None and planner.is_at_start(q_start)
     begin = q_start if stands else None
-    parts = find_parts(finder, finer, epsilon, interruptions, part(notify, 0.4, 0.6), start=begin)
+    parts = find_parts(planner, make_finer, epsilon, interruptions, part(notify, 0.4, 0.6), start=begin)
     if isinstance(parts, SearchResult):
-        whole = finder if begin is None else finder.starting_at(begin)
-        told = "from the start, which is at the first pose of the path, " if stands else ""
-        return failed(replace(draft, search=parts), throw, told + parts.message + whole.in_the_way(parts))
+        planner_from_start = planner if begin is None else planner.starting_at(begin)
+        prefix = "from the start, which is at the first pose of the path, " if stands else ""
+        return failed(replace(draft, search=parts), throw, prefix + parts.message + planner_from_start.in_the_way(parts))
     free_objective = replace(objective, task=kinematics.task)
 
     def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:

@@ -12,7 +12,7 @@ from manipplan.paths.basis import PathShape
 from manipplan.plans.result import Plan
 from manipplan.programs.assemble import assemble
 from manipplan.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.programs.leg_motions import Node, RawMotion, Stop, nodes_of, places_after
+from manipplan.programs.leg_motions import Node, RawMotion, Stop, nodes_of, part_poses_after
 from manipplan.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.programs.program import Program
 from manipplan.programs.steps import Attach, Detach, ProgramStep
@@ -99,11 +99,11 @@ def sequence(
     first = State(robot=robot, scene=scene)
     nodes: list[list[Node]] = []
     known, needed = first, needed_by(legs)
-    places = [PartPoses.at_first(robot, scene, needed[0])]
+    part_poses = [PartPoses.at_first(robot, scene, needed[0])]
     for k, leg in enumerate(legs):
         notify(0.2 * k / len(legs), f"configurations of step {leg.number}")
-        nodes.append(nodes_of(leg, known, q_start, objective, clearance, places, needed[k + 1]))
-        known, places = _known_after(leg, known), places_after(nodes[-1])
+        nodes.append(nodes_of(leg, known, q_start, objective, clearance, part_poses, needed[k + 1]))
+        known, part_poses = _known_after(leg, known), part_poses_after(nodes[-1])
     free = sum(each.is_free for each in legs)
     search = ProgramSearch(
         legs=legs,

@@ -60,12 +60,12 @@ def tool_distances(
         way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
         ways.append(way)
         left.append((s, *deviations(stretch, way, free)))
-        places = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
-        poses = stretch(places)
+        shares = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
+        poses = stretch(shares)
         position, rotation = distances_from(way, poses, free)
         ends = [0, -1]
         position[ends], rotation[ends] = distances_between(way[ends], poses[ends], free)
-        missed.append((part.s_begin + places * (part.s_end - part.s_begin), position, rotation))
+        missed.append((part.s_begin + shares * (part.s_end - part.s_begin), position, rotation))
     if workspace_path.given is not None:
         whole = np.concatenate(ways)
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free)))
@@ -74,7 +74,7 @@ def tool_distances(
 
 
 def _largest(parts: list[tuple[Array, Array, Array]]) -> Deviation:
-    """The largest distances of parts, each with the places and the distances there."""
+    """The largest distances of parts, each with the s at which they are, and the distances there."""
     at, position, rotation = (np.concatenate(each) for each in zip(*parts, strict=True))
     far, turned = int(position.argmax()), int(rotation.argmax())
     return Deviation(
@@ -91,7 +91,7 @@ TOLERANCE = 1e-6
 AT_END = 0.01
 #: Number of equal intervals of time, at whose ends the report measures distances.
 TIME_INTERVALS = 400
-#: Number of intervals at whose ends m is compared with the floor, and of places inside those where it may pass it.
+#: Number of intervals at whose ends m is compared with the floor, and of samples inside those where it may pass it.
 FINE_PLACES, PARTS = 5_000, 200
 
 

@@ -3,7 +3,7 @@
 A blend is a curve in joint space that has the tangents and curvatures of the two motions at its ends. Its inner control points
 are moved until each tool stays in the convex hull of the two pieces of its way that the blend replaces.
 
-Convex hulls of places, also flat ones, and how far other places are beyond them.
+Convex hulls of points, also flat ones, and how far other points are beyond them.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,43 +20,43 @@ from manipplan.support.checks import Array
 from manipplan.support.status import Failure
 from manipplan.timing.stops import CORNER, turn_cosine
 
-#: Weight of the sum of shares in the distances that are minimised; places are scaled to the size of the hull.
+#: Weight of the sum of shares in the distances that are minimised; points are scaled to the size of the hull.
 WEIGHT = 1e3
-#: Smallest size to which places are scaled [m].
+#: Smallest size to which points are scaled [m].
 SMALLEST = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BlendHull:
-    """The convex hull of places.
+    """The convex hull of points.
 
     Attributes:
-        places: (k, 3) [m].
+        points: (k, 3) [m].
         size: largest distance of one of them from the first [m].
     """
 
-    places: Array
+    points: Array
     size: float
 
     @classmethod
-    def of(cls, places: Array) -> "BlendHull":
-        """The hull of places (k, 3)."""
-        return cls(places=places, size=max(float(np.linalg.norm(places - places[0], axis=1).max()), SMALLEST))
+    def of(cls, points: Array) -> "BlendHull":
+        """The hull of points (k, 3)."""
+        return cls(points=points, size=max(float(np.linalg.norm(points - points[0], axis=1).max()), SMALLEST))
 
-    def beyond(self, places: Array) -> Array:
-        """The vectors (k, 3) from the nearest place of the hull to each of some places (k, 3) [m]; zero for those inside."""
+    def beyond(self, points: Array) -> Array:
+        """The vectors (k, 3) from the nearest point of the hull to each of some points (k, 3) [m]; zero for those inside."""
         from scipy.optimize import nnls
 
-        made = np.zeros(places.shape)
+        made = np.zeros(points.shape)
         goal = np.array([0.0, 0.0, 0.0, WEIGHT])
-        for row, place in enumerate(places):
-            columns = np.vstack([(self.places - place).T / self.size, np.full(len(self.places), WEIGHT)])
+        for row, point in enumerate(points):
+            columns = np.vstack([(self.points - point).T / self.size, np.full(len(self.points), WEIGHT)])
             shares, _ = nnls(columns, goal)
-            made[row] = place - shares @ self.places / shares.sum()
+            made[row] = point - shares @ self.points / shares.sum()
         return made
 
 
-#: Number of places of a motion at which the tool's distance from a corner is measured, of a blend, and of a piece it replaces.
+#: Number of samples of a motion at which the tool's distance from a corner is measured, of a blend, and of a piece it replaces.
 CORNER_SAMPLES, BLEND_SAMPLES, PIECE_SAMPLES = 400, 100, 50
 #: Largest share of a free motion that a blend takes at either end, and of the tool's way along a path that all its blends take.
 MOST, OF_PATH = 0.45, 0.5
@@ -94,7 +94,7 @@ class Blend:
 
     def beyond(self, q: Array) -> float:
         """Largest distance of a tool from its hull at configurations (k, n) [m]."""
-        off = [hull.beyond(tool.places(q)) for hull, tool in zip(self.hulls, self.tools, strict=True)]
+        off = [hull.beyond(tool.points(q)) for hull, tool in zip(self.hulls, self.tools, strict=True)]
         return float(np.linalg.norm(off, axis=2).max())
 
 
@@ -110,7 +110,7 @@ class ToolWay:
     kinematics: Kinematics
     joints: Sequence[int]
 
-    def places(self, q: Array) -> Array:
+    def points(self, q: Array) -> Array:
         """Positions (k, 3) of the tool at q (k, n)."""
         return np.asarray(self.kinematics.pose(q[:, self.joints])[:, :3, 3])
 
@@ -147,15 +147,15 @@ def blend_of(
     def away(path: JointPath, s: Array) -> Array:
         """Distances (k,) of the tool from the corner; of several the largest."""
         q = np.concatenate([corner, path(s)])
-        places = [each.places(q) for each in tools]
-        return np.asarray(np.max([np.linalg.norm(each[1:] - each[0], axis=1) for each in places], axis=0))
+        points = [each.points(q) for each in tools]
+        return np.asarray(np.max([np.linalg.norm(each[1:] - each[0], axis=1) for each in points], axis=0))
 
     refused = "half of each path along which the tool moves is left" if distance < asked else ""
     for _ in range(HALVINGS + 1):
         leaves = 1 - _reach(lambda s: away(before.path, 1 - s), distance)
         joins = _reach(lambda s: away(after.path, s), distance)
         replaced = np.concatenate([before.path(_between(leaves, 1.0)), after.path(_between(0.0, joins))])
-        hulls = [BlendHull.of(each.places(replaced)) for each in tools]
+        hulls = [BlendHull.of(each.points(replaced)) for each in tools]
         path = _inside(_quintic(before.path, leaves, after.path, joins), hulls, tools, distance)
         if path is None:
             reason = "it would leave the convex hull of the pieces that it replaces"
@@ -189,16 +189,16 @@ def find_unblended(blends: list[Blend | None]) -> list[tuple[float, float]]:
 def with_blends(motions: list[RawMotion], blends: list[Blend | None]) -> tuple[JointPath, list[tuple[float, float]]]:
     """One path through motions with their blends, and the s of it between which it keeps the path of each motion."""
     pieces: list[JointPath] = []
-    kept: list[tuple[float, float]] = []  # in lengths from the start
+    spans: list[tuple[float, float]] = []  # in lengths from the start
     length = 0.0
     for motion, own, blend in zip(motions, find_unblended(blends), [*blends, None], strict=True):
         pieces.append(cut(motion.path, *own))
-        kept.append((length, length + pieces[-1].length))
-        length = kept[-1][1]
+        spans.append((length, length + pieces[-1].length))
+        length = spans[-1][1]
         if blend is not None:
             pieces.append(blend.path)
             length += blend.path.length
-    return JointPath.joined(pieces), [(begin / length, end / length) for begin, end in kept]
+    return JointPath.joined(pieces), [(begin / length, end / length) for begin, end in spans]
 
 
 def _reach(away: Callable[[Array], Array], distance: float) -> float:
@@ -219,7 +219,7 @@ def _between(begin: float, end: float) -> Array:
 def _inside(path: JointPath, hulls: Sequence[BlendHull], tools: Sequence[ToolWay], size: float) -> JointPath | None:
     """A path with the same ends on which each tool stays in its hull, found from one of degree 5; None where none was found.
 
-    The places where a tool is outside are moved to the nearest of the hull, by Gauss-Newton steps of the control points that do
+    The points where a tool is outside are moved to the nearest of the hull, by Gauss-Newton steps of the control points that do
     not change the ends, their tangents and their curvatures.
     """
     control = raised(path.control, DEGREE)[0]
@@ -227,7 +227,7 @@ def _inside(path: JointPath, hulls: Sequence[BlendHull], tools: Sequence[ToolWay
     inner = basis[:, 3:-3]
     for _ in range(ROUNDS):
         q = basis @ control
-        off = np.array([hull.beyond(tool.places(q)) for hull, tool in zip(hulls, tools, strict=True)])
+        off = np.array([hull.beyond(tool.points(q)) for hull, tool in zip(hulls, tools, strict=True)])
         worst = float(np.linalg.norm(off, axis=2).max())
         if worst <= ENOUGH * HULL:
             return JointPath(breaks=path.breaks, control=control[None])

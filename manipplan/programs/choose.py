@@ -18,7 +18,7 @@ from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
 from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan
-from manipplan.programs.leg_motions import Finders, LegFailure, LegMotion, Node, RawMotion, motion_of_leg
+from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotion, ToolPathPlanners, motion_of_leg
 from manipplan.programs.legs import Leg, State, rounded
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
@@ -84,7 +84,7 @@ class ProgramSearch:
     failures: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._finders = Finders(objective=self.objective, clearance=self.clearance)
+        self._planners = ToolPathPlanners(objective=self.objective, clearance=self.clearance)
         self._made_motions: dict[tuple[object, ...], LegMotion | LegFailure] = {}
         self._free: dict[tuple[object, ...], Plan | Failure] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
@@ -183,13 +183,13 @@ class ProgramSearch:
             if leg.is_free and np.abs(motion.entry - q).max() >= COINCIDENT:
                 made = self._free_motion(k, before, node, q, motion.entry, state)
                 self._planned[k][before, node] = True
-                kept = -np.inf if isinstance(made, Failure) else made.report.min_manipulability
-                self._between[k][before, node] = min(self._between[k][before, node], kept)
-                self._likely[k][before, node] = kept
+                minimum = -np.inf if isinstance(made, Failure) else made.report.min_manipulability
+                self._between[k][before, node] = min(self._between[k][before, node], minimum)
+                self._likely[k][before, node] = minimum
                 if isinstance(made, Failure):
                     self.failures.append(f"steps[{leg.number}]: {made.message}")
                     return None
-                if kept <= least:
+                if minimum <= least:
                     return None
                 plan = made
             free.append(plan)
@@ -205,7 +205,7 @@ class ProgramSearch:
             if isinstance(q, Failure):
                 self._made_motions[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
-                self._made_motions[key] = motion_of_leg(leg, q, state, self._finders, here.found)
+                self._made_motions[key] = motion_of_leg(leg, q, state, self._planners, here.found)
         return self._made_motions[key]
 
     def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | Failure:

@@ -29,11 +29,11 @@ from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
-from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_finder, straight_on
+from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
-#: Maximum number of finders that are kept: each may hold a hundred thousand configurations.
+#: Maximum number of planners that are stored: each may hold a hundred thousand configurations.
 STORED_PLANNERS = 32
 
 
@@ -97,8 +97,8 @@ class LegFailure(Failure):
 
 
 @dataclass(kw_only=True, eq=False)
-class Finders:
-    """The finders of motions along paths of the tool, each kept for all configurations in which a path begins.
+class ToolPathPlanners:
+    """The planners of motions along paths of the tool, each stored for all configurations in which a path begins.
 
     Attributes:
         objective, clearance: of all motions.
@@ -106,36 +106,36 @@ class Finders:
 
     objective: PathObjective
     clearance: float
-    kept: dict[tuple[object, ...], ToolPathPlanner | LegFailure] = field(default_factory=dict)
+    stored: dict[tuple[object, ...], ToolPathPlanner | LegFailure] = field(default_factory=dict)
 
     def along(
         self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
     ) -> ToolPathPlanner | LegFailure:
-        """The finder of motions along a path of a step in a state, or why a position is out of reach or not free.
+        """The planner of motions along a path of a step in a state, or why a position is out of reach or not free.
 
         `closer`: with half the distance between positions.
         """
         key = (number, closer, rounded(path(0.0)), state.history)
-        if key not in self.kept:
+        if key not in self.stored:
             try:
                 made: ToolPathPlanner | LegFailure = self.made(step, path, state, closer=closer)
             except InvalidInputError as error:
                 made = LegFailure(message=f"{error.argument} is not {error.allowed}", always=True)
-            if len(self.kept) >= STORED_PLANNERS:
-                del self.kept[next(iter(self.kept))]
-            self.kept[key] = made
-        return self.kept[key]
+            if len(self.stored) >= STORED_PLANNERS:
+                del self.stored[next(iter(self.stored))]
+            self.stored[key] = made
+        return self.stored[key]
 
     def made(
         self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False, near: Array | None = None
     ) -> ToolPathPlanner:
-        """The same, not kept, with samples near a configuration (n,) if it is given.
+        """The same, not stored, with samples near a configuration (n,) if it is given.
 
         Raises InvalidInputError for a position that is out of reach or not free.
         """
         measure, clearance = self.objective.measure, self.clearance
         if not isinstance(step.path, CartesianPath):
-            return straight_finder(
+            return straight_planner(
                 state.robot, state.scene, path, measure=measure, clearance=clearance, task=step.task, tolerance=step.tolerance
             )
         positions = step.positions
@@ -153,7 +153,7 @@ class Finders:
 
 
 def motion_of_leg(
-    leg: Leg, q: Array, state: State, finders: Finders, found: tuple[FirstConfigurations, int] | None
+    leg: Leg, q: Array, state: State, planners: ToolPathPlanners, found: tuple[FirstConfigurations, int] | None
 ) -> LegMotion | LegFailure:
     """The motion of a leg whose goal is reached at q (n,), or why there is none.
 
@@ -164,7 +164,7 @@ def motion_of_leg(
     if leg.approach is not None:
         pose = state.robot.kinematics(Task.pose()).pose(q)
         back = straight_on(pose, -leg.approach)
-        made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, finders)
+        made = _along(leg.number, MoveAlong(-leg.approach), back, q, state, planners)
         if isinstance(made, LegFailure):
             return replace(made, message=f"steps[{leg.number}]: no straight approach: {made.message}")
         path = made.path.backwards()
@@ -177,7 +177,7 @@ def motion_of_leg(
             else:
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
-                made = _along(number, step, workspace, q, state, finders)
+                made = _along(number, step, workspace, q, state, planners)
             if isinstance(made, LegFailure):
                 # where the tool is after a path that leaves a motion free depends on the configuration
                 tasks = [each.task for each in items if isinstance(each, RawMotion) and each.task is not None]
@@ -189,12 +189,12 @@ def motion_of_leg(
         elif isinstance(step, Attach | Detach):
             items.append(Stop(step=number, q=q, state=state))
             before, state = state, state.after(step, q)
-            touching = before.touching(q, finders.clearance) or state.touching(q, finders.clearance)
+            touching = before.touching(q, planners.clearance) or state.touching(q, planners.clearance)
             if touching:
                 return LegFailure(message=f"steps[{number}]: {touching}")
         elif isinstance(step, Wait):
             items.append(Stop(step=number, q=q, state=state, seconds=step.seconds))
-    integral = finders.objective.integral(state.robot)
+    integral = planners.objective.integral(state.robot)
     least = [integral.cost(each.path).min_manipulability for each in items if isinstance(each, RawMotion)]
     at_entry = float(integral.kinematics.manipulability(entry))
     return LegMotion(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
@@ -206,33 +206,33 @@ def has_closer(step: MoveAlong) -> bool:
 
 
 def _along(
-    number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, finders: Finders
+    number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, planners: ToolPathPlanners
 ) -> RawMotion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
     epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
     failures: list[LegFailure] = []
     for closer in (False, True) if has_closer(step) else (False,):
-        finder = finders.along(number, step, path, state, closer=closer)
-        if isinstance(finder, LegFailure):
-            failures.append(finder)
+        planner = planners.along(number, step, path, state, closer=closer)
+        if isinstance(planner, LegFailure):
+            failures.append(planner)
             break
-        made = finder.best_from(q, epsilon)
+        made = planner.best_from(q, epsilon)
         if isinstance(made, JointPath):
-            return _motion(number, step, finder.path, made, state)
+            return _motion(number, step, planner.path, made, state)
         failures.append(LegFailure(message=made.message))
-        if isinstance(step.path, CartesianPath) and finder.has_several_parameters:
-            near = finders.made(step, path, state, closer=closer, near=q).best_from(q, epsilon)
+        if isinstance(step.path, CartesianPath) and planner.has_several_parameters:
+            near = planners.made(step, path, state, closer=closer, near=q).best_from(q, epsilon)
             if isinstance(near, JointPath):
-                return _motion(number, step, finder.path, near, state)
+                return _motion(number, step, planner.path, near, state)
     messages = dict.fromkeys(each.message for each in failures)
     return replace(failures[0], message="; with positions half as far apart: ".join(messages))
 
 
 def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
-    path = configurations.finder.along(configurations.motion(k), silent, hold_start=True).path
+    path = configurations.planner.along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
-    return LegFailure(message=outside) if outside else _motion(number, step, configurations.finder.path, path, state)
+    return LegFailure(message=outside) if outside else _motion(number, step, configurations.planner.path, path, state)
 
 
 def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointPath, state: State) -> RawMotion:
@@ -247,8 +247,8 @@ def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointP
     )
 
 
-#: Maximum number of nodes of a leg, and of one before which parts may be in several places: those with the largest bounds.
-MOST_NODES, MOST_OF_PLACES = 48, 192
+#: Maximum number of nodes of a leg, and of one before which parts may be in several part_poses: those with the largest bounds.
+MOST_NODES, MOST_OF_POSES = 48, 192
 #: Number of poses of the tool for which configurations are enumerated together.
 TOGETHER = 4
 
@@ -283,28 +283,28 @@ def nodes_of(
     start: Array,
     objective: PathObjective,
     clearance: float,
-    places: Sequence[PartPoses],
+    part_poses: Sequence[PartPoses],
     needed: set[str],
 ) -> list[Node]:
     """The nodes of a leg, those with the largest bound first.
 
     Args:
         state: what is known of arm and scene at the leg before anything is planned.
-        places: where parts may be before the leg.
+        part_poses: where parts may be before the leg.
         needed: the parts on which goals of later legs depend.
 
     Raises InvalidInputError, which names the step, where there is none.
     """
     pose = state.robot.kinematics().pose
     if any(each.pose is not None and each.pose.of for each in leg.targets):
-        nodes = _at_targets(leg, state, start, objective, clearance, places)
+        nodes = _at_targets(leg, state, start, objective, clearance, part_poses)
     else:
-        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, objective, clearance) for each in places]
-    nodes = _different_bounds(nodes, MOST_NODES if len(places) == 1 else MOST_OF_PLACES)
+        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, objective, clearance) for each in part_poses]
+    nodes = _different_bounds(nodes, MOST_NODES if len(part_poses) == 1 else MOST_OF_POSES)
     return [replace(node, after=node.before.after(leg, pose(node.q)).of(needed)) for node in nodes]
 
 
-def places_after(nodes: Sequence[Node]) -> list[PartPoses]:
+def part_poses_after(nodes: Sequence[Node]) -> list[PartPoses]:
     """Where parts may be after a leg with these nodes."""
     return different([each.after for each in nodes])
 
@@ -315,26 +315,26 @@ def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clear
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, Finders(objective=objective, clearance=clearance)))
+        return list(_on_path(leg, state, ToolPathPlanners(objective=objective, clearance=clearance)))
     return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
 
 
 def _at_targets(
-    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, places: Sequence[PartPoses]
+    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, part_poses: Sequence[PartPoses]
 ) -> list[Node]:
-    """Nodes at the goals of a leg, for each of the places where parts may be."""
+    """Nodes at the goals of a leg, for each of the part_poses where parts may be."""
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
         Node(q=each.q, goal_index=k, bound=float(kinematics.manipulability(each.q)), is_given=not each.turns, before=before)
         for k, each in enumerate(leg.targets)
         if each.q is not None
-        for before in places
+        for before in part_poses
     ]
     if nodes:
         touching = model.in_collision_rows(np.array([each.q for each in nodes]), clearance=clearance)
         nodes = [node for node, touches in zip(nodes, touching, strict=True) if not touches]
-    poses, owners = _tool_goals(leg, places)
+    poses, owners = _tool_goals(leg, part_poses)
     integral = objective.integral(state.robot)
 
     def found(first: int, count: int) -> list[Node]:
@@ -362,15 +362,15 @@ def _at_targets(
     return nodes
 
 
-def _tool_goals(leg: Leg, places: Sequence[PartPoses]) -> tuple[list[Target], list[list[tuple[int, PartPoses]]]]:
-    """The goals of a leg that are poses as poses of the tool, each once, and for each the goals and places that it stands for.
+def _tool_goals(leg: Leg, part_poses: Sequence[PartPoses]) -> tuple[list[Target], list[list[tuple[int, PartPoses]]]]:
+    """The goals of a leg that are poses as poses of the tool, each once, and for each which goals and part poses it stands for.
 
     Raises InvalidInputError where no place allows any.
     """
     owners: dict[object, tuple[Target, list[tuple[int, PartPoses]]]] = {}
     refused: list[InvalidInputError] = []
     for k, target in enumerate(leg.targets):
-        for before in places:
+        for before in part_poses:
             if target.tools is not None:
                 owners.setdefault(k, (target, []))[1].append((k, before))
             if target.pose is None:
@@ -389,25 +389,25 @@ def _tool_goals(leg: Leg, places: Sequence[PartPoses]) -> tuple[list[Target], li
     return [each for each, _ in owners.values()], [each for _, each in owners.values()]
 
 
-def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
+def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Node]:
     number, along = leg.rest[0][0], leg.along
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
-        finder = finders.made(along, along.path, state)
-        first = max_min_search(finder.layers, EPSILON, throw=False)
+        planner = planners.made(along, along.path, state)
+        first = max_min_search(planner.layers, EPSILON, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected and has_closer(along):
         with suppress(InvalidInputError):  # about positions that were not asked for; the search that failed says why
-            closer = finders.made(along, along.path, state, closer=True)
+            closer = planners.made(along, along.path, state, closer=True)
             again = max_min_search(closer.layers, EPSILON, throw=False)
-            finder, first = (closer, again) if again.connected else (finder, first)
+            planner, first = (closer, again) if again.connected else (planner, first)
     if not first.connected:
-        raise PlanningError(f"steps[{number}]: {first.message}{finder.in_the_way(first)}", first)
-    configurations = FirstConfigurations(finder=finder, best=first)
+        raise PlanningError(f"steps[{number}]: {first.message}{planner.in_the_way(first)}", first)
+    configurations = FirstConfigurations(planner=planner, best=first)
     for k in configurations.different(state.robot, MOST_NODES):
         yield Node(
-            q=finder.layers.q[0][k],
+            q=planner.layers.q[0][k],
             goal_index=0,
             bound=float(configurations.minimum[k]),
             found=(configurations, k),
@@ -416,7 +416,7 @@ def _on_path(leg: Leg, state: State, finders: Finders) -> Iterator[Node]:
 
 
 def _different_bounds(nodes: list[Node], most: int) -> list[Node]:
-    """The best nodes of each goal and each of the places before in turn, so that none displaces all others."""
+    """The best nodes of each goal and each of the part_poses before in turn, so that none displaces all others."""
     groups: dict[tuple[object, ...], list[Node]] = {}
     for node in sorted(nodes, key=lambda each: -each.bound):
         groups.setdefault((node.goal_index, node.before.key), []).append(node)

@@ -204,9 +204,9 @@ def needed_by(legs: Sequence[Leg]) -> list[set[str]]:
     return [set().union(*parts[k:]) for k in range(len(legs) + 1)]
 
 
-def different(places: Sequence[PartPoses]) -> list[PartPoses]:
+def different(part_poses: Sequence[PartPoses]) -> list[PartPoses]:
     """Each once."""
-    return list({each.key: each for each in places}.values())
+    return list({each.key: each for each in part_poses}.values())
 
 
 #: Poses of parts that differ by less than this are the same [m, rad].

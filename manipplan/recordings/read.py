@@ -43,7 +43,7 @@ def read_motion(
     joints are converted.
     """
     degrees = flag("degrees", degrees)
-    places = ValueNames(
+    entries = ValueNames(
         argument=argument, file=Path(given) if isinstance(given, str | Path) else None, degrees=degrees, robot=robot
     )
     is_csv = isinstance(given, str | Path) and Path(given).suffix.lower() == ".csv"
@@ -63,7 +63,7 @@ def read_motion(
         motion = replace(motion, q=motion.q * scale, qd=motion.qd * scale)
 
     def place(row: int, joint: int) -> tuple[str, float]:
-        return places.name(row, joint), places.value(float(motion.q[row, joint]), joint)
+        return entries.name(row, joint), entries.value(float(motion.q[row, joint]), joint)
 
     return unwrapped(robot, motion, place, fastest=fastest)
 
@@ -121,7 +121,7 @@ class ValueNames:
         return float(np.rad2deg(q)) if self.degrees[joint] else float(q)
 
 
-def _check(robot: Robot, motion: Trajectory, places: ValueNames) -> None:
+def _check(robot: Robot, motion: Trajectory, entries: ValueNames) -> None:
     """Raise InvalidInputError for positions that the robot cannot have had, or that do not change."""
     limits, names = robot.limits, robot.joint_names
     outside, allowed = limits.outside(motion.q), max(OUTSIDE, robot.limit_tolerance)
@@ -131,22 +131,22 @@ def _check(robot: Robot, motion: Trajectory, places: ValueNames) -> None:
         prismatic = robot.joint_types[joint] == "prismatic"
         unit = "m" if prismatic else "rad"
         hint = ""
-        if places.degrees[joint] and not limits.outside(np.rad2deg(motion.q)).any():
+        if entries.degrees[joint] and not limits.outside(np.rad2deg(motion.q)).any():
             hint = "; all positions are inside the limits if they are in radians: leave degrees=True (--degrees) out"
-        if far and not prismatic and not places.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
+        if far and not prismatic and not entries.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
             hint = "; all positions are inside the limits if they are in degrees: say degrees=True (--degrees)"
-        value, low, high = (places.value(each[joint], joint) for each in (motion.q[row], limits.lower, limits.upper))
-        missed = limits_missed(low, high, value, "°" if places.degrees[joint] else unit)
-        raise InvalidInputError(places.name(row, joint), value, f"positions inside the limits {missed}{hint}")
+        value, low, high = (entries.value(each[joint], joint) for each in (motion.q[row], limits.lower, limits.upper))
+        missed = limits_missed(low, high, value, "°" if entries.degrees[joint] else unit)
+        raise InvalidInputError(entries.name(row, joint), value, f"positions inside the limits {missed}{hint}")
     step = np.abs(np.diff(motion.q, axis=0))
     jumps = (step > JUMP) & (step > TOO_FAST * limits.velocity * np.diff(motion.t)[:, None])
     if jumps.any():
         row, joint = (int(k) for k in np.argwhere(jumps)[0])
         raise InvalidInputError(
-            places.name(row + 1, joint),
-            places.value(motion.q[row + 1, joint], joint),
+            entries.name(row + 1, joint),
+            entries.value(motion.q[row + 1, joint], joint),
             f"a position that {names[joint]} reaches at {limits.velocity[joint]:g} per second from "
-            f"{places.value(motion.q[row, joint], joint):g}, {1e3 * float(motion.t[row + 1] - motion.t[row]):.4g} ms before",
+            f"{entries.value(motion.q[row, joint], joint):g}, {1e3 * float(motion.t[row + 1] - motion.t[row]):.4g} ms before",
         )
     if np.ptp(motion.q, axis=0).max() < STILL:
         raise InvalidInputError("recorded", "a motion in which no joint moves", "a motion")

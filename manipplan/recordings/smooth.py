@@ -12,7 +12,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.limits import JointLimits
 from manipplan.support.checks import Array
 
-#: Number of places per piece at which a spline is fitted to a curve.
+#: Number of samples per piece at which a spline is fitted to a curve.
 FIT_SAMPLES = 4
 
 
@@ -46,22 +46,22 @@ class SplineBasis:
 
         return np.asarray(BSpline(self.knots, np.eye(self.size), 3)(u, nu=order))
 
-    def fit(self, places: Array, values: Array, ends: "Ends") -> Array:
-        """Control points (size, n) of the curve with these ends that is nearest to values (m, n) at places (m,)."""
+    def fit(self, shares: Array, values: Array, ends: "Ends") -> Array:
+        """Control points (size, n) of the curve with these ends that is nearest to values (m, n) at shares (m,)."""
         from scipy.interpolate import BSpline
         from scipy.sparse.linalg import spsolve
 
         control = ends.control(self)
         free = np.isnan(control[:, 0])
-        design = BSpline.design_matrix(places, self.knots, 3).tocsc()
+        design = BSpline.design_matrix(shares, self.knots, 3).tocsc()
         rest = values - design[:, ~free] @ control[~free]
         inner = design[:, free]
         control[free] = spsolve((inner.T @ inner).tocsc(), inner.T @ rest).reshape(-1, values.shape[1])
         return control
 
     @property
-    def places(self) -> Array:
-        """Evenly spaced places for `fit`."""
+    def shares(self) -> Array:
+        """Evenly spaced shares for `fit`."""
         return np.linspace(0.0, 1.0, FIT_SAMPLES * self.pieces + 1)
 
     def trajectory(self, control: Array, duration: float, spacing: float, joint_names: tuple[str, ...]) -> Trajectory:
@@ -98,7 +98,7 @@ class Ends:
 
 #: Smallest and largest number of pieces, factor from one number to the next, and smallest number of samples per piece.
 FEWEST, MOST, FINER, PER_PIECE = 16, 2000, 1.3, 3
-#: Widest distance between the places at which a recording is read, as a share of its duration.
+#: Widest distance between the samples at which a recording is read, as a share of its duration.
 WIDEST = 0.01
 #: The smallest number of pieces is taken whose score is at most this multiple of the best.
 NEARLY = 1.02
@@ -119,8 +119,8 @@ class Smooth:
         if factor == 1:
             return self
         basis = SplineBasis(pieces=factor * self.basis.pieces)
-        curve = self.basis.values(basis.places) @ self.control
-        return Smooth(basis=basis, control=basis.fit(basis.places, curve, self.ends), ends=self.ends)
+        curve = self.basis.values(basis.shares) @ self.control
+        return Smooth(basis=basis, control=basis.fit(basis.shares, curve, self.ends), ends=self.ends)
 
 
 def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
@@ -128,7 +128,7 @@ def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
 
     It is at rest at an end where the recording nearly is. The number of pieces is the smallest that leaves a mean residual of
     at most `enough` [rad or m] or else, nearly, the smallest score RSS / (1 - size / m)² of generalised cross-validation over
-    m places [craven1978].
+    m samples [craven1978].
     """
     from scipy.interpolate import make_lsq_spline
 
@@ -155,8 +155,8 @@ def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
         for q, slope, inward in ((first, start, 1), (last, goal, -1))
     )
     ends = Ends(start=first, goal=last, start_slope=start, goal_slope=goal)
-    curve = basis.values(basis.places) @ control
-    return Smooth(basis=basis, control=basis.fit(basis.places, curve, ends), ends=ends)
+    curve = basis.values(basis.shares) @ control
+    return Smooth(basis=basis, control=basis.fit(basis.shares, curve, ends), ends=ends)
 
 
 def _inside(basis: SplineBasis, q: Array, slope: Array, inward: int, limits: JointLimits) -> Array:
@@ -166,9 +166,9 @@ def _inside(basis: SplineBasis, q: Array, slope: Array, inward: int, limits: Joi
 
 
 def _places(motion: Trajectory) -> tuple[Array, Array]:
-    """Shares of the duration (m,) and configurations (m, n): the samples, and places between those that are far apart."""
+    """Shares of the duration (m,) and configurations (m, n): the samples, and some between those that are far apart."""
     u = motion.t / motion.duration
     parts = np.ceil(np.diff(u) / WIDEST - 1e-6).astype(int)
     between = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(u[:-1], u[1:], parts, strict=True)]
-    places = np.append(np.concatenate(between), 1.0)
-    return places, motion(np.minimum(places * motion.duration, motion.duration))
+    shares = np.append(np.concatenate(between), 1.0)
+    return shares, motion(np.minimum(shares * motion.duration, motion.duration))

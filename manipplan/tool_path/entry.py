@@ -43,12 +43,12 @@ class FirstConfigurations:
     """The configurations at the first position of a path, with the best motions along the path that begin in them.
 
     Attributes:
-        finder: of motions along the path.
+        planner: of motions along the path.
         best: the best of all these motions.
         cap: a manipulability beyond which more does not count.
     """
 
-    finder: ToolPathPlanner
+    planner: ToolPathPlanner
     best: SearchResult
     cap: float = np.inf
 
@@ -63,7 +63,7 @@ class FirstConfigurations:
     @cached_property
     def _found(self) -> tuple[Array, tuple[NDArray[np.int64], ...] | None]:
         """The minima, and the aspects of all candidates of each layer; None where motions do not stay in one."""
-        layers = self.finder.layers
+        layers = self.planner.layers
         aspects = self._aspects()
         if aspects is None:
             return self._minima(layers), None
@@ -81,16 +81,16 @@ class FirstConfigurations:
 
     def _aspects(self) -> tuple[NDArray[np.int64], ...] | None:
         """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
-        assert self.finder.layers.sampler is not None
-        signs = singularity_signs(self.finder.layers.sampler.kinematics)
+        assert self.planner.layers.sampler is not None
+        signs = singularity_signs(self.planner.layers.sampler.kinematics)
         if signs is None:
             return None
         powers = 2 ** np.arange(len(signs.names))
-        return tuple((signs.values(q) >= 0) @ powers for q in self.finder.layers.q)
+        return tuple((signs.values(q) >= 0) @ powers for q in self.planner.layers.q)
 
     def motion(self, k: int) -> SearchResult:
         """The best motion along the path from the k-th configuration; not connected where none returns to it."""
-        layers, aspects = self.finder.layers, self._found[1]
+        layers, aspects = self.planner.layers, self._found[1]
         kept = np.full(1, k)
         if aspects is not None:
             some = _of_aspect(layers, aspects, int(aspects[0][k]))
@@ -99,8 +99,8 @@ class FirstConfigurations:
             layers = some
         first = replace(
             layers,
-            q=(np.ascontiguousarray(self.finder.layers.q[0][kept]), *layers.q[1:]),
-            m=(self.finder.layers.m[0][kept], *layers.m[1:]),
+            q=(np.ascontiguousarray(self.planner.layers.q[0][kept]), *layers.q[1:]),
+            m=(self.planner.layers.m[0][kept], *layers.m[1:]),
         )
         found = max_min_search(first, self.best.epsilon, strict=self.best.strict, explain=False, throw=False)
         if not found.connected:
@@ -118,7 +118,7 @@ class FirstConfigurations:
         largest; of minima that differ by less than GAIN those with the smallest g. Continuous joints are turned to the nearest
         turn.
         """
-        layers = self.finder.layers
+        layers = self.planner.layers
         some = np.flatnonzero(self.minimum > -np.inf)
         q = layers.q[0][some]
         q = q + np.where(layers.continuous, 2 * np.pi * np.round((start - q) / (2 * np.pi)), 0.0)
@@ -139,7 +139,7 @@ class FirstConfigurations:
 
         Of each posture of the arm there is one first, so that those of the best do not displace all others.
         """
-        q, some = self.finder.layers.q[0], np.flatnonzero(self.minimum > -np.inf)
+        q, some = self.planner.layers.q[0], np.flatnonzero(self.minimum > -np.inf)
         every = some[_first_of_alike(q[some], robot.turns, -self.minimum[some])]
         every = every[np.argsort(-self.minimum[every], kind="stable")]
         found: list[int] = []
@@ -154,10 +154,10 @@ class FirstConfigurations:
 
     def turned(self, robot: Robot, k: int) -> Array:
         """The k-th configuration and those that differ from it by full turns and allow as much, (t, n)."""
-        away = self.finder.layers.q[0] - self.finder.layers.q[0][k]
+        away = self.planner.layers.q[0] - self.planner.layers.q[0][k]
         turns = np.round(away / (2 * np.pi)) * np.where(robot.turns, 2 * np.pi, 0.0)
         same = (np.abs(away - turns).max(axis=1) < COINCIDENT) & (self.minimum >= self.minimum[k] * (1 - COINCIDENT))
-        return np.asarray(self.finder.layers.q[0][same])
+        return np.asarray(self.planner.layers.q[0][same])
 
 
 def _compared(q: Array, start: Array, steps: Array, turns: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -231,7 +231,7 @@ class EntryChoice:
 
 
 def choose_entry(
-    finder: ToolPathPlanner,
+    planner: ToolPathPlanner,
     first: SearchResult,
     start: Array,
     integral: PathIntegral,
@@ -247,7 +247,7 @@ def choose_entry(
     reached.
 
     Args:
-        finder: of motions through the layers.
+        planner: of motions through the layers.
         first: the best path of all through them.
         start: (n,).
         integral: of the g and the manipulability that count.
@@ -255,9 +255,9 @@ def choose_entry(
         seconds: time limit of all lead-ins together [s].
         notify: called with the share done.
     """
-    configurations = FirstConfigurations(finder=finder, best=first, cap=float(integral.kinematics.manipulability(start)))
+    configurations = FirstConfigurations(planner=planner, best=first, cap=float(integral.kinematics.manipulability(start)))
     waiting = list(islice(configurations.ranked(start, integral), LISTED))
-    if finder.layers.closed and int(first.indices[0]) not in {index for _, index in waiting}:
+    if planner.layers.closed and int(first.indices[0]) not in {index for _, index in waiting}:
         (row,) = rate_candidates(first.q[:1], [0], start, integral)  # others may have no motion that returns to them
         waiting.append((replace(row, bound=min(row.bound, first.minimum)), int(first.indices[0])))
     done: list[GoalCandidate] = []
@@ -278,7 +278,7 @@ def choose_entry(
             continue
         left = 0.5**tried  # of the share of the work
         tried += 1
-        refined = finder.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        refined = planner.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
         lead_in = plan_transit(
             refined.path.start, max(SHARE * seconds, min(LEAST, seconds)), part(notify, 1 - 0.7 * left, 1 - 0.5 * left)

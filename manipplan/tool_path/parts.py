@@ -35,23 +35,29 @@ class FoundPart:
 
     Attributes:
         s_begin, s_end: where on the path it begins and ends; beyond 1 where it goes on around a closed one.
-        finder: of motions along it.
+        planner: of motions along it.
         found: the best motion through its positions.
     """
 
     s_begin: float
     s_end: float
-    finder: ToolPathPlanner
+    planner: ToolPathPlanner
     found: SearchResult
 
 
-#: Makes the finder of a path again with finer samples; None where there are none. Raises InvalidInputError where they cannot be
-#: had, since more positions show a place out of reach or beside a body, or more samples need too much memory.
-Finer = Callable[[Progress], ToolPathPlanner | None]
+#: Makes the planner of a path again with finer samples; None where there are none. Raises InvalidInputError where they are not
+#: possible, since more positions show a place out of reach or beside a body, or more samples need too much memory.
+MakeFiner = Callable[[Progress], ToolPathPlanner | None]
 
 
 def find_parts(
-    finder: ToolPathPlanner, finer: Finer, epsilon: ArrayLike, most: int, notify: Progress, *, start: Array | None = None
+    planner: ToolPathPlanner,
+    make_finer: MakeFiner,
+    epsilon: ArrayLike,
+    most: int,
+    notify: Progress,
+    *,
+    start: Array | None = None,
 ) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
@@ -60,8 +66,8 @@ def find_parts(
     Where no motion through the samples is continuous, finer ones are tried before the path is cut.
 
     Args:
-        finder: of motions along the whole path.
-        finer: see Finer.
+        planner: of motions along the whole path.
+        make_finer: see MakeFiner.
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
         notify: called with the share done.
@@ -70,7 +76,7 @@ def find_parts(
     """
     tried: list[ToolPathPlanner] = []
     no_finer = ""
-    for k, samples in enumerate((lambda _: finder, finer)):
+    for k, samples in enumerate((lambda _: planner, make_finer)):
         try:
             each = samples(part(notify, 0.2, 0.5))
         except InvalidInputError as error:  # about positions and samples that the caller did not give
@@ -81,39 +87,39 @@ def find_parts(
         search = part(notify, 0.5 * k, 0.5 * k + 0.2)
         found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
         if found.connected:
-            return iter([[FoundPart(s_begin=0.0, s_end=1.0, finder=begun, found=found)]])
+            return iter([[FoundPart(s_begin=0.0, s_end=1.0, planner=begun, found=found)]])
         tried.append(each if each.layers.closed else begun)
     counts = [(fewest_parts(each.layers, epsilon, progress=part(notify, 0.7, 0.8)), each) for each in tried]
     possible = [(parts, each) for parts, each in counts if parts is not None]
     if not possible:
-        found = _unconnected(finder, epsilon, start)
+        found = _unconnected(planner, epsilon, start)
         return replace(found, message=found.message + no_finer)
     parts, best = min(possible, key=lambda each: each[0])
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
-        found = _unconnected(finder, epsilon, start)
+        found = _unconnected(planner, epsilon, start)
         return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}{no_finer}")
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.8, 0.9))
     return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 
 
-def _unconnected(finder: ToolPathPlanner, epsilon: ArrayLike, start: Array | None) -> SearchResult:
+def _unconnected(planner: ToolPathPlanner, epsilon: ArrayLike, start: Array | None) -> SearchResult:
     """The result of the search that finds no path, with the smallest epsilon unless finding it can take minutes."""
-    begun = finder if start is None else finder.starting_at(start)
-    return max_min_search(begun.layers, epsilon, explain=not finder.layers.closed, throw=False)
+    begun = planner if start is None else planner.starting_at(start)
+    return max_min_search(begun.layers, epsilon, explain=not planner.layers.closed, throw=False)
 
 
-def _part(finder: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
+def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
     """The part from one position to another."""
-    of_part, s = finder.between(first, last), finder.layers.s
+    of_part, s = planner.between(first, last), planner.layers.s
     assert s is not None
     count = len(s)
     return FoundPart(
         s_begin=float(s[first % count]) + first // count,
         s_end=float(s[last % count]) + last // count,
-        finder=of_part,
+        planner=of_part,
         found=max_min_search(of_part.layers, epsilon),
     )
 
@@ -132,7 +138,7 @@ class FollowedPart:
 
     def missed(self, kinematics: Kinematics, tolerance: Tolerance) -> str:
         """By how much the joint path misses poses of the path, the given ones among them, in their order; "" for none."""
-        path = self.part.finder.path
+        path = self.part.planner.path
         s = np.union1d(S_SAMPLES, path.knots)
         return deviation_at(path, s, kinematics.pose(self.refined.path(s)), kinematics.free_motion).excess(tolerance, "path")
 
@@ -239,13 +245,13 @@ class PartsJoiner:
         transits, pieces = self.transits, list[FollowedPart]()
         search = parts[0].found
         candidates: tuple[GoalCandidate, ...] = ()
-        returns = self.closed and not parts[0].finder.layers.closed
+        returns = self.closed and not parts[0].planner.layers.closed
         for k, each in enumerate(parts):
             share = part(notify, k / len(parts), (k + 1) / len(parts))
             begin = pieces[-1].refined.path.goal if pieces else self.start
             # an interrupted motion around a closed path begins where that takes the fewest interruptions
             if begin is None or (not pieces and self.hold_start and not returns):
-                refined = each.finder.along(each.found, share, hold_start=begin is not None)
+                refined = each.planner.along(each.found, share, hold_start=begin is not None)
                 pieces.append(FollowedPart(part=each, refined=refined, transit=None))
                 continue
             plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
@@ -254,7 +260,7 @@ class PartsJoiner:
             if isinstance(plan_transit, Failure):
                 return failure(message=where + plan_transit.message, candidates=candidates)
             choice = choose_entry(
-                each.finder, each.found, begin, self.transits.integral, plan_transit, self.transits.seconds, share
+                each.planner, each.found, begin, self.transits.integral, plan_transit, self.transits.seconds, share
             )
             if not pieces:
                 candidates = choice.candidates

@@ -46,7 +46,7 @@ def straight_on(pose: Array, way: Array) -> CartesianPath:
     return CartesianPath.line(pose, pose @ moved_by(way))
 
 
-def straight_finder(
+def straight_planner(
     robot: Robot,
     scene: Scene,
     path: CartesianPath,
@@ -56,11 +56,11 @@ def straight_finder(
     task: Task | None = None,
     tolerance: Tolerance | None = None,
 ) -> ToolPathPlanner:
-    """The finder of motions along a straight path; raises InvalidInputError for a position that is out of reach or not free."""
+    """The planner of motions along a straight path; raises InvalidInputError for a position out of reach or not free."""
     count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
     solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
-    names, usual = len(solver.names), default_samples(solver)
-    samples = min(SAMPLES, usual[max(names, 1) - 1]) if names < 3 else None
+    names, counts = len(solver.names), default_samples(solver)
+    samples = min(SAMPLES, counts[max(names, 1) - 1]) if names < 3 else None
     layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)
     return ToolPathPlanner(path=path, layers=layers, tolerance=tolerance)
 
@@ -152,7 +152,7 @@ class TransitPlanner:
         """
         path = straight_on(self.robot.kinematics(Task.pose()).pose(q), way)
         try:
-            finder = straight_finder(
+            planner = straight_planner(
                 self.robot,
                 self.scene,
                 path,
@@ -162,7 +162,7 @@ class TransitPlanner:
             )
         except InvalidInputError as error:
             return Failure(message=f"{error.argument} is not {error.allowed}")
-        return finder.best_from(q, STRAIGHT_EPSILON)
+        return planner.best_from(q, STRAIGHT_EPSILON)
 
     def _of(self, paths: list[JointPath], motions: list[Trajectory]) -> Transit:
         path, trajectory = JointPath.joined(paths), joined(motions)

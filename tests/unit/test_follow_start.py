@@ -184,7 +184,7 @@ def searched(panda, line):
 def test_what_the_first_configurations_allow(searched):
     """The largest minimum of a path from each, by one pass backwards over all pairs; and the path itself."""
     finder, first = searched
-    configurations = FirstConfigurations(finder=finder, best=first)
+    configurations = FirstConfigurations(planner=finder, best=first)
     best, last = finder.layers.m[-1], finder.layers.q[-1]
     for q, values in zip(finder.layers.q[-2::-1], finder.layers.m[-2::-1], strict=True):
         near = (np.abs(q[:, None] - last) < 0.6).all(axis=2)

@@ -375,7 +375,7 @@ def test_derivatives_of_the_program(panda, recording):
 def test_ends_at_rest_have_neither_speed_nor_acceleration():
     basis = SplineBasis(pieces=6)
     ends = Ends(start=np.zeros(1), goal=np.ones(1), goal_slope=np.array([2.0]))
-    control = basis.fit(basis.places, basis.places[:, None], ends)
+    control = basis.fit(basis.shares, basis.shares[:, None], ends)
     at = np.array([0.0, 1.0])
     np.testing.assert_allclose((basis.values(at) @ control).ravel(), [0.0, 1.0], atol=1e-12)
     np.testing.assert_allclose((basis.values(at, 1) @ control).ravel(), [0.0, 2.0], atol=1e-12)

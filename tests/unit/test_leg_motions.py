@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 import manipplan as mp
-from manipplan.programs.leg_motions import Finders, LegFailure, _along, _on_path
+from manipplan.programs.leg_motions import LegFailure, ToolPathPlanners, _along, _on_path
 from manipplan.search.sampling import sample_layers
 from manipplan.support.status import Failure
 
@@ -34,8 +34,8 @@ def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state
     """That a position in between is out of reach does not rule out other configurations in which the path begins."""
     failure = Failure(message="positions 3 and 4 are not connected")
     planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
-    monkeypatch.setattr(Finders, "along", finder_that_fails_with_closer(planner))
-    finders = Finders(objective=mp.PathObjective(), clearance=0.0)
+    monkeypatch.setattr(ToolPathPlanners, "along", finder_that_fails_with_closer(planner))
+    finders = ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)
     failure = _along(1, step, step.path, planar.neutral, state, finders)
     expected = "positions 3 and 4 are not connected; with positions half as far apart: path is not reached at s = 0.25"
     assert (failure.message, failure.always) == (expected, False)
@@ -44,8 +44,8 @@ def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state
 def test_a_reason_that_is_the_same_twice_is_said_once(planar, step, state, monkeypatch):
     failure = Failure(message="not connected")
     planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
-    monkeypatch.setattr(Finders, "along", lambda *_, **__: planner)
-    finders = Finders(objective=mp.PathObjective(), clearance=0.0)
+    monkeypatch.setattr(ToolPathPlanners, "along", lambda *_, **__: planner)
+    finders = ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)
     assert _along(1, step, step.path, planar.neutral, state, finders).message == "not connected"
 
 
@@ -59,7 +59,7 @@ def test_no_error_is_about_positions_that_were_not_asked_for(planar, step, state
             raise mp.errors.InvalidInputError("path", path, "free at s = 0.25")
         return SimpleNamespace(layers=apart, in_the_way=lambda _: "")
 
-    monkeypatch.setattr(Finders, "made", made)
+    monkeypatch.setattr(ToolPathPlanners, "made", made)
     leg = SimpleNamespace(rest=[(2, step)], along=step)
     with pytest.raises(mp.errors.PlanningError, match=r"steps\[2\]: no candidate of position 1 can be reached"):
-        list(_on_path(leg, state, Finders(objective=mp.PathObjective(), clearance=0.0)))
+        list(_on_path(leg, state, ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)))

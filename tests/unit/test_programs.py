@@ -19,7 +19,7 @@ from manipplan.programs.leg_motions import RawMotion
 from manipplan.programs.legs import State, read_steps
 from manipplan.timing.constant_speed import check_corners, most_acceleration
 from manipplan.tool_path.engine import outside_limits
-from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_finder, straight_on
+from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
@@ -441,14 +441,14 @@ def test_a_straight_way_stays_inside_the_limits(hand):
     """Its configurations are inside at the positions that are searched; between them their spline may bow outwards."""
     q, way = hand.neutral, np.array([0.0, 0.0, -0.1])
     path = straight_on(hand.kinematics().pose(q), way)
-    finder = straight_finder(hand, mp.Scene(), path, measure=None, clearance=0.0)
+    finder = straight_planner(hand, mp.Scene(), path, measure=None, clearance=0.0)
     made = finder.best_from(q, STRAIGHT_EPSILON)
     assert isinstance(made, mp.JointPath)
     narrow = hand.with_limits(upper=np.maximum(made.start, made.goal) - 1e-3)
     assert re.fullmatch(r"panda_joint\d is 0\.001\d* outside its limits", outside_limits(made, narrow))
     blocked = mp.Scene([mp.Box(size=(0.5, 0.5, 0.02), position=path(1.0)[:3, 3] + [0, 0, 0.15], name="lid")])
     with pytest.raises(mp.errors.InvalidInputError, match="lid"):
-        straight_finder(hand, blocked, path, measure=None, clearance=0.0)
+        straight_planner(hand, blocked, path, measure=None, clearance=0.0)
 
 
 def test_a_configuration_is_reached_as_it_was_given(ur5):
