@@ -18,7 +18,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.constraints.constraint import Constraint, SymbolicPose, tool_name
-from manipplan.kinematics.batch import NativeKernel, find_wanted_kernel, run_kernel
+from manipplan.kinematics.batch import BatchKernel, run_kernel
 from manipplan.robots.arms import led_by
 from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.robot import Robot
@@ -27,7 +27,6 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
-from manipplan.symbolic.machine_code import BatchFunction
 
 #: Number of entries of a pose: position and columns of the rotation.
 POSE = 12
@@ -40,16 +39,14 @@ class ToolFrame:
     Attributes:
         function: POSE + 6 n numbers of q (n,): position, columns of the rotation, then linear and angular part of the Jacobian
             of each joint, in the world's axes.
-        kernel: its machine code for batches; None where there is no compiler.
-        batch: the function on arrays, for that case.
+        kernel: the same for batches.
         tree: the arm's N joints.
         turns, slides: (N,) whether a joint carries the tool and is revolute, or prismatic; 1 or 0.
         lengths: (N + 1,) distances from the origin of the joint before to that of each joint, and of the tool [m].
     """
 
     function: ca.Function
-    kernel: NativeKernel | None
-    batch: BatchFunction
+    kernel: BatchKernel
     tree: JointTree
     turns: Array
     slides: Array
@@ -58,8 +55,9 @@ class ToolFrame:
     def at(self, q: Array) -> tuple[Array, Array]:
         """Poses (m, POSE) and Jacobians (m, n, 6) at configurations (m, n)."""
         n, q = q.shape[1], np.ascontiguousarray(q, dtype=float)
-        found = None if self.kernel is None else run_kernel(self.kernel, q, POSE + 6 * n, threads=1)
-        found = self.batch.by_columns(q) if found is None else found
+        found = run_kernel(self.kernel, q, POSE + 6 * n, threads=1)
+        if found is None:
+            raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
         return found[:, :POSE], found[:, POSE:].reshape(-1, n, 6)
 
     def bend(self, q: Array, speed: Array, acceleration: Array) -> tuple[Array, Array]:
@@ -100,8 +98,7 @@ def tool_frame(robot: Robot, tool: str) -> ToolFrame:
             lengths[i - 1] = np.linalg.norm(model.jointPlacements[i].translation)
     return ToolFrame(
         function=function,
-        kernel=find_wanted_kernel(function, "auto", f"{tool} of {robot.name}, in batches"),
-        batch=BatchFunction(function),
+        kernel=BatchKernel(function, "auto", f"{tool} of {robot.name}, in batches"),
         tree=chain.tree,
         turns=turns,
         slides=slides,

@@ -43,7 +43,7 @@ typedef struct {
     long level;             /* that of now */
     double range;           /* longest edge */
     long sides;             /* number of functions; 0: singularities do not count */
-    int (*values)(const double *, double *, long); /* their values (count, sides) at configurations (count, n) */
+    Batch values;           /* their values (sides) */
     const double *zero;     /* (sides) absolute values that count as zero */
     long most_changes;      /* on a path */
     double bound;           /* only paths of less cost are looked for; infinite: any */
@@ -121,7 +121,7 @@ static int carry(const Search *s, const double *a, const double *b, Side *side, 
     for (long begin = 1; begin <= count; begin += BLOCK) {
         long run = count + 1 - begin < BLOCK ? count + 1 - begin : BLOCK;
         for (long k = 0; k < run; k++) between(s, a, b, (double)(begin + k) / (double)count, q + k * s->n);
-        if (s->values(q, value, run)) return 0;
+        if (s->values.run(s->values.program, q, value, run)) return 0;
         for (long k = 0; k < run; k++)
             for (long i = 0; i < s->sides; i++) {
                 double v = value[k * s->sides + i];

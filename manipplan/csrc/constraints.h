@@ -1,5 +1,7 @@
 /* Constraints of a search: rows c(q) >= 0, and steps that lead to where they hold. All arrays belong to the caller. */
 
+#include "batch.h"
+
 enum { POSE = 12, PROJECTIONS = 40 };
 static const double MOST_STEP = 0.5; /* longest step of a projection [rad or m] */
 
@@ -8,8 +10,8 @@ typedef struct {
     long rows;              /* number of rows */
     long of_tool;           /* those that are linear in the tool's pose; they come first */
     const double *weights;  /* (of_tool, POSE + 1) weights of position and columns of the rotation, and what is added */
-    int (*tool)(const double *, double *, long); /* pose, and Jacobian (n, 6), of configurations (count, n) */
-    int (*own)(const double *, double *, long);  /* the other rows, and then their gradients */
+    Batch tool;             /* pose, and Jacobian (n, 6) */
+    Batch own;              /* the other rows, and then their gradients */
     const double *least;    /* (rows) values that configurations keep */
     const double *aim;      /* (rows) larger ones, to which a projection leads */
     double *work;           /* (POSE + 6 n + (rows + 1)(n + 1)) */
@@ -38,8 +40,8 @@ static void gradient_of(const Constraints *c, long row, double *out) {
 static long worst_row(const Constraints *c, const double *q, const double *wanted, double *value) {
     double *tool = c->work, *own = tool + POSE + 6 * c->n;
     long worst = -1;
-    if (c->of_tool && c->tool(q, tool, 1)) return -1;
-    if (c->rows > c->of_tool && c->own(q, own, 1)) return -1;
+    if (c->of_tool && c->tool.run(c->tool.program, q, tool, 1)) return -1;
+    if (c->rows > c->of_tool && c->own.run(c->own.program, q, own, 1)) return -1;
     for (long row = 0; row < c->rows; row++) {
         double v;
         if (row < c->of_tool) {

@@ -3,11 +3,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "batch.h"
 
 typedef struct {
     const void *path, *slope;   /* the path's curve and its derivative */
     long (*evaluate)(const void *curve, const double *s, long m, double spacing, double *out); /* returns 0 */
-    int (*measure)(const double *q, double *out, long m); /* m >= 0 of configurations; returns 0 where these are finite */
+    Batch measure;              /* m >= 0 */
     long n;                     /* number of joints */
     long points;                /* Gauss points on [-1, 1] and their weights */
     const double *nodes, *weights;
@@ -54,7 +55,7 @@ int manipplan_panels(const Integral *f, const double *begin, const double *end, 
                 s[k * each + i] = at < 0 ? 0 : at > 1 ? 1 : at;
             }
         }
-        failed = f->evaluate(f->path, s, all, 0, q) || f->evaluate(f->slope, s, all, 0, v) || f->measure(q, m, all);
+        failed = f->evaluate(f->path, s, all, 0, q) || f->evaluate(f->slope, s, all, 0, v) || f->measure.run(f->measure.program, q, m, all);
         for (long k = 0; k < panels && !failed; k++) {
             double half = (end[first + k] - begin[first + k]) / 2;
             for (long i = 0; i < each; i++) {
@@ -163,7 +164,7 @@ int manipplan_integral(const Integral *f, const double *edges, long count, long 
 
 /* m at `count` places s of the path. Returns 1 where that fails. `q`: (count, n). */
 static int measured(const Integral *f, const double *s, long count, double *q, double *m) {
-    return f->evaluate(f->path, s, count, 0, q) || f->measure(q, m, count);
+    return f->evaluate(f->path, s, count, 0, q) || f->measure.run(f->measure.program, q, m, count);
 }
 
 /* Evenly spaced places from `low` to `high`, as NumPy's linspace gives them. */

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <string.h>
+#include "batch.h"
 
 enum { MOST_JOINTS = 64, MOST_POINTS = 8 };
 static const double LEAST_GAIN = 1e-4; /* share of the cost of a part that a change must save */
@@ -13,7 +14,7 @@ typedef struct {
     const double *low;      /* (n) limits */
     const double *high;
     const double *metric;   /* (n, n) W; 0: the identity */
-    int (*measure)(const double *, double *, long); /* m (count) at configurations (count, n); 0: the cost is the length */
+    Batch measure;          /* m; without a `run` the cost is the length */
     double floor, power, least; /* `least` bounds the denominator from below */
     double panel;           /* maximum length of a panel */
     long points;            /* Gauss points of each, at most MOST_POINTS */
@@ -50,14 +51,14 @@ static double speed(const Star *s, const double *a, const double *b) {
 /* The cost of the straight motion from a to b; infinite where m cannot be evaluated. */
 double manipplan_edge_cost(const Star *s, const double *a, const double *b) {
     double whole = speed(s, a, b), mean = 0, q[MOST_POINTS * MOST_JOINTS], m[MOST_POINTS];
-    if (!s->measure || whole == 0) return whole;
+    if (!s->measure.run || whole == 0) return whole;
     long panels = (long)ceil(distance(s, a, b) / s->panel);
     for (long k = 0; k < panels; k++) {
         for (long i = 0; i < s->points; i++) {
             double share = ((double)k + (s->nodes[i] + 1) / 2) / (double)panels;
             for (long j = 0; j < s->n; j++) q[i * s->n + j] = a[j] + share * (b[j] - a[j]);
         }
-        if (s->measure(q, m, s->points)) return INFINITY;
+        if (s->measure.run(s->measure.program, q, m, s->points)) return INFINITY;
         for (long i = 0; i < s->points; i++) {
             double size = fmax(sqrt(m[i] * m[i] + s->floor * s->floor), s->least);
             mean += s->weights[i] / 2 / (s->power == 1 ? size : s->power == 2 ? size * size : pow(size, s->power));

@@ -4,7 +4,9 @@ Fast evaluation of one configuration: one Function for all requested quantities,
 """
 
 import ctypes
+import math
 import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
@@ -14,9 +16,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.kinematics.jit import C_OPERATIONS, expressible, kernel_source
+from manipplan.kinematics.instructions import Program, is_expressible, kernel_source
 from manipplan.support.checks import Array, ArrayLike, configurations
-from manipplan.support.compiling.compiler import NATIVE, load_library
+from manipplan.support.compiling.compiler import NATIVE, load_library, load_stored
+from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 
@@ -57,53 +60,69 @@ class Evaluator:
         return self._views
 
 
+#: Compiler options of machine code.
+FLAGS = (*NATIVE, "-fschedule-insns", "-lm")
 #: Minimum number of configurations per thread.
 SHARE = 16384
 
-#: Evaluates q (count, n) into out (count, outputs), both contiguous; returns whether all of q was finite.
-Kernel = Callable[[Array, Array], bool]
-#: int (const double *q, double *out, long count): the same in C; 0 if all of q was finite.
-BATCH = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
+#: `run` of csrc/batch.h: int (const void *program, const double *q, double *out, long count); 0 if all of q was finite.
+BATCH = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
+#: Number of instructions, each at one configuration, after which machine code is built: half a second of work.
+PAYS_OFF = 2e9
 
 
-class NativeKernel:
-    """A kernel in machine code.
+class BatchKernel:
+    """A Function of q at many configurations, by csrc/batch.c or, where it pays off, in machine code: bit for bit the same."""
 
-    Attributes:
-        run: the C function, a BATCH.
-        address: of that function, for other compiled code.
-    """
+    def __init__(self, function: ca.Function, compiled: bool | str, subject: str) -> None:
+        """`compiled`: "auto" for machine code where it saves time, False for none; True raises CompilerError without it."""
+        self._function, self._subject, self._lock = function, subject, threading.Lock()
+        self._program = Program(function)
+        self._most = PAYS_OFF / function.n_instructions() if wants_machine_code(compiled) else math.inf
+        self._run: Any = BATCH(load_kernel("batch").address("batch"))
+        if self._most < math.inf:
+            self._build(load_library if compiled is True else load_stored, compiled)
 
-    def __init__(self, run: Any) -> None:
-        self.run = run
-        self.address = ctypes.cast(run, ctypes.c_void_p).value or 0
+    @property
+    def batch(self) -> tuple[int, int]:
+        """The fields of a `Batch` of csrc/batch.h, for other compiled code; this object has to live as long."""
+        self._build_if_it_pays()
+        return ctypes.cast(self._run, ctypes.c_void_p).value or 0, self._program.address
 
     def __call__(self, q: Array, out: Array) -> bool:
-        """As `Kernel`."""
-        return bool(self.run(q.ctypes.data, out.ctypes.data, len(q)) == 0)
+        """Evaluate q (count, n) into out (count, outputs), both contiguous; returns whether all of q was finite."""
+        self._build_if_it_pays()
+        return bool(self._run(self._program.address, q.ctypes.data, out.ctypes.data, len(q)) == 0)
+
+    def _build_if_it_pays(self) -> None:
+        if self._program.data.evaluations < self._most:
+            return
+        with self._lock:
+            if self._most < math.inf:
+                self._build(load_library, "auto")
+                self._most = math.inf
+
+    def _build(self, load: Callable[..., Any], compiled: bool | str) -> None:
+        """Take machine code that is built or loaded; without it this goes on, unless `compiled` is True."""
+        try:
+            run = load(kernel_source(self._function), _load, flags=FLAGS, subject=self._subject)
+        except CompilerError as error:
+            do_without(error, compiled)
+            return
+        if run is not None:
+            self._run, self._most = run, math.inf
 
 
-def simd_kernel(function: ca.Function, subject: str) -> NativeKernel:
-    """A C kernel that uses the processor's vector width; raises CompilerError if it cannot be built."""
-
-    def load(file: Path) -> NativeKernel:
-        return NativeKernel(BATCH(("manipplan_batch", ctypes.CDLL(str(file)))))
-
-    return load_library(kernel_source(function), load, flags=(*NATIVE, "-fschedule-insns", "-lm"), subject=subject)
+def _load(file: Path) -> Any:
+    return BATCH(("manipplan_batch", ctypes.CDLL(str(file))))
 
 
-def find_wanted_kernel(function: ca.Function, compiled: bool | str, subject: str) -> NativeKernel | None:
-    """The same where `compiled` asks for machine code and the function's operations are known; None otherwise."""
-    if not (wants_machine_code(compiled) and expressible(function, C_OPERATIONS)):
-        return None
-    try:
-        return simd_kernel(function, subject)
-    except CompilerError as error:
-        do_without(error, compiled)
-        return None
+def batch_kernel(function: ca.Function, compiled: bool | str, subject: str) -> BatchKernel | None:
+    """The kernel where `compiled` is not False and the function's operations are known; None otherwise."""
+    return BatchKernel(function, compiled, subject) if compiled is not False and is_expressible(function) else None
 
 
-def run_kernel(kernel: Kernel, q: Array, outputs: int, *, threads: int) -> Array | None:
+def run_kernel(kernel: BatchKernel, q: Array, outputs: int, *, threads: int) -> Array | None:
     """Outputs (count, outputs) of q (count, n), contiguous; None when an entry of q is NaN or infinite."""
     out = np.empty((len(q), outputs))
     shares = max(1, min(threads, len(q) // SHARE))

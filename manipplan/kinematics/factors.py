@@ -24,11 +24,12 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 
-from manipplan.kinematics.batch import NativeKernel, find_wanted_kernel, run_kernel
+from manipplan.kinematics.batch import BatchKernel, run_kernel
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.model_tree import axis_of, frame_index, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.derivatives import determinant
@@ -252,22 +253,21 @@ class SingularitySigns:
         joints: for each the only joint on which it depends, counted from 0; None for several.
         zero: (f,) absolute values below which one counts as zero.
         function: all of them, (f, 1), of q (n,).
-        kernel: their machine code for batches; None where there is no compiler.
+        kernel: the same for batches.
     """
 
     names: tuple[str, ...]
     joints: tuple[int | None, ...]
     zero: Array
     function: ca.Function
-    kernel: NativeKernel | None
+    kernel: BatchKernel
 
     def values(self, q: Array) -> Array:
         """The values (k, f) at configurations q (k, n)."""
-        if self.kernel is not None:
-            found = run_kernel(self.kernel, np.ascontiguousarray(q, dtype=float), len(self.names), threads=1)
-            if found is not None:
-                return found
-        return np.array(self.function(ca.DM(q.T))).T
+        found = run_kernel(self.kernel, np.ascontiguousarray(q, dtype=float), len(self.names), threads=1)
+        if found is None:
+            raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
+        return found
 
     def vanishing(self, q: Array) -> list[str]:
         """The names of those that are zero at a configuration (n,)."""
@@ -298,7 +298,7 @@ def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: 
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
         function=function,
-        kernel=find_wanted_kernel(function, compiled, f"signs of {robot.name}, in batches"),
+        kernel=BatchKernel(function, compiled, f"signs of {robot.name}, in batches"),
     )
 
 

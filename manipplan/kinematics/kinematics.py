@@ -16,9 +16,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import numpy as np
 
-from manipplan.kinematics import jit
-from manipplan.kinematics.batch import Evaluator, Kernel, NativeKernel, all_cores, run_kernel, simd_kernel
-from manipplan.kinematics.jit import expressible
+from manipplan.kinematics.batch import BatchKernel, Evaluator, all_cores, batch_kernel, run_kernel
 from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.measures.names import measure_of
 from manipplan.measures.over_tools import OverTools
@@ -185,9 +183,6 @@ def _express_at(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca
 
 QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
 
-#: Minimum batch size for LLVM, whose compilation takes time.
-MANY = 300_000
-
 
 class SymbolicKinematics:
     """The CasADi expressions and Functions of one arm and task, each built on first use.
@@ -300,7 +295,7 @@ class Kinematics:
     chain: SymbolicChain = field(repr=False)
     symbolic: SymbolicKinematics = field(init=False, repr=False)
     _own: threading.local = field(default_factory=threading.local, init=False, repr=False)
-    _kernels: dict[str, Kernel | None] = field(default_factory=dict, init=False, repr=False)
+    _kernels: dict[str, BatchKernel | None] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         symbolic = SymbolicKinematics(self.chain, self.task, self.measure, self.robot)
@@ -369,10 +364,10 @@ class Kinematics:
                 do_without(error, self.compiled)
         return Evaluator(function, [self._shape(quantity) for quantity in quantities])
 
-    def batch_code(self, quantity: str) -> int | None:
-        """The address of a quantity's batch function, see `NativeKernel`, for other compiled code; None where there is none."""
-        kernel = self._kernel(one_of("quantity", quantity, QUANTITIES), 1)
-        return kernel.address if isinstance(kernel, NativeKernel) else None
+    def batch_code(self, quantity: str) -> tuple[int, int] | None:
+        """The function of a quantity for other compiled code, see `BatchKernel.batch`; None where there is none."""
+        kernel = self._kernel(one_of("quantity", quantity, QUANTITIES))
+        return None if kernel is None else kernel.batch
 
     def _evaluate(self, quantity: str, q: ArrayLike) -> Array:
         n, shape = self.robot.n, self._shape(quantity)
@@ -386,7 +381,7 @@ class Kinematics:
             return value
         if q.size == 0:
             return np.empty((*q.shape[:-1], *shape))
-        kernel = self._kernel(quantity, q.size // n)
+        kernel = self._kernel(quantity)
         if kernel is None:
             return self._columns(getattr(self.symbolic, quantity), configurations("q", q, n), shape)
         values = run_kernel(kernel, np.ascontiguousarray(q).reshape(-1, n), math.prod(shape), threads=self.threads)
@@ -396,27 +391,14 @@ class Kinematics:
             return np.ascontiguousarray(values.reshape(*q.shape[:-1], *shape[::-1]).swapaxes(-1, -2))
         return values.reshape(*q.shape[:-1], *shape)
 
-    def _kernel(self, quantity: str, count: int) -> Kernel | None:
-        """Generated C if there is a compiler, else code by LLVM for large batches; None: CasADi's virtual machine."""
-        known = self._kernels.get(quantity)
-        by_llvm = self.compiled == "auto" and count >= MANY
-        if known is not None or (quantity in self._kernels and not by_llvm):
-            return known
-        return self._new_kernel(quantity, by_llvm)
+    def _kernel(self, quantity: str) -> BatchKernel | None:
+        """None: CasADi's virtual machine."""
+        return self._kernels[quantity] if quantity in self._kernels else self._new_kernel(quantity)
 
     @building()
-    def _new_kernel(self, quantity: str, by_llvm: bool) -> Kernel | None:
-        function = getattr(self.symbolic, quantity)
-        if quantity not in self._kernels:
-            self._kernels[quantity] = None
-            if wants_machine_code(self.compiled) and expressible(function, jit.C_OPERATIONS):
-                try:
-                    subject = f"{quantity} of {self.robot.name}, in batches"
-                    self._kernels[quantity] = simd_kernel(function, subject)
-                except CompilerError as error:
-                    do_without(error, self.compiled)
-        if self._kernels[quantity] is None and by_llvm and expressible(function, jit.LLVM_OPERATIONS):
-            self._kernels[quantity] = jit.JitKernel(function)
+    def _new_kernel(self, quantity: str) -> BatchKernel | None:
+        subject = f"{quantity} of {self.robot.name}, in batches"
+        self._kernels[quantity] = batch_kernel(getattr(self.symbolic, quantity), self.compiled, subject)
         return self._kernels[quantity]
 
     def _shape(self, quantity: str) -> tuple[int, ...]:

@@ -18,7 +18,7 @@ import numpy as np
 
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.paths.rounding import gauss_rule
-from manipplan.seeds.motions import SIDE, Level, MotionCheck
+from manipplan.seeds.motions import SIDE, Level, MotionCheck, called_back
 from manipplan.seeds.ompl import LEAST, PANEL, POINTS
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
@@ -146,14 +146,14 @@ class _Best:
         self.search.levels = self.search.level + 1
         nodes, weights = gauss_rule(POINTS)
         metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, run.n)
-        measure = None if integral is None else _measure(integral, run.check)
-        self._kept = nodes, weights, metric, measure
+        measure, owner = ((0, 0), None) if integral is None else _measure(integral, run.check)
+        self._kept = nodes, weights, metric, owner
         self.star = struct("star", "Star")(
             n=run.n,
             low=self.search.low,
             high=self.search.high,
             metric=None if metric is None else metric.ctypes.data,
-            measure=measure if measure is None or isinstance(measure, int) else ctypes.cast(measure, ctypes.c_void_p).value,
+            measure=measure,
             floor=0.0 if integral is None else integral.floor,
             power=1.0 if integral is None else integral.power,
             least=LEAST,
@@ -229,12 +229,15 @@ class _Best:
         return None
 
 
-def _measure(integral: PathIntegral, check: MotionCheck) -> Any:
-    """m for batches as a C function: its address or, where it is not compiled, a function that is called back."""
+def _measure(integral: PathIntegral, check: MotionCheck) -> tuple[tuple[int, int], object]:
+    """The fields of a `Batch` of csrc/batch.h that gives m, and what has to live as long.
+
+    A measure with operations that kernels do not know is called back.
+    """
     kinematics = integral.kinematics
-    address = kinematics.batch_code("manipulability")
-    if address is not None:
-        return address
+    batch = kinematics.batch_code("manipulability")
+    if batch is not None:
+        return batch, kinematics
     n = kinematics.robot.n
 
     def values(q: int, out: int, count: int) -> int:
@@ -243,4 +246,5 @@ def _measure(integral: PathIntegral, check: MotionCheck) -> Any:
         found[:] = kinematics.manipulability(here)
         return int(not np.isfinite(found).all())
 
-    return check.guarded(values)
+    function = check.guarded(values)
+    return called_back(function), function

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from manipplan.collision.kernel import FREE, TOUCHING
@@ -17,7 +16,6 @@ from manipplan.collision.model import CollisionModel
 from manipplan.constraints.built_in import POSE
 from manipplan.constraints.constraint_set import ConstraintSet, OwnRows
 from manipplan.kinematics.batch import BATCH
-from manipplan.kinematics.factors import SingularitySigns
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
@@ -57,8 +55,7 @@ class SearchConstraints:
         work = np.empty(POSE + 6 * n + (constraints.count + 1) * (n + 1))
         tool, others = None, None
         if constraints.tool is not None:
-            kernel = constraints.tool.kernel
-            tool = kernel.run if kernel is not None else guarded(_tool(constraints))
+            tool = constraints.tool.kernel
         if constraints.own is not None:
             others = guarded(_own(n, constraints.own))
         data = struct("connect", "Constraints")(
@@ -66,8 +63,8 @@ class SearchConstraints:
             rows=constraints.count,
             of_tool=len(weights),
             weights=weights.ctypes.data,
-            tool=None if tool is None else ctypes.cast(tool, ctypes.c_void_p),
-            own=None if others is None else ctypes.cast(others, ctypes.c_void_p),
+            tool=(0, 0) if tool is None else tool.batch,
+            own=called_back(others),
             least=least.ctypes.data,
             aim=aim.ctypes.data,
             work=work.ctypes.data,
@@ -85,17 +82,9 @@ def _aim(constraints: ConstraintSet) -> Array:
     return np.asarray(np.clip(SHARE * constraints.values(q).max(axis=0), 0.0, AIM))
 
 
-def _tool(constraints: ConstraintSet) -> Callable[[int, int, int], int]:
-    """The tool's pose and Jacobian, by CasADi's virtual machine."""
-    n = constraints.robot.n
-
-    def values(q: int, out: int, count: int) -> int:
-        assert constraints.tool is not None
-        pose, jacobian = constraints.tool.at(_array(q, count, n))
-        _array(out, count, POSE + 6 * n)[:] = np.hstack([pose, jacobian.reshape(count, -1)])
-        return 0
-
-    return values
+def called_back(function: Any) -> tuple[int, int]:
+    """The fields of a `Batch` of csrc/batch.h that calls a BATCH; None: of none."""
+    return ctypes.cast(function, ctypes.c_void_p).value or 0, 0
 
 
 def _own(n: int, own: OwnRows) -> Callable[[int, int, int], int]:
@@ -183,12 +172,12 @@ class MotionCheck:
             bits = 1 << np.arange(len(signs.names))
             for root, values in zip(self.root_sides, signs.values(self.roots), strict=True):
                 root["positive"], root["known"] = bits[values >= signs.zero].sum(), bits[np.abs(values) >= signs.zero].sum()
-        self._decide, self._values = _DECIDE(self._ask), _batch(signs, self)
+        self._decide = _DECIDE(self._ask)
         self._constraints = None
         if task.constraints is not None:
             self._constraints = SearchConstraints.of(task.constraints, self.roots, self.guarded)
         self._q: Any = (ctypes.c_double * (2 * self.n))()
-        self._kept = vectors, kernel
+        self._kept = vectors, kernel, signs
         self.data = struct("connect", "Search")(
             n=self.n,
             near=NEAR,
@@ -203,7 +192,7 @@ class MotionCheck:
             range=RANGE if self._constraints is None else CONSTRAINED_RANGE,
             constraints=None if self._constraints is None else self._constraints.address,
             sides=0 if signs is None else len(signs.names),
-            values=None if self._values is None else ctypes.cast(self._values, ctypes.c_void_p),
+            values=(0, 0) if signs is None else signs.kernel.batch,
             most_changes=ANY if task.most_crossings is None else task.most_crossings,
             bound=np.inf,
             random=task.seed,
@@ -242,7 +231,7 @@ class MotionCheck:
     def guarded(self, values: Callable[[int, int, int], int]) -> Any:
         """A function that C calls back: an error is kept for `raise_failure`, and the answer is then 1."""
 
-        def answer(q: int, out: int, count: int) -> int:
+        def answer(_: int, q: int, out: int, count: int) -> int:
             try:
                 return values(q, out, count)
             except BaseException as error:
@@ -261,20 +250,3 @@ class MotionCheck:
         except BaseException as error:
             self._failure = error
             return TOUCHING
-
-
-def _batch(signs: SingularitySigns | None, check: "MotionCheck") -> Any:
-    """The values of the signs as a C function; without a compiler CasADi's virtual machine, called back, evaluates them."""
-    if signs is None:
-        return None
-    if signs.kernel is not None:
-        return signs.kernel.run
-
-    def values(q: int, out: int, count: int) -> int:
-        n, number = signs.function.nnz_in(0), len(signs.names)
-        here = np.ctypeslib.as_array((ctypes.c_double * (count * n)).from_address(q)).reshape(count, n)
-        found = np.ctypeslib.as_array((ctypes.c_double * (count * number)).from_address(out)).reshape(count, number)
-        found[:] = np.array(signs.function(ca.DM(here.T))).T
-        return 0
-
-    return check.guarded(values)

@@ -6,7 +6,9 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.kinematics import kinematics as module
+from manipplan.kinematics import batch
+from manipplan.kinematics.batch import BatchKernel
+from manipplan.kinematics.instructions import operations
 from manipplan.support.compiling.compiler import find_compiler
 
 COMPILED = [pytest.param(True, marks=pytest.mark.compiler), False]
@@ -83,20 +85,13 @@ def test_index_to_ten_digits_against_pinocchio(panda, rng):
     np.testing.assert_allclose(kinematics.manipulability(q), oracle, rtol=1e-10)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("quantity", ["pose", "manipulability", "gradient"])
-def test_without_compiler_by_llvm(quantity, no_compiler, monkeypatch, rng):
-    monkeypatch.setattr(module, "MANY", 100)
+def test_without_compiler(no_compiler, rng):
     panda = mp.load_robot("panda")
     assert find_compiler() is None
     q = panda.random_configuration(rng, size=200)
-    kinematics = panda.kinematics(mp.Task.pose())
-    expected = getattr(panda.kinematics(mp.Task.pose(), compiled=False), quantity)(q)
-    np.testing.assert_allclose(getattr(kinematics, quantity)(q), expected, rtol=1e-10, atol=1e-14)
-    assert kinematics._kernels[quantity] is not None
-    q[3, 2] = np.nan
-    with pytest.raises(mp.errors.InvalidInputError, match="finite"):
-        getattr(kinematics, quantity)(q)
+    for quantity in QUANTITIES:
+        expected = getattr(panda.kinematics(mp.Task.pose(), compiled=False), quantity)(q)
+        np.testing.assert_allclose(getattr(panda.kinematics(mp.Task.pose()), quantity)(q), expected, rtol=1e-10, atol=1e-13)
 
 
 @pytest.mark.slow
@@ -111,12 +106,14 @@ def test_every_measure_runs_in_a_kernel(measure, panda, rng):
     np.testing.assert_allclose(fast.gradient(q), slow.gradient(q), rtol=1e-7, atol=1e-9)
 
 
-@pytest.mark.compiler
-def test_every_operation_of_the_kernels(tmp_path):
-    """Each operation that the kernels in C and by LLVM claim to know, against CasADi's virtual machine."""
-    from manipplan.kinematics import jit
-    from manipplan.kinematics.batch import run_kernel, simd_kernel
+def values_of(kernel, q, outputs):
+    out = np.full((len(q), outputs), np.nan)
+    return out, kernel(np.ascontiguousarray(q), out)
 
+
+@pytest.fixture
+def every_operation():
+    """A Function that uses each operation that kernels claim to know."""
     x = ca.SX.sym("x", 2)
     a, b = x[0], x[1]
     near = 0.9 * ca.sin(a)
@@ -127,12 +124,46 @@ def test_every_operation_of_the_kernels(tmp_path):
     expressions += [ca.fabs(a) ** b, ca.fabs(a) ** 1.5, ca.sin(a), ca.cos(b), ca.sin(1e7 * a), 3.0 + 0 * a]
     function = ca.Function("all", [x], [ca.densify(ca.vertcat(*expressions))])
     used = {function.instruction_id(k) for k in range(function.n_instructions())}
-    assert set(jit.C_OPERATIONS) - {ca.OP_ASSIGN} <= used
-    assert set(jit.LLVM_OPERATIONS) == set(jit.C_OPERATIONS)
+    assert set(operations()) - {ca.OP_ASSIGN} <= used
+    return function
+
+
+def test_every_operation_of_the_kernels(every_operation):
+    """Against CasADi's virtual machine."""
     values = np.array([[-1.7, 0.3], [1.7, -0.3], [0.4, 0.4], [2.0, 1.0], [-0.2, -0.2], [0.0, 2.0]])
-    expected = np.asarray(function(ca.DM(values.T))).T
-    for kernel in (simd_kernel(function, "a test"), jit.JitKernel(function)):
-        np.testing.assert_allclose(run_kernel(kernel, values, len(expressions), threads=1), expected, rtol=1e-13, atol=1e-13)
+    expected = np.asarray(every_operation(ca.DM(values.T))).T
+    found, is_finite = values_of(BatchKernel(every_operation, False, "a test"), values, every_operation.nnz_out(0))
+    assert is_finite
+    np.testing.assert_allclose(found, expected, rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.compiler
+def test_machine_code_gives_the_same_bits(every_operation, rng):
+    """Also for angles far from zero, whatever stands in the rows beside them, and for every count up to a few blocks."""
+    slow, fast = (BatchKernel(every_operation, compiled, "a test") for compiled in (False, True))
+    outputs = every_operation.nnz_out(0)
+    q = rng.normal(size=(150, 2)) * 10.0 ** rng.integers(-3, 9, size=(150, 2))
+    whole, _ = values_of(slow, q, outputs)
+    for count in (1, 2, 7, 8, 9, 31, 32, 33, 64, 100, 150):
+        for kernel in (slow, fast):
+            found, is_finite = values_of(kernel, q[:count], outputs)
+            assert is_finite and found.tobytes() == whole[:count].tobytes()
+    mixed = values_of(slow, q[::-1], outputs)[0][::-1]
+    assert np.ascontiguousarray(mixed).tobytes() == whole.tobytes()
+
+
+@pytest.mark.compiler
+def test_machine_code_is_built_when_it_pays_off(monkeypatch, tmp_path, panda, rng):
+    monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path))
+    function = panda.kinematics(mp.Task.pose()).symbolic.gradient
+    monkeypatch.setattr(batch, "PAYS_OFF", 100 * function.n_instructions())
+    kernel = BatchKernel(function, "auto", "a test")
+    interpreter = kernel.batch[0]
+    q = panda.random_configuration(rng, size=60)
+    found = [values_of(kernel, q, 7)[0].tobytes() for _ in range(2)]
+    assert kernel.batch[0] != interpreter and len(list(tmp_path.rglob("*.so"))) == 1
+    assert {*found, values_of(kernel, q, 7)[0].tobytes()} == {found[0]}
+    assert BatchKernel(function, "auto", "a test").batch[0] != interpreter  # that of an earlier kernel
 
 
 @pytest.mark.compiler

@@ -15,7 +15,7 @@ from pathlib import Path
 FOLDER = Path(__file__).parents[2] / "csrc"
 #: Each is a source, and a module in LLVM's language in `kernels.ll.xz`.
 KERNELS = (
-    *("barrier", "body_motion", "connect", "curves", "distances", "inverse", "near_pairs", "panels"),
+    *("barrier", "batch", "body_motion", "connect", "curves", "distances", "inverse", "near_pairs", "panels"),
     *("star", "steps", "sweep", "winding"),
 )
 #: Products and sums are not fused, so that every machine computes the same numbers.

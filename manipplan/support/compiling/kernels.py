@@ -79,7 +79,7 @@ def kernel_by_llvm(name: str) -> Kernel:
     digest, text = llvm_texts()[name]
     if digest != digest_of(name):
         raise CompilerError(f"{name}.c", "it was edited and not built; build it with: make kernels")
-    engine = compile_by_llvm(text, f"kernel {name}", optimised=True)
+    engine = compile_by_llvm(text, f"kernel {name}")
     return Kernel(name, engine.get_function_address, engine)
 
 

@@ -14,15 +14,14 @@ log = logging.getLogger("manipplan")
 LEVEL = 3
 
 
-def compile_by_llvm(text: str, subject: str, *, optimised: bool = False) -> Any:
+def compile_by_llvm(text: str, subject: str) -> Any:
     """An execution engine with the functions of a module in LLVM's language, for the processor of this machine.
 
     Addresses are given by `get_function_address(name)`; the code lives as long as the engine.
 
     Args:
-        text: the module.
+        text: the module, which needs no optimisation before it becomes machine code.
         subject: what it is, for messages.
-        optimised: whether the text needs no optimisation before it becomes machine code.
 
     Raises:
         CompilerError: LLVM does not accept the module.
@@ -35,16 +34,16 @@ def compile_by_llvm(text: str, subject: str, *, optimised: bool = False) -> Any:
     target = llvm.Target.from_default_triple()
     cpu, features = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
     machine = target.create_target_machine(cpu=cpu, features=features, opt=LEVEL, jit=True)
-    key = "\0".join([text, llvmlite.__version__, target.triple, cpu, features, f"{LEVEL} {optimised}"])
+    key = "\0".join([text, llvmlite.__version__, target.triple, cpu, features, str(LEVEL)])
     with log_when_slow(f"compiling {subject}, by LLVM"):
-        code = _stored(key, subject, lambda: _machine_code(text, subject, machine, target.triple, optimised))
+        code = _stored(key, subject, lambda: _machine_code(text, subject, machine, target.triple))
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
     return engine
 
 
-def _machine_code(text: str, subject: str, machine: Any, triple: str, optimised: bool) -> bytes:
+def _machine_code(text: str, subject: str, machine: Any, triple: str) -> bytes:
     """An object file."""
     from llvmlite import binding as llvm
 
@@ -54,9 +53,6 @@ def _machine_code(text: str, subject: str, machine: Any, triple: str, optimised:
         module.verify()
     except RuntimeError as error:
         raise CompilerError(subject, str(error)) from error
-    if not optimised:
-        builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=LEVEL))
-        builder.getModulePassManager().run(module, builder)
     return bytes(machine.emit_object(module))
 
 
