@@ -101,8 +101,8 @@ def kernel_source(function: ca.Function) -> str:
         "@BODY@": "\n  ".join(body),
     }
     kernel = _KERNEL
-    for place, value in values.items():
-        kernel = kernel.replace(place, str(value))
+    for placeholder, value in values.items():
+        kernel = kernel.replace(placeholder, str(value))
     return _HEAD + kernel
 
 
@@ -417,8 +417,8 @@ def kernel_text(function: ca.Function) -> str:
 def _llvm_statement(each: Instruction) -> str:
     arguments = [f"%{name}" for name in each.arguments]
     if each.code == ca.OP_OUTPUT:
-        place = f"%o{each.result}"
-        return f"{place} = getelementptr double, ptr %out, i64 {each.result}\n  store double {arguments[0]}, ptr {place}"
+        target = f"%o{each.result}"
+        return f"{target} = getelementptr double, ptr %out, i64 {each.result}\n  store double {arguments[0]}, ptr {target}"
     if each.code == SINE_COSINE:
         return "\n  ".join(f"%{name[0]}{each.result} = call double @{name}(double {arguments[0]})" for name in ("sin", "cos"))
     if each.code == ca.OP_CONST:

@@ -217,8 +217,8 @@ def _problem(
         pull = stiffness + ca.sqrt(ca.sumsqr(share * drive.gradient))
         program = _program(hessian, gradient, pull, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
-        free, kept = _free_minimum(hessian, gradient, program)
-        outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # invalid inputs need no QP solver
+        free, feasible = _free_minimum(hessian, gradient, program)
+        outputs["feasible"] = ca.logic_or(feasible, ca.logic_not(sound))  # invalid inputs need no QP solver
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
     figures = ca.vertcat(good_state, good_target, approach.stalled, manipulability, clearance, bent)
@@ -246,7 +246,7 @@ def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> t
     check = ca.Function("check", [*parts, *found], [_is_solved(parts, *found)])
     checked = check(*inputs[:-1], solution["x"], solution["lam_x"], solution["lam_a"])
     search = ca.Function("search", inputs, [solution["x"], checked])
-    answer, solved = ca.Function.if_else("answer", keep, search).call([made["kept"], *(made[name] for name in names)])
+    answer, solved = ca.Function.if_else("answer", keep, search).call([made["feasible"], *(made[name] for name in names)])
     return answer, solved
 
 
