@@ -98,7 +98,6 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/pose_paths.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --problems 50
 	$(BIN)/python benchmarks/motionbenchmaker.py --arm ur5 --problems 50
-	$(BIN)/python benchmarks/energy_solvers.py
 	$(BIN)/python benchmarks/first_paths.py
 	$(BIN)/python benchmarks/plan_many.py
 	$(BIN)/python benchmarks/time_limits.py

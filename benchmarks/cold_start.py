@@ -25,7 +25,7 @@ JOBS = {
     "inverse_kinematics, xarm7": (ROBOT.format("xarm7"), "mp.inverse_kinematics(robot, pose)"),
     "follow, panda, line of 20 positions": (ROBOT.format("panda") + LINE, "mp.follow(robot, line, positions=20, samples=120)"),
     "plan, panda among five boxes": (
-        "from manipplan.jobs.demo import panda_among_boxes; job = panda_among_boxes()",
+        "job = mp.demo.panda_among_boxes()",
         "mp.plan(job.robot, job.start, job.goal, job.scene, clearance=job.clearance)",
     ),
 }

@@ -9,7 +9,6 @@ import coal
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.tracking.bodies import CapsuleBodies
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "collision_shapes.md"
 HEAD = (
@@ -24,7 +23,7 @@ def row(name: str) -> str:
     model = mp.Scene().collision_model(robot)
     meshes = {item.name for item in robot.geometry.geometryObjects if isinstance(item.geometry, coal.BVHModelBase)}
     pieces = [item for item in list(model.geometry.geometryObjects)[: model.bodies] if mesh_of(item.name, meshes)]
-    capsules = CapsuleBodies.of(robot).items
+    capsules = mp.Controller(robot, mp.formulations.General(), dt=0.01, compiled=False).bodies
     cells = [
         f"`{name}`",
         str(len(meshes)),

@@ -98,9 +98,7 @@ def random_tasks(count: int) -> list[Row]:
 def boxes_tasks(count: int) -> list[Row]:
     from panda_boxes import pairs
 
-    from manipplan.jobs.demo import panda_among_boxes
-
-    problem = panda_among_boxes()
+    problem = mp.demo.panda_among_boxes()
     return [
         task("boxes", f"{number}", {"name": "panda"}, *ends, problem.scene, clearance=0.0)
         for number, ends in enumerate(islice(pairs(problem), count))

@@ -20,8 +20,6 @@ from rich.progress import track
 from timing import optimum
 
 import manipplan as mp
-from manipplan.collision.model import CollisionModel
-from manipplan.jobs.demo import panda_among_boxes
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
@@ -113,7 +111,7 @@ def rows(path: mp.JointPath, robot: mp.Robot, rounds: int, environments: Path) -
     return found
 
 
-def page(found: list[Row], path: mp.JointPath, model: CollisionModel, rounds: int) -> str:
+def page(found: list[Row], path: mp.JointPath, robot: mp.Robot, scene: mp.Scene, rounds: int) -> str:
     """The rows as a page."""
     lines = [
         "| | limits it keeps | duration [s] | farthest from the path [rad] | nearest to a box or itself [mm] "
@@ -122,7 +120,7 @@ def page(found: list[Row], path: mp.JointPath, model: CollisionModel, rounds: in
     ]
     for row in found:
         far = "–" if row.q is None else f"{away(path, row.q):.3f}"
-        near = "–" if row.q is None else f"{1e3 * min(model.distances(q).min() for q in row.q):.0f}"
+        near = "–" if row.q is None else f"{1e3 * scene.distances(robot, row.q).min():.0f}"
         milliseconds = 1e3 * np.array(row.seconds)
         times = f"{np.median(milliseconds):.3g}, {milliseconds.max():.3g}"
         lines.append(f"| {row.name} | {row.limits} | {row.duration:.4f} | {far} | {near} | {times} |")
@@ -149,10 +147,10 @@ def main(arguments: list[str] | None = None) -> list[Row]:
     parser.add_argument("--out", type=Path, default=OUT)
     options = parser.parse_args(arguments)
     logging.getLogger("toppra").setLevel(logging.ERROR)
-    problem = panda_among_boxes()
+    problem = mp.demo.panda_among_boxes()
     plan = mp.plan(problem.robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance)
     found = rows(plan.path, problem.robot, options.rounds, options.environments)
-    text = page(found, plan.path, problem.scene.collision_model(problem.robot), options.rounds)
+    text = page(found, plan.path, problem.robot, problem.scene, options.rounds)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     options.out.write_text(text)
     print(text)

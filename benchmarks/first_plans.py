@@ -21,7 +21,6 @@ from outside import problems
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "first_plans.md"
 LIMIT = 1.0
@@ -54,7 +53,7 @@ def outside(arm: str, k: int) -> Arguments:
 
 def demo() -> Arguments:
     """The problem of `manipplan demo`."""
-    job = panda_among_boxes()
+    job = mp.demo.panda_among_boxes()
     return job.robot, job.start, job.goal, job.scene, job.clearance
 
 

@@ -6,6 +6,7 @@ repetitions, but for the call that compiles.
 
 import os
 import platform
+import subprocess
 import tempfile
 import time
 import unittest.mock
@@ -17,7 +18,6 @@ import pinocchio as pin
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.symbolic.machine_code import compiled
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "kinematics.md"
 TASK = mp.Task.pose(length=1.0)
@@ -74,6 +74,17 @@ def best(work, repeat, rounds=7):
     return least
 
 
+def compiled(function):
+    """A CasADi Function as machine code, in the way that CasADi's users take."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, library = Path(folder) / f"{function.name()}.c", Path(folder) / f"{function.name()}.so"
+        generator = ca.CodeGenerator(source.name)
+        generator.add(function)
+        generator.generate(f"{folder}/")
+        subprocess.run(["cc", "-O3", "-march=native", "-fPIC", "-shared", source, "-o", library, "-lm"], check=True)
+        return ca.external(function.name(), str(library))
+
+
 def one_configuration(robot, peer, q):
     steps = {c: robot.kinematics(TASK, compiled=c).evaluator("jacobian", "manipulability", "gradient") for c in (True, False)}
     hessians = {c: robot.kinematics(TASK, compiled=c).evaluator("hessian") for c in (True, False)}
@@ -103,7 +114,7 @@ def many_configurations(robot, peer, count=1_000_000, sample=20_000):
     error = np.abs(values / oracle - 1).max()
 
     def by_casadi(function):
-        mapped = compiled(ca.Function("mapped", [each := ca.SX.sym("q", 7)], [function(each)]).map(sample), "CasADi's map")
+        mapped = compiled(ca.Function("mapped", [each := ca.SX.sym("q", 7)], [function(each)]).map(sample))
         buffer, run = mapped.buffer()
         source, target = np.ascontiguousarray(q[:sample]).reshape(-1), np.empty(sample)
         buffer.set_arg(0, source.data)

@@ -12,7 +12,6 @@ import numpy as np
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
 PAIRS = 20
 ROOT = Path(__file__).parents[1]
@@ -36,7 +35,7 @@ def pairs(problem):
 
 
 def main() -> None:
-    problem = panda_among_boxes()
+    problem = mp.demo.panda_among_boxes()
     began = time.perf_counter()
     mp.plan(problem.robot, problem.start, problem.goal, problem.scene)
     first = time.perf_counter() - began

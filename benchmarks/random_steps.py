@@ -27,7 +27,7 @@ CASES = {
     "panda": (mp.formulations.LogDrive(), 0.001),
     "baxter_left": (mp.formulations.Objective(alpha=15e3, sample_time=0.01), 0.01),
     "xarm7": (mp.formulations.Equality(alpha=5e5, sample_time=0.01), 0.01),
-    "ur10": (mp.formulations.Objective(alpha=15e3, sample_time=0.01, hessian="bfgs"), 0.002),
+    "ur10": (mp.formulations.Objective(alpha=15e3, sample_time=0.01, hessian="central"), 0.002),
     "kinova": (mp.formulations.General(), 0.02),
 }
 #: Arms whose own links are not kept apart: so many pairs that the compiler takes most of the time.

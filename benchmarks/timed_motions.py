@@ -22,7 +22,6 @@ from path_suite import PAIRS, load
 from rich.progress import track
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "timed_motions.md"
 #: Largest number of problems of each kind: that of the smallest suite.
@@ -31,7 +30,7 @@ MOST = 17
 
 def kinds(count: int) -> dict[str, list[Problem]]:
     """The first `count` problems of each kind."""
-    rng, robot, boxes = np.random.default_rng(2012), mp.load_robot("panda"), panda_among_boxes()
+    rng, robot, boxes = np.random.default_rng(2012), mp.load_robot("panda"), mp.demo.panda_among_boxes()
     ends = {
         "free pairs": [(mp.Scene(), *robot.random_configuration(rng, size=2)) for _ in range(count)],
         "five boxes": [(boxes.scene, *pair) for pair in islice(boxes_pairs(boxes), count)],

@@ -4,11 +4,10 @@ from pathlib import Path
 
 import manipplan as mp
 from manipplan import viz
-from manipplan.jobs.demo import panda_among_boxes
 
 FOLDER = Path(__file__).parent / "_static"
 
-problem = panda_among_boxes()
+problem = mp.demo.panda_among_boxes()
 plan = mp.plan(
     problem.robot,
     problem.start,

@@ -13,7 +13,6 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
 FOLDER = Path(__file__).parent / "_static"
 FLAGS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
@@ -25,7 +24,7 @@ PATIENCE = 240_000
 
 def demo():
     """The demo's plan."""
-    problem = panda_among_boxes()
+    problem = mp.demo.panda_among_boxes()
     objective = mp.PathObjective(power=problem.power)
     return mp.plan(problem.robot, problem.start, problem.goal, problem.scene, objective=objective, clearance=problem.clearance)
 

@@ -12,7 +12,7 @@ Trajectory that anybody made.
 
 Here is what a script writes. `measures` holds the measures of manipulability, `formulations` the ways to raise it while
 tracking, `results` the classes of what calls return, `errors` all errors and warnings, `planar` the closed forms of the planar
-arm, `viz` the pictures.
+arm, `viz` the pictures, `demo` the problems of `manipplan demo`.
 """
 
 import importlib
@@ -27,6 +27,7 @@ from manipplan.cost.integral import path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.ik.solutions import inverse_kinematics
+from manipplan.jobs import demo
 from manipplan.jobs.carry import carry
 from manipplan.jobs.check import check
 from manipplan.jobs.follow import follow
@@ -116,6 +117,7 @@ __all__ = [
     "available_robots",
     "carry",
     "check",
+    "demo",
     "errors",
     "fewest_interruptions",
     "follow",

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
-from manipplan.cli import terminal
-from manipplan.support.progress import Progress
+from rich import progress as bars
 
 Claims = TypeVar("Claims")
+#: A function of the share of the work that is done, in [0, 1], and a text that names the current step.
+Progress = Callable[[float, str], None]
 #: Name of the stage, its approximate duration [s], and the function that runs it.
 Stage = tuple[str, float, Callable[[], object]]
 
@@ -45,9 +46,15 @@ class Study(Generic[Claims]):
         parser.add_argument("--out", type=Path, help=where)
         options = parser.parse_args(arguments)
         out = options.out or (Path(tempfile.mkdtemp(prefix=f"{self.pages.name}-")) if options.quick else self.pages)
-        with terminal.progress() as notify:
+        with bars.Progress(transient=True) as bar:
+            task = bar.add_task("", total=1.0)
+
+            def notify(share: float, text: str) -> None:
+                bar.update(task, completed=share, description=text)
+
             wrong = self.run(out, quick=options.quick, progress=notify)
-        terminal.show_result("\n".join(wrong or ["all figures are as expected"]), [out])
+        lines = (*(wrong or ["all figures are as expected"]), f"wrote {out}")
+        bar.console.print("\n".join(lines), markup=False, highlight=False, soft_wrap=True)
         return wrong
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 import markdown_it
 
 import manipplan as mp
-from manipplan.support.files import write_text
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml"}
 #: A heading, a table, or a figure with its description, as written in the pages of the studies.
@@ -64,11 +63,11 @@ def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, diffe
             body.append(_figure(file, piece["alt"] or piece["text"]))
     report = folder / "report.html"
     page_text = "\n".join(body)
-    write_text(
-        report,
+    report.write_text(
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<link rel="icon" href="data:,">\n'
         f"<style>{STYLE}</style>\n</head>\n<body>\n<main>\n{page_text}\n</main>\n</body>\n</html>\n",
+        encoding="utf-8",
     )
     return report
 

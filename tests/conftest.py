@@ -11,7 +11,6 @@ import pytest
 from examples import FEW
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 from manipplan.support.compiling.compiler import find_compiler
 
 #: Folders of tests that `make test-all` adds, and fixtures whose tests it adds.
@@ -99,7 +98,7 @@ def planar():
 
 @pytest.fixture(scope="session")
 def demo_problem():
-    return panda_among_boxes()
+    return mp.demo.panda_among_boxes()
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """The loaders of the package: valid files for each, how they are edited, and the call that reads one."""
 
+import hashlib
 import json
 import random
 import sys
@@ -17,7 +18,6 @@ from fuzz.text_edits import edit_bytes, edit_encoding, edit_lines, edit_words
 from fuzz.tree_edits import edit_value, edit_xml
 
 import manipplan as mp
-from manipplan.plans.archive import checksum
 
 #: Longest file [bytes], and edits of any file; some twice or three times, since they are more often of use.
 LARGEST = 500_000
@@ -91,7 +91,7 @@ def _json(value: Any) -> bytes:
     if isinstance(value, dict) and "sha256" in value:
         value = {key: each for key, each in value.items() if key != "sha256"}
         value = json.loads(json.dumps(value, default=str))
-        value["sha256"] = checksum(value)
+        value["sha256"] = hashlib.sha256(json.dumps(value).encode()).hexdigest()
     return json.dumps(value, default=str, skipkeys=True).encode()
 
 

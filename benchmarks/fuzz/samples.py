@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 import manipplan as mp
-from manipplan.plans.archive import write_plan
 
 #: Corners and faces of a wedge.
 CORNERS = np.array([[0, 0, 0], [0.2, 0, 0], [0, 0.2, 0], [0, 0, 0.2], [0.2, 0.2, 0]], dtype=float)
@@ -266,6 +265,5 @@ def plan() -> bytes:
     scene = mp.Scene([mp.Sphere(radius=0.05, position=(0.0, 2.0, 0.0), name="ball")])
     found = mp.plan(arm, [0.1, 0.2, 0.3], [0.6, 0.5, 0.4], scene, shape=mp.PathShape(degree=1))
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "plan.json"
-        write_plan(found, file)
-        return file.read_bytes()
+        found.save(folder)
+        return (Path(folder) / "plan.json").read_bytes()

@@ -75,16 +75,16 @@ class DescribedBodies:
 
     def touching(self, pairs: Sequence[tuple[int, int]], levels: tuple[int, int], samples: Array) -> list[NDArray[np.bool_]]:
         """For each pair of objects, whether they touch, taken so finely, at samples (m, n); (m,)."""
-        bodies, places, first = Bodies(self), list[tuple[int, int]](), list[int]()
+        bodies, body_pairs, first = Bodies(self), list[tuple[int, int]](), list[int]()
         for pair in pairs:
             one, other = (bodies.numbers(*each) for each in zip(pair, levels, strict=True))
-            first.append(len(places))
-            places += [(i, j) for i in one for j in other]
+            first.append(len(body_pairs))
+            body_pairs += [(i, j) for i in one for j in other]
         model = CollisionModel(
-            self.robot, bodies.geometry, np.array(places, dtype=np.int64).reshape(-1, 2), {}, solids=bodies.solids
+            self.robot, bodies.geometry, np.array(body_pairs, dtype=np.int64).reshape(-1, 2), {}, solids=bodies.solids
         )
         near = model.distance_rows(samples, beyond=TOUCHING) <= 0
-        return [np.asarray(near[:, start:end].any(axis=1)) for start, end in pairwise([*first, len(places)])]
+        return [np.asarray(near[:, start:end].any(axis=1)) for start, end in pairwise([*first, len(body_pairs)])]
 
 
 class Bodies:
@@ -228,8 +228,8 @@ def _without_allowed(
 
 def _overlap(body: pin.GeometryObject, part: Part, pose: pin.SE3) -> float:
     """How deep a body that does not move and a part of an obstacle overlap [m]; negative where they do not touch."""
-    places = [coal.Transform3s(place.rotation, place.translation) for place in (body.placement, pose)]
-    apart = coal.distance(body.geometry, places[0], part.shape, places[1], coal.DistanceRequest(), coal.DistanceResult())
+    poses = [coal.Transform3s(placement.rotation, placement.translation) for placement in (body.placement, pose)]
+    apart = coal.distance(body.geometry, poses[0], part.shape, poses[1], coal.DistanceRequest(), coal.DistanceResult())
     return part.radius - float(apart)
 
 

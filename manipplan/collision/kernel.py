@@ -68,8 +68,8 @@ class DistanceKernel:
             "pairs": len(self._bodies),
             "top": int(arrays["top"][0]),
         }
-        places = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
-        self._world = struct("distances", "World")(**numbers, **places)
+        pointers = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
+        self._world = struct("distances", "World")(**numbers, **pointers)
         self._at = ctypes.addressof(self._world)
         self._lock = threading.Lock()
         self._q = np.zeros(self._n)
@@ -132,9 +132,9 @@ class DistanceKernel:
         q, reach, room = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float), ROOM * len(q)
         while True:
             where, found = np.empty(room, dtype=np.int64), np.empty(room)
-            places = (q.ctypes.data, len(q), reach.ctypes.data, room, where.ctypes.data, found.ctypes.data)
+            arguments = (q.ctypes.data, len(q), reach.ctypes.data, room, where.ctypes.data, found.ctypes.data)
             with self._lock:
-                count = int(self._call["near"](self._at, *places))
+                count = int(self._call["near"](self._at, *arguments))
             if count <= room:
                 order = np.argsort(where[:count], kind="stable")
                 return where[:count][order], found[:count][order]
@@ -146,9 +146,9 @@ class DistanceKernel:
         The pair is -1 where all distances are above `reach` [m]. Every `coarse`-th row is measured first.
         """
         q, least, row, pair = np.ascontiguousarray(q, dtype=float), ctypes.c_double(), ctypes.c_long(), ctypes.c_long()
-        places = [ctypes.addressof(each) for each in (least, row, pair)]
+        results = [ctypes.addressof(each) for each in (least, row, pair)]
         with self._lock:
-            known = self._call["least"](self._at, q.ctypes.data, len(q), reach, coarse, *places)
+            known = self._call["least"](self._at, q.ctypes.data, len(q), reach, coarse, *results)
         return (least.value, row.value, pair.value) if known else None
 
     def pair_distances(self, q: Array, pairs: Numbers, reach: Array) -> Array:
@@ -161,11 +161,11 @@ class DistanceKernel:
     def interval_bounds(self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array) -> tuple[Array, Array]:
         """The same, with lower bounds (m,) of the distances while the joints move, as `manipplan_intervals` says."""
         arrays = [np.ascontiguousarray(each, dtype=float) for each in (q, slopes, reach, bends)]
-        places, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs)
+        inputs, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs)
         found, bound = np.empty(len(q)), np.empty(len(q))
         with self._lock:
             self._call["intervals"](
-                self._at, *places[:2], len(q), bodies.ctypes.data, *places[2:], found.ctypes.data, bound.ctypes.data
+                self._at, *inputs[:2], len(q), bodies.ctypes.data, *inputs[2:], found.ctypes.data, bound.ctypes.data
             )
         return found, bound
 
@@ -185,7 +185,7 @@ class DistanceKernel:
 
     def _pairs(self, q: Array, bodies: Numbers, reach: Array) -> tuple[Array, Numbers]:
         found, leaf, reach = np.empty(len(q)), np.empty(len(q), dtype=np.int64), np.ascontiguousarray(reach, dtype=float)
-        places = (q.ctypes.data, len(q), bodies.ctypes.data, reach.ctypes.data, found.ctypes.data, leaf.ctypes.data)
+        arguments = (q.ctypes.data, len(q), bodies.ctypes.data, reach.ctypes.data, found.ctypes.data, leaf.ctypes.data)
         with self._lock:
-            self._call["pairs"](self._at, *places)
+            self._call["pairs"](self._at, *arguments)
         return found, leaf

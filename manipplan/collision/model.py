@@ -53,10 +53,10 @@ class NearPairs:
     def at(self, rows: NDArray[np.intp], pairs: NDArray[np.intp], default: float | Array) -> Array:
         """Distances (k,) of pairs (k,) at rows (k,) [m]; `default` for those that are not near."""
         where, wanted = self.rows * self.shape[1] + self.pairs, rows * self.shape[1] + pairs
-        place = np.minimum(np.searchsorted(where, wanted), max(len(where) - 1, 0))
-        known = where[place] == wanted if len(where) else np.zeros(len(wanted), dtype=bool)
+        entry = np.minimum(np.searchsorted(where, wanted), max(len(where) - 1, 0))
+        known = where[entry] == wanted if len(where) else np.zeros(len(wanted), dtype=bool)
         found = np.array(np.broadcast_to(default, wanted.shape), dtype=float)
-        found[known] = self.distances[place[known]]
+        found[known] = self.distances[entry[known]]
         return found
 
     def beside(self, default: float) -> tuple[Array, Array]:
@@ -278,8 +278,8 @@ class CollisionModel:
         for k in np.flatnonzero(np.isnan(found)):
             row, pair = divmod(int(where[k]), shape[1])
             found[k] = self._distance(q[row], pair)
-        kept = ~(found >= reach[where // max(shape[1], 1)])  # nan is not far
-        return NearPairs.of(shape, where[kept], found[kept])
+        is_near = ~(found >= reach[where // max(shape[1], 1)])  # nan is not far
+        return NearPairs.of(shape, where[is_near], found[is_near])
 
     def pair_distances(self, q: Array, pairs: ArrayLike, *, beyond: float | Array = np.inf) -> Array:
         """Signed distance [m] of one pair at each configuration: of pairs (m,) at q (m, n), cut off at `beyond`; (m,)."""
@@ -365,12 +365,12 @@ class CollisionModel:
             (between, -between),
             strict=True,
         ):
-            place = data.oMi[joint]
-            points.append(place.actInv(end - _radius(self.objects[body].geometry) * outwards))
-            turns.append(place.rotation.T @ (sign * outwards))
+            frame = data.oMi[joint]
+            points.append(frame.actInv(end - _radius(self.objects[body].geometry) * outwards))
+            turns.append(frame.rotation.T @ (sign * outwards))
             if joint > 0:
                 jacobian = pin.getJointJacobian(model, data, joint, pin.LOCAL_WORLD_ALIGNED)
-                gradient -= sign * (outwards @ (jacobian[:3] - pin.skew(end - place.translation) @ jacobian[3:]))
+                gradient -= sign * (outwards @ (jacobian[:3] - pin.skew(end - frame.translation) @ jacobian[3:]))
         distance = sign * result.min_distance - self._radii[pair]
         return np.concatenate([[distance], turns[1], turns[0], *points, gradient])
 
@@ -401,9 +401,9 @@ class CollisionModel:
         if not self.links or any(k in self.radii for k in bodies):  # one is an obstacle
             return ""
         names = [self.links[k] for k in bodies]
-        same = [k for k, each in enumerate(self.pairs) if {self.links[i] for i in each} == set(names)]
+        of_links = [k for k, each in enumerate(self.pairs) if {self.links[i] for i in each} == set(names)]
         samples = self.robot.random_configuration(np.random.default_rng(0), size=NEARNESS_SAMPLES)
-        share = float((self.distance_rows(samples, beyond=clearance)[:, same].min(axis=1) < clearance).mean())
+        share = float((self.distance_rows(samples, beyond=clearance)[:, of_links].min(axis=1) < clearance).mean())
         if share <= OFTEN:
             return ""
         remedy = f"ask for less, or leave them out by scene.allow({names[0]!r}, {names[1]!r})"
@@ -472,8 +472,8 @@ class CollisionModel:
         corners = self._kernel.nearest_triangle(q, pair)
         if corners is None:
             return pin.computeDistance(self.geometry, self._geometry_data, pair)
-        place, result, request = self._geometry_data.oMg[one], coal.DistanceResult(), self._geometry_data.distanceRequests[pair]
-        here, there = coal.Transform3s(place.rotation, place.translation), coal.Transform3s()
+        pose, result, request = self._geometry_data.oMg[one], coal.DistanceResult(), self._geometry_data.distanceRequests[pair]
+        here, there = coal.Transform3s(pose.rotation, pose.translation), coal.Transform3s()
         coal.distance(first.geometry, here, triangle_tree(corners, np.arange(3)[None]), there, request, result)
         return result
 

@@ -205,15 +205,15 @@ class BodyMotion:
 def _few_points(robot: Robot, item: pin.GeometryObject) -> tuple[Array, float]:
     """At most MOST_POINTS points (k, 3) in the joint's frame and a radius [m]: the hull of these balls contains the body."""
     points, radius = core_of(item.geometry)
-    place = item.placement
+    placement = item.placement
     if len(points) > MOST_POINTS:
         known, key = _enclosures(robot), points.tobytes()
         if key not in known:
             around = enclose(np.repeat(points[:, None], 3, axis=1), refine=False)
             known[key] = *core_of(around.shape), around.placement
         points, radius, inner = known[key]
-        place = place * inner
-    return points @ place.rotation.T + place.translation, radius
+        placement = placement * inner
+    return points @ placement.rotation.T + placement.translation, radius
 
 
 @once_per_owner
@@ -315,11 +315,11 @@ class _Bisection:
             halves = split(control)
             middles = edges.mean(axis=1)
             cut, bounds = self._measure_middles(_Intervals.of(control, *halves), middles, rows, pairs, known)
-            kept, position = np.unique(rows[cut], return_inverse=True)
-            control = np.concatenate([half[kept] for half in halves])
-            low, high = edges[kept].T
-            edges = np.concatenate([np.stack([low, middles[kept]], axis=1), np.stack([middles[kept], high], axis=1)])
-            rows = np.concatenate([position, position + len(kept)])
+            remaining, position = np.unique(rows[cut], return_inverse=True)
+            control = np.concatenate([half[remaining] for half in halves])
+            low, high = edges[remaining].T
+            edges = np.concatenate([np.stack([low, middles[remaining]], axis=1), np.stack([middles[remaining], high], axis=1)])
+            rows = np.concatenate([position, position + len(remaining)])
             pairs, known = np.tile(pairs[cut], 2), np.tile(bounds[cut], 2)
         at, pair_id = self.nearest if self.upper <= self.clearance else self.lowest
         return PathClearance(

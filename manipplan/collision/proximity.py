@@ -104,7 +104,7 @@ class DistanceSearch:
             enough=BOTTOM,
             most_steps=BOTTOM_STEPS,
         )
-        self._kept: dict[str, NDArray[Any]] = {}
+        self._arrays: dict[str, NDArray[Any]] = {}
         self._found = np.empty(0, dtype=_FOUND)
         self._scan = self._with_room(ROOM * (INTERVALS + 1), 0)
 
@@ -128,8 +128,8 @@ class DistanceSearch:
             scan = self._scan
             scan.stage, scan.target = 0, target
             scan.known, scan.known_s, scan.known_pair = len(known), at.ctypes.data, pairs.ctypes.data
-            places = (ctypes.addressof(self._dips), ctypes.addressof(scan), band, self._found.ctypes.data)
-            while (count := _call()(*places)) == ASKING:
+            arguments = (ctypes.addressof(self._dips), ctypes.addressof(scan), band, self._found.ctypes.data)
+            while (count := _call()(*arguments)) == ASKING:
                 self._answer(curve)
             if count != MORE_ROOM:
                 break
@@ -142,12 +142,12 @@ class DistanceSearch:
     def _answer(self, curve: Curve) -> None:
         """Put distances in place of those that the kernel cannot tell."""
         if self._scan.stage == 1:
-            where, distances = (self._kept[name][: self._scan.entries] for name in ("where", "distance"))
+            where, distances = (self._arrays[name][: self._scan.entries] for name in ("where", "distance"))
             asked = np.flatnonzero(np.isnan(distances))
             rows, pairs = np.divmod(where[asked], self._kernel.pairs)
-            distances[asked] = self.model.pair_distances(self._kept["q"][rows], pairs)
+            distances[asked] = self.model.pair_distances(self._arrays["q"][rows], pairs)
             return
-        brackets = self._kept["bracket"][: self._scan.dips]
+        brackets = self._arrays["bracket"][: self._scan.dips]
         pairs = brackets["pair"]
         for name, at in (("left", "low"), ("least", "middle"), ("right", "high")):
             self._measure(curve, brackets, pairs, name, at, np.isnan(brackets[name]))
@@ -168,13 +168,13 @@ class DistanceSearch:
 
     def _with_room(self, room: int, known: int) -> ctypes.Structure:
         """Working memory for a number of near pairs, `room`, and of `known` places."""
-        places, pairs = INTERVALS + 1, self._kernel.pairs
+        count, pairs = INTERVALS + 1, self._kernel.pairs
         self._found = np.empty(2 * room + known, dtype=_FOUND)
-        self._kept = {
+        self._arrays = {
             "bodies": self._kernel.bodies(np.arange(pairs)),
-            "s": np.linspace(0.0, 1.0, places),
-            "q": np.empty((places, self._kernel.n)),
-            "reach": np.empty(places),
+            "s": np.linspace(0.0, 1.0, count),
+            "q": np.empty((count, self._kernel.n)),
+            "reach": np.empty(count),
             "where": np.empty(room, dtype=np.int64),
             "distance": np.empty(room),
             "bracket": np.empty(room + known, dtype=_BRACKET),
@@ -183,12 +183,12 @@ class DistanceSearch:
         return struct("near_pairs", "Scan")(
             pairs=pairs,
             near=self._kernel.address("near"),
-            places=places,
+            places=count,
             spacing=SPACING,
             close=CLOSE,
             deep=DEEP,
             farthest=FARTHEST,
             most_dips=MOST_DIPS,
             room=room,
-            **{name: array.ctypes.data for name, array in self._kept.items()},
+            **{name: array.ctypes.data for name, array in self._arrays.items()},
         )

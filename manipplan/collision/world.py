@@ -122,9 +122,9 @@ def _numbers_in(some: Numbers, count: int) -> Numbers:
     return np.flatnonzero(np.bincount(some, minlength=count))
 
 
-def _flat(place: pin.SE3) -> Array:
+def _flat(placement: pin.SE3) -> Array:
     """Rotation by rows and origin (12,)."""
-    return np.concatenate([np.asarray(place.rotation).ravel(), np.asarray(place.translation)])
+    return np.concatenate([np.asarray(placement.rotation).ravel(), np.asarray(placement.translation)])
 
 
 def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collection[int]) -> dict[str, NDArray[Any]]:
@@ -135,21 +135,21 @@ def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collect
     cores: list[Array] = []
     begin = 0
     for k, item in enumerate(objects):
-        shape, place = item.geometry, item.placement
-        pose[k] = _flat(place)
+        shape, placement = item.geometry, item.placement
+        pose[k] = _flat(placement)
         if isinstance(shape, coal.Box):
             kind[k], size[k] = BOX, shape.halfSide
-            ball[k] = *place.translation, np.linalg.norm(shape.halfSide)
+            ball[k] = *placement.translation, np.linalg.norm(shape.halfSide)
         elif isinstance(shape, coal.Cylinder):
             kind[k], size[k, :2] = CYLINDER, (shape.radius, shape.halfLength)
-            ball[k] = *place.translation, np.hypot(shape.radius, shape.halfLength)
+            ball[k] = *placement.translation, np.hypot(shape.radius, shape.halfLength)
         elif isinstance(shape, coal.Halfspace):
             turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), np.asarray(shape.n)).matrix()
-            kind[k], pose[k] = HALFSPACE, _flat(place * pin.SE3(turn, shape.d * np.asarray(shape.n)))
+            kind[k], pose[k] = HALFSPACE, _flat(placement * pin.SE3(turn, shape.d * np.asarray(shape.n)))
             ball[k, 3] = ENDLESS
         elif isinstance(shape, coal.Sphere | coal.Capsule | coal.ConvexBase):
             points, around = core_of(shape)
-            points = points @ place.rotation.T + place.translation
+            points = points @ placement.rotation.T + placement.translation
             kind[k], first[k], number[k] = POINTS, begin, len(points)
             radius[k] += around
             ball[k] = _ball(points)
@@ -157,7 +157,7 @@ def _shapes(objects: Sequence[pin.GeometryObject], radii: Array, closed: Collect
             begin += len(points)
         elif isinstance(shape, coal.BVHModelBase):
             kind[k], size[k, 0] = SURFACE, k in closed
-            ball[k] = _ball(np.array(shape.vertices()) @ place.rotation.T + place.translation)
+            ball[k] = _ball(np.array(shape.vertices()) @ placement.rotation.T + placement.translation)
         else:
             kind[k], ball[k, 3] = UNKNOWN, ENDLESS
         ball[k, 3] += radius[k]
@@ -272,20 +272,20 @@ def _grow(tree: Tree, box: Array, names: Numbers, root: int, node_box: Array, no
 
 def _number_leaves(node: Numbers, begin: int, order: Numbers) -> None:
     """Give the leaves of a tree (k, 2), which `order` sorts, the numbers from `begin` on as they follow each other."""
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
     leaf = node[:, 0] < 0
-    node[leaf, 1] = begin + place[node[leaf, 1] - begin]
+    node[leaf, 1] = begin + rank[node[leaf, 1] - begin]
 
 
 def _box_around(item: pin.GeometryObject, ball: Array, radius: float) -> Array:
     """Least and largest corner (6,) of an axis-parallel box around an object, in its joint's frame."""
-    shape, place = item.geometry, item.placement
+    shape, placement = item.geometry, item.placement
     if isinstance(shape, coal.Box):
-        half = np.abs(place.rotation) @ shape.halfSide + radius
-        return np.concatenate([place.translation - half, place.translation + half])
+        half = np.abs(placement.rotation) @ shape.halfSide + radius
+        return np.concatenate([placement.translation - half, placement.translation + half])
     if ball[3] < ENDLESS and isinstance(shape, coal.ConvexBase | coal.BVHModelBase):
-        points = core_of(shape)[0] @ place.rotation.T + place.translation
+        points = core_of(shape)[0] @ placement.rotation.T + placement.translation
         return np.concatenate([points.min(axis=0) - radius, points.max(axis=0) + radius])
     if ball[3] < ENDLESS:
         return np.concatenate([ball[:3] - ball[3], ball[:3] + ball[3]])

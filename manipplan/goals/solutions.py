@@ -282,7 +282,7 @@ def beyond_limits(robot: Robot, goals: dict[int, PoseGoal]) -> list[tuple[int, A
         every = Enumeration(solver.form, -free, free, None)
         blocks = list(every(goal.matrix[None], np.zeros(1, dtype=np.int64), np.zeros((1, 0))))
         q = np.concatenate([each[0] for each in blocks])
-        q = nearest_turns(robot, q, robot.limits.middle, kept=False)
+        q = nearest_turns(robot, q, robot.limits.middle, within_limits=False)
         found += [(k, each) for each in q if (robot.limits.outside(each) > 0).any()]
     return found
 

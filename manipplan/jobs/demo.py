@@ -10,6 +10,8 @@ from manipplan.robots.catalog import load_robot, planar_arm
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 
+__all__ = ["DemoProblem", "panda_among_boxes", "planar_path"]
+
 
 @dataclass(frozen=True, kw_only=True)
 class DemoProblem:

@@ -107,9 +107,9 @@ def _axes(robot: Robot, q: Array) -> list[Axes]:
     found = []
     for each in q:
         pin.forwardKinematics(model, data, np.asarray(each, dtype=float))
-        places = list(data.oMi)[1:]
-        directions = [place.rotation @ axis for place, axis in zip(places, own, strict=True)]
-        found.append((np.array(directions), np.array([place.translation for place in places])))
+        frames = list(data.oMi)[1:]
+        directions = [frame.rotation @ axis for frame, axis in zip(frames, own, strict=True)]
+        found.append((np.array(directions), np.array([frame.translation for frame in frames])))
     return found
 
 
@@ -304,9 +304,9 @@ def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: 
 
 def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Function:
     chain = SymbolicChain.of(robot.model, robot.tool)
-    places = chain.joints[1:]
-    axes = [place.rotation @ ca.DM(axis) for axis, place in zip(chain.tree.axes, places, strict=True)]
-    z, o = _vectors(axes), _vectors([place.origin for place in places])
+    frames = chain.joints[1:]
+    axes = [frame.rotation @ ca.DM(axis) for axis, frame in zip(chain.tree.axes, frames, strict=True)]
+    z, o = _vectors(axes), _vectors([frame.origin for frame in frames])
     values = ca.vertcat(*(each.value(z, o) for each in factors))
     return ca.Function("signs", [chain.q], [ca.densify(values)], ["q"], ["values"])
 

@@ -65,8 +65,8 @@ class View:
         middle = (n + 1) // 2
         if len(task.world_rows) < 6:
             return cls(jacobian=_with_followers(chain, task.rows_of(*_express_at(chain, middle, None))), smooth=smooth)
-        places = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
-        views = [(_express_at(chain, f, at)[0], f) for f, at in places]
+        frames = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
+        views = [(_express_at(chain, f, at)[0], f) for f, at in frames]
         seen, f = min(views, key=lambda view: int(view[0].nnz()))
         rows = ca.sparsify(ca.DM(task.matrices[0]))
         smooth = LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows), chain.tree)

@@ -228,7 +228,7 @@ RADIAN = 0.1
 #: Distance within which a path returns to its first pose [m, or entry of the rotation].
 RETURNS = 1e-9
 #: Distance in s within which two knots are one.
-SAME_KNOT = 1e-12
+KNOT_TOLERANCE = 1e-12
 #: Maximum number of poses of a sample.
 MOST_SAMPLES = 1_000_000
 #: Columns of a CSV file of poses: position [m], then the quaternion.
@@ -439,7 +439,7 @@ class Stretch(CartesianPath):
     def knots(self) -> Array:
         whole = self.path.knots
         inner = (np.concatenate([whole, 1.0 + whole]) - self.begin) / (self.end - self.begin)
-        return np.concatenate([[0.0], np.unique(inner[(inner > SAME_KNOT) & (inner < 1.0 - SAME_KNOT)]), [1.0]])
+        return np.concatenate([[0.0], np.unique(inner[(inner > KNOT_TOLERANCE) & (inner < 1.0 - KNOT_TOLERANCE)]), [1.0]])
 
     def _at(self, s: Array) -> tuple[Array, Array]:
         at = self.begin + s * (self.end - self.begin)

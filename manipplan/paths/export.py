@@ -88,7 +88,7 @@ def from_csv(
     data = table.numbers([time, *positions, *velocities])
     for k in np.flatnonzero(np.diff(data[:, 0]) <= 0).tolist():
         later = f"a time after that of row {table.rows[k][0]}, {float(data[k, 0])!r} s"
-        raise FileFormatError("file", f"{table.place(k + 1, time)}: {table.rows[k + 1][1][time]}", later)
+        raise FileFormatError("file", f"{table.name_cell(k + 1, time)}: {table.rows[k + 1][1][time]}", later)
     scale = np.where(np.isin(names, scaled), np.pi / 180, 1.0)
     q = data[:, 1 : 1 + len(names)] * scale
     qd = data[:, 1 + len(names) :] * scale if velocities else None

@@ -103,7 +103,7 @@ def _outside(s: Array) -> InvalidInputError:
 
 
 #: Breaks of two paths nearer than this are one.
-SAME_BREAK = 1e-12
+BREAK_TOLERANCE = 1e-12
 #: Tolerance on the full turns between start and end of a closed path [rad or m].
 TURNED = 1e-9
 #: Bases available for the coefficients of a polynomial path.
@@ -173,25 +173,25 @@ class JointPath:
         from scipy.interpolate import CubicSpline
 
         closed = flag("closed", closed)
-        places, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
-        increasing = len(places) == len(points) and len(places) >= 2 and (np.diff(places) > 0).all()
-        if not increasing or places[0] != 0 or places[-1] != 1:
-            raise InvalidInputError("s", places, f"{len(points)} increasing numbers from 0 to 1, one per row of q")
+        breaks, points = finite_array("s", s, (None,)), finite_array("q", q, (None, None))
+        increasing = len(breaks) == len(points) and len(breaks) >= 2 and (np.diff(breaks) > 0).all()
+        if not increasing or breaks[0] != 0 or breaks[-1] != 1:
+            raise InvalidInputError("s", breaks, f"{len(points)} increasing numbers from 0 to 1, one per row of q")
         own = distinct(
-            len(places),
-            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(places[i] - places[j])),
+            len(breaks),
+            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(breaks[i] - breaks[j])),
         )
-        places, points = places[own], points[own]
+        breaks, points = breaks[own], points[own]
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])
         if np.abs(drift - 2 * np.pi * np.round(drift / (2 * np.pi))).max(initial=0.0) > TURNED:
             raise InvalidInputError("q", points[-1].tolist(), "a last row equal to the first up to full turns")
-        even = points - places[:, None] * drift
+        even = points - breaks[:, None] * drift
         if closed:
             even[-1] = even[0]
-        curve = CubicSpline(places, even, bc_type="periodic" if closed else "not-a-knot")
-        slopes, widths = curve(places, 1) + drift, np.diff(places)[:, None]
+        curve = CubicSpline(breaks, even, bc_type="periodic" if closed else "not-a-knot")
+        slopes, widths = curve(breaks, 1) + drift, np.diff(breaks)[:, None]
         control = [points[:-1], points[:-1] + widths * slopes[:-1] / 3, points[1:] - widths * slopes[1:] / 3, points[1:]]
-        return cls(breaks=places, control=np.stack(control, axis=1))
+        return cls(breaks=breaks, control=np.stack(control, axis=1))
 
     @classmethod
     def joined(cls, parts: Sequence["JointPath"]) -> "JointPath":
@@ -366,7 +366,7 @@ def cut(path: JointPath, begin: float, end: float) -> JointPath:
 def side_by_side(parts: Sequence[tuple[JointPath, Sequence[int]]], still: Array) -> JointPath:
     """Paths over the same s as one of all joints: each moves the joints of its indices, the others stay at `still` (n,)."""
     breaks = np.unique(np.concatenate([path.breaks for path, _ in parts]))
-    breaks = breaks[np.append(True, np.diff(breaks) > SAME_BREAK)]
+    breaks = breaks[np.append(True, np.diff(breaks) > BREAK_TOLERANCE)]
     breaks[-1] = 1.0
     degree = max(path.degree for path, _ in parts)
     control = np.tile(still, (len(breaks) - 1, degree + 1, 1))

@@ -107,12 +107,12 @@ def _collect(
     names = tuple(joints) if joints is not None else tuple(messages[0][1].name) if messages else ()
     rows = []
     for k, (received, message) in enumerate(messages):
-        place = {name: i for i, name in enumerate(message.name)}
-        missing = [name for name in names if name not in place]
-        if len(place) != len(message.name):
+        index = {name: i for i, name in enumerate(message.name)}
+        missing = [name for name in names if name not in index]
+        if len(index) != len(message.name):
             raise FileFormatError("file", where, f"every joint once; message {k + 1} has {', '.join(message.name)}")
-        if joints is None and set(place) != set(names):
-            said = f"message {k + 1} has {', '.join(place) or 'no joint'}, and message 1 has {', '.join(names)}"
+        if joints is None and set(index) != set(names):
+            said = f"message {k + 1} has {', '.join(index) or 'no joint'}, and message 1 has {', '.join(names)}"
             raise FileFormatError("file", where, f"the same joints in all messages, but {said}; select joints with joints=")
         if len(missing) == len(names):
             continue
@@ -120,7 +120,7 @@ def _collect(
             raise FileFormatError(
                 "file", where, f"all of {', '.join(names)} in every message; message {k + 1} lacks {', '.join(missing)}"
             )
-        order = [place[name] for name in names]
+        order = [index[name] for name in names]
         if len(message.position) != len(message.name):
             raise FileFormatError("file", where, f"a position for every joint; message {k + 1} has {len(message.position)}")
         stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec

@@ -74,15 +74,15 @@ class Table:
             for j, column in enumerate(columns):
                 cell = row[column]
                 if not NUMBER.fullmatch(cell):
-                    raise FileFormatError("file", f"{self.place(k, column)}: {cell}", "a number")
+                    raise FileFormatError("file", f"{self.name_cell(k, column)}: {cell}", "a number")
                 data[k, j] = float(cell)
         for k, j in np.argwhere(~np.isfinite(data)).tolist():
             column = columns[j]
-            got = f"{self.place(k, column)}: {self.rows[k][1][column]}"
+            got = f"{self.name_cell(k, column)}: {self.rows[k][1][column]}"
             raise FileFormatError("file", got, "a finite number, no NaN or inf")
         return data
 
-    def place(self, k: int, column: int) -> str:
+    def name_cell(self, k: int, column: int) -> str:
         """Where a cell of row k is, in words."""
         return f"{self.path}, row {self.rows[k][0]}, {self.header[column]}"
 

@@ -108,7 +108,7 @@ Distances = Callable[[NDArray[np.intp], NDArray[np.intp]], Array]
 
 
 def distinct(count: int, apart: Distances, most: float = COINCIDENT) -> NDArray[np.intp]:
-    """Indices of the points of a sequence that are `most` or more apart from the one kept before, with the last point.
+    """Indices of the points of a sequence that are `most` or more apart from the one chosen before, with the last point.
 
     `apart` gives the distances of points i and j (k,). The first point and the last one are kept; [0] where all are one.
     """
@@ -119,12 +119,12 @@ def distinct(count: int, apart: Distances, most: float = COINCIDENT) -> NDArray[
     def is_far(first: int, second: int) -> bool:
         return bool(apart(np.array([first]), np.array([second]))[0] >= most)
 
-    kept = [0]
+    chosen = [0]
     for k in range(1, count):
-        if is_far(kept[-1], k):
-            kept.append(k)
-    while len(kept) > 1 and kept[-1] != count - 1 and not is_far(kept[-1], count - 1):
-        kept.pop()  # the last point stands for it
-    if kept[-1] != count - 1 and is_far(kept[-1], count - 1):
-        kept.append(count - 1)
-    return np.array(kept)
+        if is_far(chosen[-1], k):
+            chosen.append(k)
+    while len(chosen) > 1 and chosen[-1] != count - 1 and not is_far(chosen[-1], count - 1):
+        chosen.pop()  # the last point stands for it
+    if chosen[-1] != count - 1 and is_far(chosen[-1], count - 1):
+        chosen.append(count - 1)
+    return np.array(chosen)

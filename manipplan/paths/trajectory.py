@@ -306,8 +306,8 @@ def _finite_samples(argument: str, value: ArrayLike, shape: tuple[int | None, ..
     wrong = np.argwhere(~np.isfinite(array))
     if array.ndim == len(shape) and len(wrong):
         joint = f" ({names[wrong[0, 1]]})" if array.ndim == 2 and wrong[0, 1] < len(names) else ""
-        place = ", ".join(map(str, wrong[0]))
-        raise InvalidInputError(f"{argument}[{place}]{joint}", float(array[tuple(wrong[0])]), "a finite number, no NaN or inf")
+        index = ", ".join(map(str, wrong[0]))
+        raise InvalidInputError(f"{argument}[{index}]{joint}", float(array[tuple(wrong[0])]), "a finite number, no NaN or inf")
     return finite_array(argument, array, shape, most=LARGEST if names else np.inf)
 
 

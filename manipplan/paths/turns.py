@@ -19,7 +19,7 @@ JUMP, TOO_FAST = 0.05, 5.0
 
 
 def unwrapped(
-    robot: Robot, motion: Trajectory, place: Callable[[int, int], tuple[str, float]], *, fastest: float
+    robot: Robot, motion: Trajectory, describe: Callable[[int, int], tuple[str, float]], *, fastest: float
 ) -> Trajectory:
     """The motion as it was driven, where continuous joints jump by full turns from one sample to the next.
 
@@ -30,7 +30,7 @@ def unwrapped(
     Args:
         robot: the arm, whose joints are the columns of the motion.
         motion: the samples.
-        place: name and value of a position, by its row and joint, for messages.
+        describe: name and value of a position, by its row and joint, for messages.
         fastest: multiple of its largest speed beyond which a joint cannot move; where it has no such limit, the largest speed
             between the other samples counts.
 
@@ -43,7 +43,7 @@ def unwrapped(
     if len(wrong):
         row, joint = (int(k) for k in wrong[0])
         name, limits = robot.joint_names[joint], robot.limits
-        argument, value = place(row + 1, joint)
+        argument, value = describe(row + 1, joint)
         step, dt = (float(each[row + 1] - each[row]) for each in (motion.q[:, joint], motion.t))
         wanted = (
             f"a position that {name} reaches in {1e3 * dt:.4g} ms: it jumps by {step:.6g} rad, about "
@@ -68,9 +68,9 @@ def _full_turns(robot: Robot, motion: Trajectory, fastest: float) -> NDArray[np.
     step, dt = np.diff(motion.q, axis=0), np.diff(motion.t)[:, None]
     turns = np.round(step / (2 * np.pi))
     turns[:, [kind == "prismatic" for kind in robot.joint_types]] = 0
-    measured = np.where(turns == 0, np.abs(step) / dt, -np.inf).max(axis=0)
-    measured = np.where(np.isneginf(measured), np.inf, measured)
-    reach = fastest * np.where(np.isfinite(robot.limits.velocity), robot.limits.velocity, measured) * dt
+    fastest_seen = np.where(turns == 0, np.abs(step) / dt, -np.inf).max(axis=0)
+    fastest_seen = np.where(np.isneginf(fastest_seen), np.inf, fastest_seen)
+    reach = fastest * np.where(np.isfinite(robot.limits.velocity), robot.limits.velocity, fastest_seen) * dt
     rest = np.abs(step - 2 * np.pi * turns)
     is_jump = (np.abs(step) > reach) & (rest <= np.maximum(reach, JUMP))
     return np.where(is_jump, turns, 0).astype(np.int64)

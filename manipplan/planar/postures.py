@@ -119,11 +119,11 @@ def _mirror_pair(
 
 
 def _distinct(rows: Array) -> Array:
-    kept: list[Array] = []
+    distinct: list[Array] = []
     for row in rows:
-        if all(np.abs(wrapped(row - other)).max() > 1e-9 for other in kept):
-            kept.append(row)
-    return np.array(kept).reshape(-1, 2)
+        if all(np.abs(wrapped(row - other)).max() > 1e-9 for other in distinct):
+            distinct.append(row)
+    return np.array(distinct).reshape(-1, 2)
 
 
 #: Share of the arm's length below which a radius counts as 0.

@@ -297,7 +297,7 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
     check_few_links(arm)
     arcs = _different(critical_arcs(arm, lower, upper), float(arm.lengths.sum()))
     aside = BESIDE * float(arm.lengths.sum())
-    kept: list[Arc] = []
+    boundary: list[Arc] = []
     for arc in arcs:
         cuts = [arc.begin, arc.end, *(a for other in arcs if other is not arc for a in _crossings(arc, other))]
         for begin, end in itertools.pairwise(sorted(cuts)):
@@ -305,10 +305,10 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
                 continue
             piece = Arc(centre=arc.centre, radius=arc.radius, begin=begin, end=end)
             outward = (piece(0.5) - arc.centre) / arc.radius
-            sides = (piece(0.5) + sign * aside * outward for sign in (1, -1))
-            if not all(is_reachable(arm, side, lower, upper) for side in sides):
-                kept.append(piece)
-    return _merge(kept, 6 * aside)
+            beside = (piece(0.5) + sign * aside * outward for sign in (1, -1))
+            if not all(is_reachable(arm, side, lower, upper) for side in beside):
+                boundary.append(piece)
+    return _merge(boundary, 6 * aside)
 
 
 def _critical(arm: PlanarArm, limits: AngleLimits) -> list[tuple[int, Arc]]:
@@ -368,8 +368,8 @@ def _crossings(arc: Arc, other: Arc) -> list[float]:
     offset = other.centre - arc.centre
     distance = float(np.hypot(*offset))
     if distance <= 1e-12 * (arc.radius + other.radius):
-        same = abs(arc.radius - other.radius) <= 1e-9 * arc.radius
-        angles = [other.begin, other.end] if same else []
+        is_one_circle = abs(arc.radius - other.radius) <= 1e-9 * arc.radius
+        angles = [other.begin, other.end] if is_one_circle else []
     else:
         cosine = (arc.radius**2 + distance**2 - other.radius**2) / (2 * arc.radius * distance)
         if abs(cosine) > 1 + 1e-9:
@@ -382,27 +382,27 @@ def _crossings(arc: Arc, other: Arc) -> list[float]:
 
 
 def _different(arcs: tuple[Arc, ...], size: float) -> list[Arc]:
-    kept: list[Arc] = []
+    different: list[Arc] = []
     for arc in arcs:
         ends = np.concatenate([arc(0.0), arc(0.5), arc(1.0)])
-        if all(np.abs(ends - np.concatenate([o(0.0), o(0.5), o(1.0)])).max() > 1e-9 * size for o in kept):
-            kept.append(arc)
-    return kept
+        if all(np.abs(ends - np.concatenate([o(0.0), o(0.5), o(1.0)])).max() > 1e-9 * size for o in different):
+            different.append(arc)
+    return different
 
 
 def _merge(pieces: list[Arc], gap: float) -> tuple[Arc, ...]:
     """Joins pieces of one circle that are less than `gap` [m] apart, and drops duplicates."""
-    kept: list[Arc] = []
+    merged: list[Arc] = []
     for piece in sorted(pieces, key=lambda arc: (round(arc.radius, 6), *np.round(arc.centre, 6), arc.begin)):
         share = gap / piece.radius
-        for k, other in enumerate(kept):
+        for k, other in enumerate(merged):
             if abs(other.radius - piece.radius) + np.abs(other.centre - piece.centre).max() > 1e-9:
                 continue
             begin = other.begin + np.mod(piece.begin - other.begin + share, 2 * np.pi) - share
             if begin <= other.end + share:
                 end = min(max(other.end, begin + piece.end - piece.begin), other.begin + 2 * np.pi)
-                kept[k] = Arc(centre=other.centre, radius=other.radius, begin=other.begin, end=end)
+                merged[k] = Arc(centre=other.centre, radius=other.radius, begin=other.begin, end=end)
                 break
         else:
-            kept.append(piece)
-    return tuple(kept)
+            merged.append(piece)
+    return tuple(merged)

@@ -110,9 +110,9 @@ def _upward(k: Array) -> tuple[int, ...]:
 
 
 def _cosines(terms: dict[tuple[int, ...], float]) -> TrigonometricPolynomial:
-    kept = {k: c for k, c in sorted(terms.items()) if c}
-    frequencies = np.array(list(kept), dtype=np.float64)
-    cosine = np.array([float(c) for c in kept.values()])
+    nonzero = {k: c for k, c in sorted(terms.items()) if c}
+    frequencies = np.array(list(nonzero), dtype=np.float64)
+    cosine = np.array([float(c) for c in nonzero.values()])
     return TrigonometricPolynomial(frequencies=frequencies, cosine=cosine, sine=np.zeros(len(cosine)))
 
 
@@ -213,8 +213,8 @@ class _System:
         for i, f in enumerate(system):
             cosine[starts[i] : starts[i + 1], i] = f.cosine
             sine[starts[i] : starts[i + 1], i] = f.sine
-        frequencies, same = np.unique(frequencies, axis=0, return_inverse=True)
-        merge = np.equal.outer(np.arange(len(frequencies)), same.ravel()).astype(np.float64)
+        frequencies, position = np.unique(frequencies, axis=0, return_inverse=True)
+        merge = np.equal.outer(np.arange(len(frequencies)), position.ravel()).astype(np.float64)
         cosine, sine = merge @ cosine, merge @ sine
         size, k = np.hypot(cosine, sine), np.abs(frequencies)
         # Relative rounding error of a term: sum of m terms, its coefficient, and the error of k · x with |x| <= 4.
@@ -280,12 +280,12 @@ class _System:
 
     def distinct(self, found: list[Array]) -> Array:
         """The zeros in (-π, π], without duplicates from neighbouring boxes."""
-        kept: list[Array] = []
+        zeros: list[Array] = []
         for x in found:
             turned = np.pi - np.mod(np.pi - x + 1e-9, 2 * np.pi) + 1e-9
-            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > ZERO_DISTANCE for y in kept):
-                kept.append(turned)
-        return np.array(kept).reshape(-1, self.dimension)
+            if all(np.abs(np.remainder(turned - y + np.pi, 2 * np.pi) - np.pi).max() > ZERO_DISTANCE for y in zeros):
+                zeros.append(turned)
+        return np.array(zeros).reshape(-1, self.dimension)
 
 
 #: Width of the interval that encloses a root: a square root of it keeps 64-bit accuracy.
@@ -357,13 +357,13 @@ def evaluate(p: Sequence[Fraction], x: Fraction) -> Fraction:
 
 def _primitive(p: Sequence[Fraction]) -> list[int]:
     """A positive multiple with integer coefficients that have no common factor, without leading zeros."""
-    kept = list(p)
-    while kept and not kept[-1]:
-        kept.pop()
+    coefficients = list(p)
+    while coefficients and not coefficients[-1]:
+        coefficients.pop()
     common = 1
-    for a in kept:
+    for a in coefficients:
         common = common * a.denominator // gcd(common, a.denominator)
-    whole = [int(a * common) for a in kept]
+    whole = [int(a * common) for a in coefficients]
     shared = gcd(*whole) if whole else 1
     return [a // shared for a in whole]
 

@@ -105,11 +105,11 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
     held = {name: float(q[i]) for i, name in enumerate(names) if i not in joints}
     held |= {name: mimic.position(held[mimic.leader]) for name, mimic in robot.followers.items() if mimic.leader in held}
     model, geometry = reduce(robot.model, robot.geometry, [names[i] for i in joints], held)
-    kept = list(joints)
+    columns = list(joints)
     limits = {
-        kind: getattr(robot.limits, kind)[kept] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
+        kind: getattr(robot.limits, kind)[columns] for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "effort")
     }
-    states = NamedStates({name: state[kept] for name, state in robot.states.items()})
+    states = NamedStates({name: state[columns] for name, state in robot.states.items()})
     return replace(
         robot,
         name=f"{robot.name} {tool}",
@@ -118,7 +118,7 @@ def arm_of(robot: "Robot", tool: str, joints: Sequence[int], q: Array) -> "Robot
         tool=tool,
         other_tools=(),
         limits=JointLimits(**limits, sources=robot.limits.sources),
-        neutral=robot.neutral[kept],
+        neutral=robot.neutral[columns],
         locked={**robot.locked, **held},
         states=states,
         source=None,

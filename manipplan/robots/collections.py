@@ -144,10 +144,10 @@ def _of_menagerie(name: str) -> RobotFile:
     return RobotFile(file=_robot_of(Path(folder), file_name, robot.entry(robot.default_model).file))
 
 
-def _checkout(place: str) -> Path:
-    root = Path(place).expanduser()
+def _checkout(folder: str) -> Path:
+    root = Path(folder).expanduser()
     if not root.is_dir():
-        raise InvalidInputError(CHECKOUT, place, "the folder of a checkout of MuJoCo Menagerie, in this environment variable")
+        raise InvalidInputError(CHECKOUT, folder, "the folder of a checkout of MuJoCo Menagerie, in this environment variable")
     return root
 
 

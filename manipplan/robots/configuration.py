@@ -96,10 +96,10 @@ def check_configuration(robot: "Robot", argument: str, q: ArrayLike, tolerance: 
     return to_limits(robot, argument, q, tolerance)
 
 
-def nearest_turns(robot: "Robot", q: Array, near: Array, *, kept: bool = True) -> Array:
-    """Configurations (k, n) with each revolute joint turned to the nearest to `near` (n,), with `kept` inside its limits."""
+def nearest_turns(robot: "Robot", q: Array, near: Array, *, within_limits: bool = True) -> Array:
+    """Configurations (k, n) with each revolute joint at the full turn nearest to `near` (n,), by default inside its limits."""
     turn = np.where(robot.turns, 2 * np.pi, np.inf)
-    if not kept:
+    if not within_limits:
         turns = np.round((near - q) / turn)
         return q + np.where(np.isinf(turn), 0.0, turn) * turns
     most = np.floor((robot.limits.upper - q) / turn)

@@ -57,9 +57,9 @@ class RobotSource:
     def of(cls, kind: str, file: str | Path | None, options: Mapping[str, Any], *, name: str = "") -> "RobotSource":
         """The source for the user's options; those that are None or empty are left out."""
         plain = {key: _plain(key, value) for key, value in options.items() if value is not None}
-        kept = {key: value for key, value in plain.items() if value not in ((), {})}
+        given = {key: value for key, value in plain.items() if value not in ((), {})}
         path = Path(file).expanduser().resolve() if file is not None else None
-        return cls(kind=kind, name=name, file=path, options=kept)
+        return cls(kind=kind, name=name, file=path, options=given)
 
     @property
     def urdf_files(self) -> UrdfFiles:

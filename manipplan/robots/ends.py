@@ -85,13 +85,13 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
         if tips:
             log.info("%s: the tool is %s, the tip of the SRDF's chain", read.file.name, tips[0])
             return tips[0]
-    places = tree.places()
-    if not places:
+    end_joints = tree.find_end_joints()
+    if not end_joints:
         raise FileFormatError("file", str(read.file), "a robot with at least one body")
-    if len(places) > 1:
-        places.sort(key=lambda joint: -len(tree.model.supports[joint]))  # the arm before the wheels
-        raise _several(tree, "the description has several ends", [name for joint in places for name in tree.shown(joint)])
-    [joint] = places
+    if len(end_joints) > 1:
+        end_joints.sort(key=lambda joint: -len(tree.model.supports[joint]))  # the arm before the wheels
+        raise _several(tree, "the description has several ends", [name for joint in end_joints for name in tree.shown(joint)])
+    [joint] = end_joints
     chosen = tree.chosen(joint)
     if chosen is None:
         raise _several(tree, "the description has several ends on one body", tree.shown(joint))
@@ -178,7 +178,7 @@ class _LinkTree:
                 found[j] = self.kids[j]
         return found
 
-    def places(self) -> list[int]:
+    def find_end_joints(self) -> list[int]:
         """The joints on whose rigid bodies the ends are, fingers and bodies that carry further joints left out."""
         held = {k: hand for hand, fingers in self.hands.items() for kid in fingers for k in self.below(kid)}
         joints = sorted({held.get(self.joint(body), self.joint(body)) for body in self.ends})

@@ -34,8 +34,8 @@ def find_hull(corners: Array) -> "Hull | None":
     if len(corners) < 4 or not np.abs(corners).max() <= FARTHEST:
         return None
     middle = corners - corners.mean(axis=0)
-    sides = np.ptp(middle @ np.linalg.svd(middle, full_matrices=False)[2].T, axis=0)
-    if not sides.min() > max(FLAT * sides.max(), 1e-9):
+    extents = np.ptp(middle @ np.linalg.svd(middle, full_matrices=False)[2].T, axis=0)
+    if not extents.min() > max(FLAT * extents.max(), 1e-9):
         return None
     hull = _qhull(corners)
     return None if hull is None else _outward(corners, hull)

@@ -149,33 +149,33 @@ def _tree(file: Path, mj: Any, names: Sequence[str]) -> tuple[pin.Model, list[in
     armature, frames = list[float](), [0]
     for body in range(1, mj.nbody):
         frame = frames[mj.body_parentid[body]]
-        joint, place = int(model.frames[frame].parentJoint), model.frames[frame].placement
-        place = place * local_pose(mj.body_pos[body], mj.body_quat[body])
+        joint, placement = int(model.frames[frame].parentJoint), model.frames[frame].placement
+        placement = placement * local_pose(mj.body_pos[body], mj.body_quat[body])
         moving = _joints_of(mj, body)
         for k in moving:
-            joint, place = _add_joint(model, mj, joint, place, k, names[k])
+            joint, placement = _add_joint(model, mj, joint, placement, k, names[k])
             start, count = int(mj.jnt_dofadr[k]), model.joints[joint].nv
             armature += mj.dof_armature[start : start + count].tolist()
             frame = model.addJointFrame(joint, frame)
         if not moving:
-            fixed = pin.Frame(f"{bodies[body]}_fixed", joint, frame, place, pin.FrameType.FIXED_JOINT)
+            fixed = pin.Frame(f"{bodies[body]}_fixed", joint, frame, placement, pin.FrameType.FIXED_JOINT)
             frame = model.addFrame(fixed, False)
-        frames.append(model.addFrame(pin.Frame(bodies[body], joint, frame, place, pin.FrameType.BODY), False))
+        frames.append(model.addFrame(pin.Frame(bodies[body], joint, frame, placement, pin.FrameType.BODY), False))
         inner = local_pose(mj.body_ipos[body], mj.body_iquat[body])
         inertia = pin.Inertia(float(mj.body_mass[body]), np.zeros(3), np.diag(mj.body_inertia[body]))
-        model.appendBodyToJoint(joint, inertia, place * inner)
+        model.appendBodyToJoint(joint, inertia, placement * inner)
     model.armature = np.array(armature)
     for k in range(mj.nsite):
         site = mj.site(k)
         if site.name:
             frame = frames[mj.site_bodyid[k]]
             base = model.frames[frame]
-            place = base.placement * local_pose(mj.site_pos[k], mj.site_quat[k])
-            model.addFrame(pin.Frame(site.name, base.parentJoint, frame, place, pin.FrameType.OP_FRAME), False)
+            placement = base.placement * local_pose(mj.site_pos[k], mj.site_quat[k])
+            model.addFrame(pin.Frame(site.name, base.parentJoint, frame, placement, pin.FrameType.OP_FRAME), False)
     return model, frames
 
 
-def _add_joint(model: pin.Model, mj: Any, parent: int, place: pin.SE3, k: int, name: str) -> tuple[int, pin.SE3]:
+def _add_joint(model: pin.Model, mj: Any, parent: int, placement: pin.SE3, k: int, name: str) -> tuple[int, pin.SE3]:
     """Add joint `k` of a body that is at `place` in the frame of the joint `parent`.
 
     MuJoCo's joint is at rest at its reference, `qpos0`; Pinocchio's at 0. Returns the joint, and the body's place in its frame.
@@ -184,7 +184,7 @@ def _add_joint(model: pin.Model, mj: Any, parent: int, place: pin.SE3, k: int, n
     back = anchor.inverse()
     kind, axis = JOINTS[mj.jnt_type[k]], np.array(mj.jnt_axis[k])
     if kind == "ball":
-        return model.addJoint(parent, pin.JointModelSpherical(), place * anchor, name), back
+        return model.addJoint(parent, pin.JointModelSpherical(), placement * anchor, name), back
     reference = float(mj.qpos0[mj.jnt_qposadr[k]])
     if kind == "slide":
         at_zero = pin.SE3(np.eye(3), -reference * axis)
@@ -193,7 +193,7 @@ def _add_joint(model: pin.Model, mj: Any, parent: int, place: pin.SE3, k: int, n
     joint = joint_about(axis, slides=kind == "slide")
     lower, upper = mj.jnt_range[k] if mj.jnt_limited[k] else (-np.inf, np.inf)
     limits = (_effort(mj, k), np.inf, lower, upper)
-    return model.addJoint(parent, joint, place * anchor * at_zero, name, *(np.array([each]) for each in limits)), back
+    return model.addJoint(parent, joint, placement * anchor * at_zero, name, *(np.array([each]) for each in limits)), back
 
 
 def _effort(mj: Any, joint: int) -> float:
@@ -262,8 +262,8 @@ def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geom
             surfaces[data] = shape = surfaces.get(data) or triangle_tree(*surface_of(file, mj, k))
         else:
             shape = _primitive(file, kind, name, [float(each) for each in mj.geom_size[k]])
-        place = frame.placement * local_pose(mj.geom_pos[k], mj.geom_quat[k])
-        item = pin.GeometryObject(name, frame.parentJoint, frames[body], place, shape)
+        placement = frame.placement * local_pose(mj.geom_pos[k], mj.geom_quat[k])
+        item = pin.GeometryObject(name, frame.parentJoint, frames[body], placement, shape)
         item.meshColor, item.overrideMaterial = _colour(mj, k), True
         geometry.addGeometryObject(item)
     return geometry
@@ -323,7 +323,7 @@ def _find_unchecked(mj: Any, geoms: Sequence[int], names: Sequence[str]) -> dict
     body = mj.geom_bodyid[of]
     weld = mj.body_weldid[body]
     above = mj.body_weldid[mj.body_parentid[weld]]
-    same = weld[:, None] == weld
+    is_one_link = weld[:, None] == weld
     moving = (weld[:, None] != 0) & (weld != 0)
     child = (weld[:, None] == above) & moving & (not _flag(mj, FILTER_PARENT))
     # MuJoCo checks a fixed base against the first link, which it touches by construction
@@ -335,7 +335,7 @@ def _find_unchecked(mj: Any, geoms: Sequence[int], names: Sequence[str]) -> dict
     for j in range(len(of)):
         for i in range(j):
             reason = None
-            if same[i, j]:
+            if is_one_link[i, j]:
                 reason = ONE_BODY
             elif frozenset((int(of[i]), int(of[j]))) in named:
                 continue

@@ -126,11 +126,11 @@ def joint_tree(model: pin.Model) -> JointTree:
             axes[i] = motion[:3] if slides[i] else motion[3:]
         else:
             axes[i], slides[i] = axis_of(joint), is_prismatic(joint)
-    places = [np.concatenate([np.ravel(each.rotation), each.translation]) for each in list(model.jointPlacements)[1:]]
+    placements = [np.concatenate([np.ravel(each.rotation), each.translation]) for each in list(model.jointPlacements)[1:]]
     return JointTree(
         before=np.array(list(model.parents)[1:], dtype=np.int64),
         carries=carries,
-        fixed=np.array(places).reshape(-1, 12),
+        fixed=np.array(placements).reshape(-1, 12),
         axes=axes,
         slides=slides,
         leader=np.array([joint.idx_q for joint in list(model.joints)[1:]], dtype=np.int64),

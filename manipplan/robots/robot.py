@@ -155,10 +155,14 @@ class Robot(Pictured):
             InvalidInputError: the description has several arms and no tool is given (the ends are listed), joints out of order,
                 limits that are not positive, or a folder in `packages` that does not exist.
         """
-        places = UrdfFiles(
-            package_dirs=package_dirs, packages={} if packages is None else packages, meshes=meshes, collision=collision
+        files = UrdfFiles(
+            package_dirs=package_dirs,
+            packages={} if packages is None else packages,
+            meshes=meshes,
+            collision=collision,
+            arguments={} if arguments is None else arguments,
+            trust_file=trust_file,
         )
-        files = replace(places, arguments={} if arguments is None else arguments, trust_file=trust_file)
         read = description.read_urdf(existing_file("file", file), files)
         return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
 

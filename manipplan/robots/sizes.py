@@ -58,11 +58,11 @@ def check_origins(file: Path, model: pin.Model, geometry: pin.GeometryModel) -> 
 
 def _offsets(model: pin.Model) -> dict[int, Array]:
     """The origin (3,) [m] of each body, by its frame, in the frame of its parent, all joints at 0."""
-    places = [pin.SE3.Identity()]
+    frames = [pin.SE3.Identity()]
     for j in range(1, model.njoints):
-        places.append(places[model.parents[j]] * model.jointPlacements[j])
+        frames.append(frames[model.parents[j]] * model.jointPlacements[j])
     parents = parent_bodies(model)
-    poses = {body: places[model.frames[body].parentJoint] * model.frames[body].placement for body in (0, *parents)}
+    poses = {body: frames[model.frames[body].parentJoint] * model.frames[body].placement for body in (0, *parents)}
     return {body: np.asarray(poses[above].actInv(poses[body].translation)) for body, above in parents.items()}
 
 

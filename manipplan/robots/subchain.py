@@ -343,8 +343,8 @@ def _rebuild(
             np.array(each[at : at + 1])
             for each in (model.effortLimit, model.velocityLimit, model.lowerPositionLimit, model.upperPositionLimit)
         ]
-        before, place = (index[model.parents[i]], model.jointPlacements[i]) if whole else (0, pin.SE3.Identity())
-        made = built.addJoint(before, joint, place, name, *limits)
+        before, placement = (index[model.parents[i]], model.jointPlacements[i]) if whole else (0, pin.SE3.Identity())
+        made = built.addJoint(before, joint, placement, name, *limits)
         armature.append(model.armature[at] if whole and (i not in kinds or name + _ITSELF in model.names) else 0.0)
         if whole:
             index[i] = made

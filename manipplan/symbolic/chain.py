@@ -109,8 +109,8 @@ def step(tree: JointTree, i: int, q: ca.SX) -> Placement:
     position = q[int(tree.leader[i - 1])]
     if tree.has_followers:
         position = float(tree.ratio[i - 1]) * position + float(tree.offset[i - 1])
-    place = Placement(rotation=_sparse(fixed[:9].reshape(3, 3)), origin=_sparse(fixed[9:]))
-    return place @ _joint_motion(tree.axes[i - 1], bool(tree.slides[i - 1]), position)
+    placement = Placement(rotation=_sparse(fixed[:9].reshape(3, 3)), origin=_sparse(fixed[9:]))
+    return placement @ _joint_motion(tree.axes[i - 1], bool(tree.slides[i - 1]), position)
 
 
 def carriers_of(tree: JointTree, joint: int, placements: Sequence[Placement]) -> list[Placement | None]:

@@ -165,8 +165,8 @@ def _rate(chain: SymbolicChain, lines: ca.SX, joint: int, point: ca.SX, normal: 
 
 
 def _capsule(chain: SymbolicChain, body: CapsuleBody) -> SymbolicCapsule:
-    place = chain.joints[body.joint]
-    ends = [place.origin + place.rotation @ ca.SX(ca.DM(point)) for point in (body.start, body.end)]
+    frame = chain.joints[body.joint]
+    ends = [frame.origin + frame.rotation @ ca.SX(ca.DM(point)) for point in (body.start, body.end)]
     return SymbolicCapsule(start=ends[0], end=None if np.array_equal(body.start, body.end) else ends[1], radius=body.radius)
 
 

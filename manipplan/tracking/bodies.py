@@ -139,9 +139,9 @@ def _as_coal(body: CapsuleBody, frame: int) -> pin.GeometryObject:
     along = body.end - body.start
     length = float(np.linalg.norm(along))
     rotation = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
-    place = pin.SE3(rotation, (body.start + body.end) / 2)
+    placement = pin.SE3(rotation, (body.start + body.end) / 2)
     shape = coal.Capsule(body.radius, length) if length > 0 else coal.Sphere(body.radius)
-    return pin.GeometryObject(body.name, body.joint, frame, place, shape)
+    return pin.GeometryObject(body.name, body.joint, frame, placement, shape)
 
 
 def _that_can_meet(
@@ -151,7 +151,7 @@ def _that_can_meet(
     model = CollisionModel(robot, geometry, pairs, {})
     samples = [robot.neutral, *robot.random_configuration(np.random.default_rng(0), size=SAMPLES)]
     distances = model.distance_rows(np.array(samples), beyond=TOUCHING)
-    kept = []
+    checked = []
     for k, (first, second) in enumerate(pairs.tolist()):
         touching = np.count_nonzero(distances[1:, k] <= 0)
         if distances[0, k] <= 0:
@@ -161,8 +161,8 @@ def _that_can_meet(
         elif touching == 0:
             dropped[model.pair_names[k]] = f"the capsules touch in none of {SAMPLES} random configurations"
         else:
-            kept.append((first, second))
-    return tuple(kept)
+            checked.append((first, second))
+    return tuple(checked)
 
 
 @once_per_owner

@@ -260,7 +260,7 @@ class Controller:
         return {"tolerance": self._tube.copy(), "obstacles": self._obstacles.copy()}
 
     def reset(self) -> None:
-        """Clear the memory of past steps: last acceleration and target, approach to it, quasi-Newton Hessian."""
+        """Clear the memory of past steps: last acceleration and target, approach to it, and what the formulation learned."""
         self._acceleration[:] = 0.0
         self._memory[:] = 0.0
 

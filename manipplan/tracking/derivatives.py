@@ -1,10 +1,9 @@
-"""Gradient and Hessian of a measure in a control step: exact, by differences, or quasi-Newton.
+"""Gradient and Hessian of a measure in a control step: exact, or by differences.
 
 Symmetric matrices of the cost: products that use symmetry, and convexification.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -12,157 +11,67 @@ from manipplan.kinematics.kinematics import SymbolicKinematics
 from manipplan.measures.manipulability import REGULARISATION, Yoshikawa
 from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
 
-GRADIENTS = ("exact", "central")
-#: Methods for H_m; the last three are quasi-Newton updates.
-CURVATURES = ("exact", "central", "bfgs", "sr1", "bfgs-literal")
-
-#: δq of (17) and (19) [rad or m]; the paper names 1e-4 to 1e-3.
+#: δq of (17) and (19) in dufour2020 [rad or m]; the paper names 1e-4 to 1e-3.
 DIFFERENCE = 1e-4
 
-#: Minimum cosine between step and secant for a BFGS update.
-SLANTED = 0.01
-#: Minimum |eᵀ s| / (‖e‖ ‖s‖) for an SR1 update with the error e = y - B s.
-NEGLIGIBLE = 1e-8
 
-
-@dataclass(frozen=True, kw_only=True)
 class SymbolicMeasure:
-    """The manipulability m at symbolic q, with the derivatives that a formulation needs.
+    """The manipulability m at symbolic q, with the derivatives that a formulation may use.
 
     Attributes:
         q: (n, 1) symbols.
         value: the manipulability m.
         gradient: ∇m, (n, 1).
-        hessian: H_m, (n, n); zero if it is not used.
-        log_gradient: function of a regularisation r: the gradient (n, 1) of log sqrt(det(J Jᵀ + r² I)) for Yoshikawa's measure,
-            and of log sqrt(m² + r²) for any other.
-        memory: symbols of the last step's H_m column by column, ∇m, q, and whether there was a step.
-        next_memory: the same of this step.
     """
 
-    q: ca.SX
-    value: ca.SX
-    gradient: ca.SX
-    hessian: ca.SX
-    log_gradient: Callable[[float], ca.SX]
-    memory: ca.SX
-    next_memory: ca.SX
-
-    @classmethod
-    def of(cls, symbolic: SymbolicKinematics, gradient: str, hessian: str | None) -> "SymbolicMeasure":
-        """The measure of `symbolic`; gradient and hessian by name, hessian None: not used."""
-        q = symbolic.chain.q
-        n = q.shape[0]
-        value, slope, exact_hessian, log_slope = _yoshikawa(symbolic) if symbolic.measure == Yoshikawa() else _any(symbolic)
-        if gradient == "central":
-            slope = _central_gradient(symbolic.manipulability, q)
-        memory = next_memory = ca.SX(0, 1)
-        if hessian is None:
-            bend = ca.SX(n, n)
-        elif hessian == "exact":
-            bend = exact_hessian()
-        elif hessian == "central":
-            bend = _central_hessian(symbolic.manipulability, q)
+    def __init__(self, symbolic: SymbolicKinematics) -> None:
+        """The measure of `symbolic`; Yoshikawa's from one Cholesky factor of J Jᵀ, any other from its own derivatives."""
+        self._symbolic = symbolic
+        self.q: ca.SX = symbolic.chain.q
+        self._factor: Factor | None = None
+        if symbolic.measure == Yoshikawa():
+            jacobian, motion = symbolic.posture.smooth
+            self._factor = Factor.of(jacobian, REGULARISATION)
+            self.value: ca.SX = self._factor.manipulability
+            self.gradient: ca.SX = self.value * log_gradient(self._factor, motion)
         else:
-            memory = ca.SX.sym("memory", n * n + 2 * n + 1)
-            bend = _learn(hessian, memory, q, slope)
-            next_memory = ca.vertcat(ca.vec(bend), slope, q, 1)
-        return cls(
-            q=q, value=value, gradient=slope, hessian=bend, log_gradient=log_slope, memory=memory, next_memory=next_memory
-        )
+            self.value, self.gradient = symbolic.manipulability(self.q), symbolic.gradient(self.q)
 
+    @cached_property
+    def hessian(self) -> ca.SX:
+        """H_m, (n, n)."""
+        if self._factor is None:
+            return self._symbolic.hessian(self.q)
+        motion = self._symbolic.posture.smooth[1]
+        slope = log_gradient(self._factor, motion)
+        return self.value * (log_hessian(self._factor, motion) + slope @ slope.T)
 
-#: m, ∇m, and functions that build H_m and the gradient of log m with a regularisation.
-Parts = tuple[ca.SX, ca.SX, Callable[[], ca.SX], Callable[[float], ca.SX]]
+    @cached_property
+    def central_gradient(self) -> ca.SX:
+        """∇m (n, 1) by differences, (17) in dufour2020."""
+        measure, q = self._symbolic.manipulability, self.q
+        shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(q.shape[0]))
+        return ca.vertcat(*((measure(q + shift) - measure(q - shift)) / (2 * DIFFERENCE) for shift in shifts))
 
+    @cached_property
+    def central_hessian(self) -> ca.SX:
+        """H_m (n, n) by differences, (19) in dufour2020."""
+        measure, q = self._symbolic.manipulability, self.q
+        n = q.shape[0]
+        shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(n))
+        hessian = ca.SX(n, n)
+        for i in range(n):
+            for j in range(i + 1):
+                corners = [s * t * measure(q + s * shifts[i] + t * shifts[j]) for s in (1, -1) for t in (1, -1)]
+                hessian[i, j] = hessian[j, i] = sum(corners) / (4 * DIFFERENCE**2)
+        return hessian
 
-def _yoshikawa(symbolic: SymbolicKinematics) -> Parts:
-    """From one Cholesky factor of J Jᵀ."""
-    jacobian, motion = symbolic.posture.smooth
-    factor = Factor.of(jacobian, REGULARISATION)
-    slope = log_gradient(factor, motion)
-
-    def hessian() -> ca.SX:
-        return factor.manipulability * (log_hessian(factor, motion) + slope @ slope.T)
-
-    return factor.manipulability, factor.manipulability * slope, hessian, lambda r: log_gradient(Factor.of(jacobian, r), motion)
-
-
-def _any(symbolic: SymbolicKinematics) -> Parts:
-    """From the measure's own derivatives."""
-    q = symbolic.chain.q
-    value, slope = symbolic.manipulability(q), symbolic.gradient(q)
-    return value, slope, lambda: symbolic.hessian(q), lambda r: value * slope / (value**2 + r**2)
-
-
-def _central_gradient(measure: ca.Function, q: ca.SX) -> ca.SX:
-    """(17) in dufour2020."""
-    shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(q.shape[0]))
-    return ca.vertcat(*((measure(q + shift) - measure(q - shift)) / (2 * DIFFERENCE) for shift in shifts))
-
-
-def _central_hessian(measure: ca.Function, q: ca.SX) -> ca.SX:
-    """(19) in dufour2020."""
-    n = q.shape[0]
-    shifts = ca.horzsplit(DIFFERENCE * ca.DM.eye(n))
-    hessian = ca.SX(n, n)
-    for i in range(n):
-        for j in range(i + 1):
-            corners = [s * t * measure(q + s * shifts[i] + t * shifts[j]) for s in (1, -1) for t in (1, -1)]
-            hessian[i, j] = hessian[j, i] = sum(corners) / (4 * DIFFERENCE**2)
-    return hessian
-
-
-def _learn(name: str, memory: ca.SX, q: ca.SX, slope: ca.SX) -> ca.SX:
-    """H_m from that of the last step and the secant s = q - q₋, y = ∇m - ∇m₋; zero at the first step."""
-    n = q.shape[0]
-    before = ca.reshape(memory[: n * n], n, n)
-    y = slope - memory[n * n : n * n + n]
-    s = q - memory[n * n + n : n * n + 2 * n]
-    update = {"bfgs": _update_bfgs, "sr1": _sr1, "bfgs-literal": _literal}[name](before, s, y)
-    known, moved = memory[-1] > 0, ca.sumsqr(s) > 1e-16
-    return ca.if_else(ca.logic_and(known, moved), update, before)
-
-
-def _update_bfgs(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """The direct update of B = -H_m, the Hessian of -m, with damping that keeps it positive definite [powell1978].
-
-    If B = 0, it starts from ‖y‖/‖s‖ I.
-    """
-    n = s.shape[0]
-    first = ca.sumsqr(ca.vec(before)) < 1e-300
-    scale = ca.sqrt(ca.sumsqr(y) / ca.fmax(ca.sumsqr(s), 1e-300)) + 1e-12
-    b = ca.if_else(first, scale * ca.SX.eye(n), -before)
-    bs = b @ s
-    curvature = ca.fmax(ca.dot(s, bs), 1e-300)
-    along = -ca.dot(s, y)
-    theta = ca.if_else(along >= 0.2 * curvature, 1, 0.8 * curvature / ca.fmax(curvature - along, 1e-300))
-    damped = -theta * y + (1 - theta) * bs
-    along = ca.dot(s, damped)
-    # a secant perpendicular to the step would make B grow without bound
-    is_curved = along > SLANTED * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(damped))
-    updated = b - bs @ bs.T / curvature + damped @ damped.T / ca.if_else(is_curved, along, 1)
-    return -ca.if_else(is_curved, updated, b)
-
-
-def _sr1(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """The symmetric rank-one update, skipped where it is not defined [nocedal2006, (6.26)]."""
-    error = y - before @ s
-    along = ca.dot(error, s)
-    defined = ca.fabs(along) >= NEGLIGIBLE * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(error)) + 1e-300
-    return before + ca.if_else(defined, error @ error.T / ca.if_else(defined, along, 1), 0)
-
-
-def _literal(before: ca.SX, s: ca.SX, y: ca.SX) -> ca.SX:
-    """(20) in dufour2020 as printed, which is the update of an inverse Hessian; it starts from the identity."""
-    n = s.shape[0]
-    first = ca.sumsqr(ca.vec(before)) < 1e-300
-    h = ca.if_else(first, ca.SX.eye(n), before)
-    along = ca.dot(y, s)
-    defined = ca.fabs(along) >= 1e-14 * ca.sqrt(ca.sumsqr(s) * ca.sumsqr(y)) + 1e-300
-    rho = 1 / ca.if_else(defined, along, 1)
-    left = ca.SX.eye(n) - rho * s @ y.T
-    return ca.if_else(defined, left @ h @ left.T + rho * s @ s.T, h)
+    def log_gradient(self, regularisation: float) -> ca.SX:
+        """Gradient (n, 1) of log sqrt(det(J Jᵀ + r² I)) for Yoshikawa's measure, and of log sqrt(m² + r²) for any other."""
+        if self._factor is None:
+            return self.value * self.gradient / (self.value**2 + regularisation**2)
+        jacobian, motion = self._symbolic.posture.smooth
+        return log_gradient(Factor.of(jacobian, regularisation), motion)
 
 
 #: Minimum pivot, as a share of the largest entries; smaller ones are raised to it.

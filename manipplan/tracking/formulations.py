@@ -7,13 +7,14 @@ the time step.
 """
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 
 from manipplan.support.checks import flag, number, one_of
+from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.derivatives import Factor
-from manipplan.tracking.derivatives import CURVATURES, GRADIENTS, SymbolicMeasure, gram
+from manipplan.tracking.derivatives import SymbolicMeasure, gram
 
 __all__ = [
     "Classical",
@@ -28,14 +29,29 @@ __all__ = [
 
 #: Offset added to ∇ log m [1/rad], which vanishes in symmetric and in exactly singular configurations although m could grow.
 NUDGE = 1e-6
+#: Ways to compute the gradient and the Hessian of m: exactly, or by the paper's differences (17) and (19).
+DERIVATIVES = ("exact", "central")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """Terms that a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1)."""
+    """Terms that a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1).
+
+    A formulation that learns from step to step also gives `memory`, symbols (k, 1) for what the last step computed, and
+    `next_memory`, what this step computes for the next one. The memory is zero at the first step.
+
+    Raises InvalidInputError if the memories differ in shape.
+    """
 
     hessian: ca.SX
     gradient: ca.SX
+    memory: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
+    next_memory: ca.SX = field(default_factory=lambda: ca.SX(0, 1))
+
+    def __post_init__(self) -> None:
+        if self.memory.shape != self.next_memory.shape or self.memory.shape[1] != 1:
+            wanted = f"a column of the shape of memory, {self.memory.shape}"
+            raise InvalidInputError("next_memory", self.next_memory.shape, wanted)
 
 
 class Formulation(ABC):
@@ -49,15 +65,8 @@ class Formulation(ABC):
     #: Whether the drive fades where the target stands still and the tool is away from it: then the arm rests there only if it
     #: would do so without a drive.
     yields: bool = False
-    #: How the gradient of m is computed.
-    gradient: str = "exact"
     #: Whether an indefinite cost is made convex before it is solved.
     convexify: bool = False
-
-    @property
-    def curvature(self) -> str | None:
-        """How the Hessian of m is computed; None if it is not used."""
-        return None
 
     @abstractmethod
     def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
@@ -122,7 +131,7 @@ class Objective(Formulation):
         alpha: α >= 0 [1/(unit of m)].
         sample_time: time step T for which α is chosen [s]; None: the controller's time step, as in the paper.
         gradient: "exact", or "central" for the paper's (17).
-        hessian: "exact", "central" for (19), "bfgs" (direct, damped), "sr1", or "bfgs-literal" for the paper's (20).
+        hessian: "exact", or "central" for (19).
         convexify: make Q - α T² H_m positive definite where it is not (and count it); False leaves the cost
             unchanged, as in the paper.
     """
@@ -135,17 +144,15 @@ class Objective(Formulation):
 
     def __post_init__(self) -> None:
         _check_alpha(self.alpha, self.sample_time, self.gradient)
-        one_of("hessian", self.hessian, CURVATURES)
+        one_of("hessian", self.hessian, DERIVATIVES)
         flag("convexify", self.convexify)
-
-    @property
-    def curvature(self) -> str:
-        return self.hessian
 
     def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
         """(11): H = - α T² H_m, g = - α T ∇m."""
         time = self.sample_time or dt
-        return Drive(hessian=-self.alpha * time**2 * measure.hessian, gradient=-self.alpha * time * measure.gradient)
+        slope = measure.gradient if self.gradient == "exact" else measure.central_gradient
+        hessian = measure.hessian if self.hessian == "exact" else measure.central_hessian
+        return Drive(hessian=-self.alpha * time**2 * hessian, gradient=-self.alpha * time * slope)
 
 
 @dataclass(frozen=True)
@@ -168,7 +175,7 @@ class Equality(Formulation):
     def drive(self, measure: SymbolicMeasure, dt: float) -> Drive:
         """(16), ε eliminated: H = α T² ∇m ∇mᵀ, g = - α m T ∇m."""
         time = self.sample_time or dt
-        slope = measure.gradient
+        slope = measure.gradient if self.gradient == "exact" else measure.central_gradient
         return Drive(hessian=self.alpha * time**2 * gram(slope.T), gradient=-self.alpha * measure.value * time * slope)
 
 
@@ -209,4 +216,4 @@ def _check_alpha(alpha: float, sample_time: float | None, gradient: str) -> None
     number("alpha", alpha, least=0.0)
     if sample_time is not None:
         number("sample_time", sample_time, above=0.0)
-    one_of("gradient", gradient, GRADIENTS)
+    one_of("gradient", gradient, DERIVATIVES)

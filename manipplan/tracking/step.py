@@ -29,7 +29,7 @@ from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows, avoidance_rows
 from manipplan.tracking.bounds import nearest_rotation, task_error, velocity_bounds
 from manipplan.tracking.derivatives import SymbolicMeasure, convexified, gram
-from manipplan.tracking.formulations import Formulation
+from manipplan.tracking.formulations import Drive, Formulation
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
 #: is used only where the constraints are infeasible, and no larger, since that costs the solver precision.
@@ -58,7 +58,7 @@ AWAY = 5e-4
 FADING = 0.5
 OFF = 1e-4
 SEED = 2e-3
-#: Numbers that a step remembers beside those of a measure: the last target, whether there was one, and of `_Approach`.
+#: Numbers that a step remembers beside those of a formulation: the last target, whether there was one, and of `_Approach`.
 MEMORY = 20
 SOLVER_OPTIONS = {"primal_tol": 1e-9, "iter_limit": 1000}
 
@@ -138,7 +138,8 @@ def step_of(setup: StepSetup) -> ControlStep:
     """Build the step: set up the problem, solve it, check the solution."""
     symbolic = setup.kinematics.symbolic
     n = symbolic.chain.q.shape[0]
-    measure = SymbolicMeasure.of(symbolic, setup.formulation.gradient, setup.formulation.curvature)
+    measure = SymbolicMeasure(symbolic)
+    drive = setup.formulation.drive(measure, setup.dt)
     rows = avoidance_rows(setup.kinematics.robot, symbolic.chain, setup.avoidance) if setup.avoidance else None
     inputs = [
         symbolic.chain.q,
@@ -149,9 +150,9 @@ def step_of(setup: StepSetup) -> ControlStep:
         ca.SX.sym("drive"),
         ca.SX.sym("tolerance", 2),
         rows.obstacles if rows else ca.SX(0, 1),
-        ca.vertcat(measure.memory, ca.SX.sym("before", MEMORY)),
+        ca.vertcat(drive.memory, ca.SX.sym("before", MEMORY)),
     ]
-    problem = _problem(setup, inputs, measure, rows)
+    problem = _problem(setup, inputs, measure.value, drive, rows)
     given = [ca.MX.sym(problem.name_in(i), problem.sparsity_in(i)) for i in range(problem.n_in())]
     made = dict(zip(problem.name_out(), problem.call(given), strict=True))
     answer, solved = _answer(setup, problem, made)
@@ -180,7 +181,9 @@ def _rigid(target: ca.SX) -> ca.SX:
     return pose
 
 
-def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, rows: AvoidanceRows | None) -> ca.Function:
+def _problem(
+    setup: StepSetup, inputs: list[ca.SX], manipulability: ca.SX, drive: Drive, rows: AvoidanceRows | None
+) -> ca.Function:
     """The QP (where there is none the velocity instead), and the values that the report needs."""
     q, qd, qdd, target, stiffness, share, *_ = inputs
     goal = _rigid(target)
@@ -195,7 +198,6 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, ro
     if setup.approach < ca.inf:
         rate *= ca.fmin(1, FASTEST / (ca.sqrt(ca.sumsqr(rate)) + 1e-300))
     low, high = velocity_bounds(q, qd, qdd, setup.kinematics.robot.limits, dt)
-    drive = formulation.drive(measure, dt)
     if formulation.yields:
         share *= approach.share
     bent = ca.SX(0)
@@ -215,13 +217,13 @@ def _problem(setup: StepSetup, inputs: list[ca.SX], measure: SymbolicMeasure, ro
         pull = stiffness + ca.sqrt(ca.sumsqr(share * drive.gradient))
         program = _program(hessian, gradient, pull, (low, high), tube, rows)
         outputs = dict(zip(PROGRAM, program, strict=True))
-        free, kept = _free_minimum(hessian, gradient, program)
-        outputs["kept"] = ca.logic_or(kept, ca.logic_not(sound))  # invalid inputs need no QP solver
+        free, feasible = _free_minimum(hessian, gradient, program)
+        outputs["feasible"] = ca.logic_or(feasible, ca.logic_not(sound))  # invalid inputs need no QP solver
         outputs["free"] = ca.vertcat(free, ca.SX.zeros(program[0].shape[0] - free.shape[0]))
     clearance = ca.mmin(rows.distance) if rows else ca.SX(ca.inf)
-    figures = ca.vertcat(good_state, good_target, approach.stalled, measure.value, clearance, bent)
+    figures = ca.vertcat(good_state, good_target, approach.stalled, manipulability, clearance, bent)
     outputs |= {"jacobian": jacobian, "error": error, "figures": figures}
-    outputs["next_memory"] = _next_memory(measure, goal, approach, good_state, sound)
+    outputs["next_memory"] = _next_memory(drive.next_memory, goal, approach, good_state, sound)
     made = ca.cse([ca.densify(each) for each in outputs.values()])
     return ca.Function("problem", inputs, made, list(INPUTS), list(outputs))
 
@@ -244,7 +246,7 @@ def _answer(setup: StepSetup, problem: ca.Function, made: dict[str, ca.MX]) -> t
     check = ca.Function("check", [*parts, *found], [_is_solved(parts, *found)])
     checked = check(*inputs[:-1], solution["x"], solution["lam_x"], solution["lam_a"])
     search = ca.Function("search", inputs, [solution["x"], checked])
-    answer, solved = ca.Function.if_else("answer", keep, search).call([made["kept"], *(made[name] for name in names)])
+    answer, solved = ca.Function.if_else("answer", keep, search).call([made["feasible"], *(made[name] for name in names)])
     return answer, solved
 
 
@@ -299,9 +301,9 @@ def _finish(setup: StepSetup, problem: ca.Function, answer: ca.Sparsity) -> ca.F
     return ca.Function("finish", inputs, outputs, ["solved", "answer", *names], ["velocity", "report"])
 
 
-def _next_memory(measure: SymbolicMeasure, goal: ca.SX, approach: "_Approach", good_state: ca.SX, sound: ca.SX) -> ca.SX:
+def _next_memory(learned: ca.SX, goal: ca.SX, approach: "_Approach", good_state: ca.SX, sound: ca.SX) -> ca.SX:
     """The memory of the next step, without values from an invalid state or target."""
-    learned = ca.if_else(good_state, measure.next_memory, 0) if measure.next_memory.shape[0] else measure.next_memory
+    learned = ca.if_else(good_state, learned, 0) if learned.shape[0] else learned
     known = ca.if_else(sound, ca.vertcat(approach.share, approach.nearest, approach.waited), 0)
     return ca.vertcat(learned, ca.vec(goal), sound, known)
 

@@ -289,10 +289,10 @@ def _outcome(
 ) -> tuple[Status, str]:
     worst = f"it is {1e3 * deviation[-1]:.3g} mm and {np.rad2deg(rotation[-1]):.3g}° from the final pose"
     if tube is not None:
-        places = np.concatenate([s, np.ones(len(deviation) - len(s))])
-        before = tube(float(places[0]))
-        for k, place in enumerate(places):
-            allowed, last = tube(float(place)), before
+        parameters = np.concatenate([s, np.ones(len(deviation) - len(s))])
+        before = tube(float(parameters[0]))
+        for k, at in enumerate(parameters):
+            allowed, last = tube(float(at)), before
             before = allowed
             for name, value, limits, unit in (
                 ("position", deviation[k], (allowed.position, last.position), "m"),
@@ -300,7 +300,7 @@ def _outcome(
             ):
                 limit = max((each for each in limits if each is not None), default=None)  # a smaller limit holds one step later
                 if limit is not None and value > limit * (1 + BENT):
-                    text = f"{name} deviates by {value:.4g} {unit} at s = {place:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
+                    text = f"{name} deviates by {value:.4g} {unit} at s = {at:.3f}, t = {k * dt:.3f} s; allowed {limit:g}"
                     return Status.LEFT_TOLERANCE, text
     if braked:
         return Status.BRAKED, f"{braked} steps had no valid solution"

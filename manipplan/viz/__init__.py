@@ -4,6 +4,7 @@ Every `plot_*` draws into the given Matplotlib axes, `ax=`, or into those of a n
 imported with the first picture.
 """
 
+from manipplan.viz import style
 from manipplan.viz.animation import animate
 from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm, plot_tool_path
 from manipplan.viz.curves import (
@@ -33,4 +34,5 @@ __all__ = [
     "program_figure",
     "save_plan",
     "save_program",
+    "style",
 ]

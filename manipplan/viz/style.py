@@ -7,6 +7,8 @@ from typing import Any
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.support.errors import InvalidInputError
 
+__all__ = ["ARM", "ELLIPSOID", "JOINTS", "OBSTACLE", "OPTIMUM", "PIECES", "SEED", "STRAIGHT", "STYLE", "shared"]
+
 #: Maximum number of places along a motion at which something is drawn.
 MOST_PLACES = 1000
 

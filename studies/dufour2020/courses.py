@@ -5,9 +5,10 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation, RotationSpline
 
 import manipplan as mp
-from manipplan.paths.cartesian import PoseSpline
 from studies.dufour2020 import config
 
 Array = NDArray[np.float64]
@@ -36,11 +37,13 @@ class Recorded(mp.CartesianPath):
         return self.s
 
     @cached_property
-    def _curve(self) -> PoseSpline:
-        return PoseSpline(self.s, self.poses)
+    def _curve(self) -> tuple[CubicSpline, RotationSpline]:
+        rotations = Rotation.from_matrix(self.poses[:, :3, :3])
+        return CubicSpline(self.s, self.poses[:, :3, 3]), RotationSpline(self.s, rotations)
 
     def _at(self, s: Array) -> tuple[Array, Array]:
-        return self._curve(s)
+        positions, rotations = self._curve
+        return positions(s), rotations(s).as_matrix()
 
 
 def load_courses(kinematics: mp.Kinematics) -> dict[str, Course]:

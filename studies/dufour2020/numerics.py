@@ -8,10 +8,10 @@ import numpy as np
 import manipplan as mp
 from studies.dufour2020 import config
 from studies.dufour2020.follow import Arm, Run
+from studies.dufour2020.quasi_newton import HESSIANS, QuasiNewton
 from studies.dufour2020.scenarios import RUN_HEAD, Comparison, best, run_row, sweep
 from studies.tables import Cell, Table
 
-HESSIANS = ("exact", "central", "sr1", "bfgs", "bfgs-literal")
 HESSIAN_ALPHAS = (config.ALPHA, 100e3)
 #: Heading of the column next to a value: the same value for a start that is moved by a tiny amount.
 NUDGED = "the same, start moved by 10⁻¹⁰ rad"
@@ -60,9 +60,7 @@ def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
     runs, rows = {}, []
     for name, hessian, alpha in product(("S1", "S2"), HESSIANS, HESSIAN_ALPHAS):
         run, near = (
-            arm.follow(
-                name, hessian, alpha, formulation=mp.formulations.Objective(1.0, hessian=hessian), compiled=False, nudge=nudge
-            )
+            arm.follow(name, hessian, alpha, formulation=HESSIANS[hessian], compiled=False, nudge=nudge)
             for nudge in (0.0, config.NUDGE)
         )
         runs[name, hessian, alpha] = run
@@ -84,7 +82,7 @@ def hessians(arm: Arm) -> tuple[Table, dict[tuple[str, str, float], Run]]:
 
 def literal(arm: Arm) -> tuple[Table, dict[tuple[str, float], Run]]:
     """(20) as printed, solved as it is, on every path."""
-    printed = mp.formulations.Objective(1.0, hessian="bfgs-literal", convexify=False)
+    printed = QuasiNewton(1.0, "bfgs-literal", convexify=False)
     runs, rows = {}, []
     for name, alpha in product(arm.courses, config.LITERAL_ALPHAS):
         run, near = (

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from manipplan.support.progress import Progress
 from studies import command
 from studies.dufour2020 import claims, config, figures, numerics, pareto
 from studies.dufour2020.courses import Array
@@ -15,7 +14,7 @@ STEPS = 11
 TIMED = 20
 
 
-def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     names = QUICK if quick else ("S1", "S2", *config.TABLE_1)
     whole, done, doing = STEPS + len(names) + (0 if quick else TIMED), 0, ""

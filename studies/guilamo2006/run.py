@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from manipplan.support.progress import Progress
 from studies import command
 from studies.guilamo2006 import claims, config, figures, tables
 from studies.guilamo2006.courses import courses, second_courses
@@ -10,7 +9,7 @@ from studies.guilamo2006.results import Results
 from studies.guilamo2006.runs import Runs, warm
 
 
-def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     results = Results(runs=Runs(), courses=courses(), second=second_courses(), quick=quick)
     found: list[claims.Claim] = []

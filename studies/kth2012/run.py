@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from manipplan.support.progress import Progress
 from studies import command
 from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_postures
 from studies.kth2012.figures import FULL_ONLY, figures
@@ -10,7 +9,7 @@ from studies.kth2012.results import Results
 from studies.tables import Table
 
 
-def study(out: Path, quick: bool, notify: Progress) -> list[claims.Claim]:
+def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
     results, found = Results(quick=quick), []
     command.in_stages(stages(results, out, found), notify)

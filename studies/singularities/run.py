@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.support.progress import Progress
 from studies import command
 from studies.expected import differences
 from studies.singularities import figures
@@ -17,7 +16,7 @@ PAGES = Path(__file__).parents[2] / "docs" / "studies" / "singularities"
 EXPECTED = Path(__file__).with_name("expected.csv")
 
 
-def study(out: Path, _quick: bool, notify: Progress) -> dict[str, float]:
+def study(out: Path, _quick: bool, notify: command.Progress) -> dict[str, float]:
     """Make the tables and the figure; returns the numbers that are compared."""
     arms: list[list[Series]] = []
     command.in_stages(

@@ -1,5 +1,6 @@
 """g of straight paths that cross none to three singularities, over a series of floors."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,8 +8,6 @@ from numpy.typing import NDArray
 from scipy.special import ellipkinc
 
 import manipplan as mp
-from manipplan.cost.crossings import Crossing, find_crossings
-from manipplan.cost.integral import PathIntegral
 
 Array = NDArray[np.float64]
 
@@ -46,7 +45,7 @@ class Series:
     floors: Array
     g: Array
     finite: Array
-    crossings: tuple[Crossing, ...]
+    crossings: tuple[mp.results.Crossing, ...]
     exact: Array | None = None
 
     @property
@@ -71,10 +70,10 @@ def planar() -> list[Series]:
     found = []
     for count in range(4):
         end = BEGIN + MORE + count * np.pi
-        path = mp.JointPath.line([0.0, BEGIN], [FIRST * (end - BEGIN), end])
+        goal = (FIRST * (end - BEGIN), end)
         # ∫ dθ / sqrt(sin²θ + ε²) = F(θ | -1 / ε²) / ε
         exact = [np.hypot(1, FIRST) * float(ellipkinc(end, -(e**-2)) - ellipkinc(BEGIN, -(e**-2))) / e for e in SHARES]
-        found.append(_series(robot, path, SHARES, np.array(exact)))
+        found.append(_series(robot, (0.0, BEGIN), goal, SHARES, np.array(exact)))
     return found
 
 
@@ -82,16 +81,22 @@ def spatial() -> list[Series]:
     """The UR5, whose det J is a product of the factors of shoulder, elbow and wrist."""
     robot = mp.load_robot("ur5")
     largest = robot.kinematics().manipulability(mp.JointPath.line(START, GOALS[0])(np.linspace(0, 1, 101))).max()
-    return [_series(robot, mp.JointPath.line(START, goal), largest * SHARES) for goal in GOALS]
+    return [_series(robot, START, goal, largest * SHARES) for goal in GOALS]
 
 
-def _series(robot: mp.Robot, path: mp.JointPath, floors: Array, exact: Array | None = None) -> Series:
-    g, finite = [], []
-    crossings: tuple[Crossing, ...] = ()
-    for floor in floors:
-        integral = PathIntegral(kinematics=robot.kinematics(), power=1.0, floor=float(floor))
-        cost = integral.cost(path)
-        crossings = find_crossings(path, integral, cost)
-        g.append(cost.g)
-        finite.append(cost.g - sum(each.cost for each in crossings))
-    return Series(arm=robot.name, floors=floors, g=np.array(g), finite=np.array(finite), crossings=crossings, exact=exact)
+def _series(
+    robot: mp.Robot, start: Sequence[float], goal: Sequence[float], floors: Array, exact: Array | None = None
+) -> Series:
+    line = mp.PathShape(degree=1)
+    found = [
+        mp.optimize_path(robot, start, goal, objective=mp.PathObjective(floor=float(floor)), shape=line).certificate
+        for floor in floors
+    ]
+    return Series(
+        arm=robot.name,
+        floors=floors,
+        g=np.array([each.g for each in found]),
+        finite=np.array([each.finite_g for each in found]),
+        crossings=found[-1].crossings,
+        exact=exact,
+    )

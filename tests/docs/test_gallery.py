@@ -8,13 +8,12 @@ import pytest
 
 import manipplan as mp
 from manipplan import planar, viz
-from manipplan.jobs import demo
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "docs" / "examples"
 PAGES = sorted(EXAMPLES.glob("**/plot_*.py"))
-PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz, "manipplan.jobs.demo": demo}
-PUBLIC |= {f"manipplan.{name}": getattr(mp, name) for name in ("errors", "formulations", "measures", "results")}
+PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz}
+PUBLIC |= {f"manipplan.{name}": getattr(mp, name) for name in ("demo", "errors", "formulations", "measures", "results")}
 
 
 def name_of(page):

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text()
@@ -32,7 +31,7 @@ def test_benchmark_tables_are_those_of_the_documentation(name):
 
 
 def test_the_first_page_states_the_gain_of_the_demo():
-    problem = panda_among_boxes()
+    problem = mp.demo.panda_among_boxes()
     plan = mp.plan(problem.robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance)
     ours, seeds = plan.report.min_manipulability, plan.report.seed_min_manipulability
     page = " ".join((ROOT / "docs" / "index.md").read_text().split())

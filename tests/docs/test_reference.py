@@ -30,7 +30,7 @@ def documented():
 def test_every_public_name_is_documented_once():
     found = documented()
     wanted = {f"manipplan.{name}" for name in manipplan.__all__ if not inspect.ismodule(getattr(manipplan, name))}
-    for space in ("errors", "formulations", "measures", "planar", "results", "viz"):
+    for space in ("demo", "errors", "formulations", "measures", "planar", "results", "viz"):
         wanted |= {f"manipplan.{space}.{name}" for name in getattr(manipplan, space).__all__}
     assert {name: found[name] for name in wanted if found[name] != 1} == {}
 

@@ -4,7 +4,6 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-import casadi as ca
 import coal
 import numpy as np
 import pinocchio as pin
@@ -21,8 +20,6 @@ import closed_meshes
 import cold_start
 import control_step
 import demo_timing
-import energy_programs
-import energy_solvers
 import first_models
 import first_paths
 import first_plans
@@ -185,53 +182,6 @@ def test_a_later_process_finds_the_collision_model(tmp_path):
     assert "| ur5 | " in (tmp_path / "table.md").read_text()
 
 
-@pytest.fixture(scope="module")
-def energy():
-    """Two programs without rows and two with rows."""
-    return energy_programs.collected(4)
-
-
-@pytest.mark.slow
-def test_programs_are_recorded_with_the_arguments_of_solve(energy):
-    assert [bool(each.rows) for each in energy] == [False, False, True, True]
-    for each in energy:
-        answer, ours = (energy_solvers.answer(plugin, {}, each) for plugin in ("ipopt", "ours"))
-        assert answer.converged
-        assert ours.converged or each.rows, "among rows that contradict each other the descent may end early"
-        assert not ours.converged or ours.energy < answer.energy + 1e-4, "our descent may find a lower one"
-
-
-@pytest.mark.slow
-def test_other_solvers_get_the_same_program(energy):
-    rng = np.random.default_rng(5)
-    for each in (energy[0], energy[-1]):
-        given = energy_solvers.nlp(each)
-        x, p = given.oracle["x"], given.oracle["p"]
-        multipliers = ca.MX.sym("multipliers", given.oracle["g"].numel())
-        lagrangian = given.oracle["f"] + ca.dot(multipliers, given.oracle["g"])
-        ours = ca.Function("ours", [x, p, multipliers], [ca.gradient(lagrangian, x), ca.hessian(lagrangian, x)[0]])
-        at = given.arguments["x0"] + rng.normal(scale=0.01, size=x.numel()), given.arguments["p"]
-        weights = rng.random(multipliers.numel())
-        gradient, hessian = (np.asarray(each) for each in ours(*at, weights))
-        (_, energy_slope), (_, slopes) = (given.ipopt.get_function(f"nlp_{name}")(*at) for name in ("grad_f", "jac_g"))
-        assert np.allclose(gradient.ravel(), np.asarray(energy_slope).ravel() + np.asarray(slopes).T @ weights, atol=1e-9)
-        exact = ca.triu2symm(given.ipopt.get_function("nlp_hess_l")(*at, 1.0, weights))
-        assert np.allclose(hessian, np.asarray(exact), atol=1e-9)
-
-
-@pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")  # from Python 3.12 on, of forks beside threads
-def test_solvers_are_compared_and_failures_told(tmp_path):
-    methods = ["IPOPT, MUMPS, with our derivatives and scaling", "sqpmethod, OSQP", "IPOPT, MA27"]
-    arguments = ["--programs", "2", "--methods", *methods, "--out", str(tmp_path / "table.md")]
-    found = energy_solvers.main(arguments)
-    first, second, missing = (found[name] for name in methods)
-    assert all(each.converged for each in first)
-    assert abs(second[0].energy - first[0].energy) < energy_solvers.SAME
-    assert not any(each.converged for each in missing if not isinstance(each, str)), "MA27 is not in CasADi's wheel"
-    assert f"| {methods[0]} | 1 of 1 | 1, 0, 0 |" in (tmp_path / "table.md").read_text()
-
-
 @pytest.mark.slow
 def test_bodies_in_closed_meshes_get_the_judge_s_verdicts(tmp_path):
     found = closed_meshes.main(["--meshes", "7", "--bodies", "30", "--out", str(tmp_path / "table.md")])
@@ -338,7 +288,7 @@ def test_rows_of_the_demo_s_timing(panda):
     scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(0.0, 2.0, 0.0))])
     motion = mp.retime(path, panda)
     row = demo_timing.Row(name="ours", limits="all", duration=motion.duration, seconds=[0.003, 0.001, 0.002], q=motion.q)
-    text = demo_timing.page([row, row, row], path, scene.collision_model(panda), 3)
+    text = demo_timing.page([row, row, row], path, panda, scene, 3)
     assert f"| ours | all | {motion.duration:.4f} | 0.000 | " in text
     assert "| 2, 3 |" in text and "takes 1.00 times as long as toppra" in text
 

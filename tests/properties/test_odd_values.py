@@ -71,6 +71,7 @@ EXPRESSIONS = (
     "figure",
     "gradient",
     "hessian",
+    "log_gradient",
     "mask",
     "of",
     "rows",

@@ -13,6 +13,7 @@ import manipplan as mp
 from manipplan.paths.tolerance import row_shares
 from manipplan.support.compiling.compiler import find_compiler
 from manipplan.tracking.controller import Controller
+from studies.dufour2020.quasi_newton import QuasiNewton
 
 DT = 0.01
 REST = np.zeros(3)
@@ -149,7 +150,7 @@ def test_a_state_that_is_no_number_gives_velocity_zero(controller, argument, bad
 
 def test_after_numbers_that_are_none_a_step_is_as_good_as_the_first(arm):
     """Nothing of them is remembered: neither the target, nor what bfgs learned."""
-    formulation = mp.formulations.Objective(alpha=10.0, hessian="bfgs")
+    formulation = QuasiNewton(10.0, "bfgs")
     fresh, hurt = (Controller(arm, formulation, dt=DT, tolerance=mp.Tolerance(position=0.1), compiled=False) for _ in range(2))
     hurt.step(np.full(3, np.nan), REST, pose_of(arm))
     hurt.step(Q, REST, np.full((4, 4), np.nan))
@@ -297,7 +298,7 @@ def test_options_that_cannot_be_used_raise(arm, options, message):
         (lambda: mp.formulations.Equality(alpha=np.nan), "alpha: got nan"),
         (lambda: mp.formulations.Objective(alpha=1.0, sample_time=0.0), "sample_time: got 0.0"),
         (lambda: mp.formulations.Objective(alpha=1.0, gradient="exat"), "gradient: got 'exat'.*did you mean exact"),
-        (lambda: mp.formulations.Objective(alpha=1.0, hessian="bfg"), "hessian: got 'bfg'.*did you mean bfgs"),
+        (lambda: mp.formulations.Objective(alpha=1.0, hessian="centre"), "hessian: got 'centre'.*did you mean central"),
         (lambda: mp.formulations.Objective(alpha=1.0, convexify=1), "convexify: got 1"),
         (lambda: mp.formulations.LogDrive(weight=-1.0), "weight: got -1.0"),
         (lambda: mp.formulations.LogDrive(rate=0.0), "rate: got 0.0"),
@@ -491,7 +492,7 @@ def test_rollout_is_one_step_after_the_other(arm, formulation):
     ("formulation", "measure"),
     [
         (mp.formulations.LogDrive(), None),
-        (mp.formulations.Objective(alpha=10.0, hessian="bfgs"), None),
+        (QuasiNewton(10.0, "bfgs"), None),
         (mp.formulations.LogDrive(), "isotropy"),
     ],
     ids=str,
@@ -531,9 +532,7 @@ def test_rollout_takes_stiffness_and_drive_of_each_step(arm):
 
 
 def test_reset_forgets_what_was_learned(arm):
-    controller = Controller(
-        arm.with_limits(jerk=200.0), mp.formulations.Objective(alpha=10.0, hessian="sr1"), dt=DT, compiled=False
-    )
+    controller = Controller(arm.with_limits(jerk=200.0), QuasiNewton(10.0, "sr1"), dt=DT, compiled=False)
     path = targets(arm, 20)
     first = controller.rollout(Q, path)
     assert controller._memory.any()

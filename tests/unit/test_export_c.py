@@ -13,6 +13,7 @@ from manipplan.support.compiling.compiler import find_compiler
 from manipplan.tracking import export
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.step import REPORT
+from studies.dufour2020.quasi_newton import QuasiNewton
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
 DT = 0.01
@@ -117,7 +118,7 @@ def pointer(array):
 
 
 CASES = {
-    "bfgs": (mp.formulations.Objective(alpha=10.0, hessian="bfgs"), {}),
+    "bfgs": (QuasiNewton(10.0, "bfgs"), {}),
     "moving obstacles": (
         mp.formulations.LogDrive(),
         {
@@ -182,7 +183,7 @@ def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_pat
 
 
 def test_two_exported_controllers_do_not_share_what_they_learn(arm, tmp_path):
-    controller = Controller(arm, mp.formulations.Objective(alpha=10.0, hessian="bfgs"), dt=DT, compiled=False)
+    controller = Controller(arm, QuasiNewton(10.0, "bfgs"), dt=DT, compiled=False)
     first = Exported(controller, tmp_path)
     second = first.library.controller_new
     other = Exported.__new__(Exported)

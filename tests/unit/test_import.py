@@ -11,7 +11,7 @@ import pytest
 
 import manipplan as mp
 
-SPACES = ("errors", "formulations", "measures", "planar", "results", "viz")
+SPACES = ("demo", "errors", "formulations", "measures", "planar", "results", "viz")
 
 
 def test_the_top_holds_what_a_script_writes():

@@ -26,6 +26,13 @@ CONVENIENCES = {
     "programs.program.Program.record",
 }
 
+#: Benchmarks that import more than public names, each with the reason.
+INSIDE = {
+    "benchmarks/inverse_kinematics.py": "counts the poses whose own swivel or held joints are given, in batches",
+    "benchmarks/own_configuration.py": "gives the values of the parameters that a configuration has",
+    "benchmarks/seeds.py": "takes the times of a search and of its proof apart",
+}
+
 
 def name_of(file):
     parts = file.relative_to(PACKAGE.parent).with_suffix("").parts
@@ -122,3 +129,28 @@ def test_no_class_name_stands_twice():
         if isinstance(node, ast.ClassDef)
     )
     assert [name for name, count in names.items() if count > 1] == []
+
+
+def not_public(file):
+    """What a script imports from the package besides public names."""
+    found = []
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            found += [each.name for each in node.names if each.name.startswith("manipplan.")]
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "manipplan":
+            public = manipplan
+            for name in node.module.split(".")[1:]:
+                public = getattr(public, name) if name in getattr(public, "__all__", ()) else None
+            found += [f"{node.module}.{each.name}" for each in node.names if each.name not in getattr(public, "__all__", ())]
+    return found
+
+
+def test_benchmarks_and_studies_import_public_names_only():
+    root = PACKAGE.parent
+    found = {
+        file.relative_to(root).as_posix()
+        for place in ("benchmarks", "studies")
+        for file in (root / place).rglob("*.py")
+        if not_public(file)
+    }
+    assert found == set(INSIDE)

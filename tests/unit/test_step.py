@@ -242,20 +242,6 @@ def test_without_active_bounds_the_answer_is_the_minimum_of_the_cost(panda, rng)
 # ---- gradient and Hessian of the manipulability
 
 
-def learn(of, positions):
-    """H_m after each position, from the memory of a step, and ∇m there."""
-    memory = np.zeros(of._step.problem.nnz_in("memory"))
-    n, found = of.robot.n, []
-    for q in positions:
-        memory = problem(of, q, np.zeros(n), np.eye(4), memory=memory)["next_memory"].ravel()
-        found.append((memory[: n * n].reshape(n, n), memory[n * n : n * n + n]))
-    return found
-
-
-def walk(rng, size=0.02):
-    return GOLDEN + np.cumsum(size * rng.normal(size=(8, 7)), axis=0)
-
-
 def test_central_differences_equal_the_exact_derivatives(panda, rng):
     """(17) and (19) against (18) and our Hessian, seen through H and g with Q_δ so small that the drive is all."""
     exact = controller(panda, mp.formulations.Objective(alpha=1.0, sample_time=1.0, convexify=False))
@@ -319,69 +305,9 @@ def test_central_differences_of_a_measure_equal_its_exact_derivatives(planar, me
         np.testing.assert_allclose(b["g"], a["g"], atol=1e-6 * (1 + np.abs(a["g"]).max()))
 
 
-def test_bfgs_stays_negative_semidefinite(panda, rng):
-    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs"))
-    steps = learn(of, walk(rng))
-    assert not steps[0][0].any()
-    for hessian, _ in steps[1:]:
-        assert np.abs(hessian).max() > 0.01
-        assert np.linalg.eigvalsh(hessian)[-1] <= 1e-12 * np.abs(hessian).max()
-
-
-def test_bfgs_satisfies_the_secant_equation_where_the_manipulability_is_concave_enough(panda, rng):
-    """Undamped, H_m s = y; elsewhere Powell's damping gives way."""
-    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs"))
-    positions = walk(rng)
-    steps = learn(of, positions)
-    undamped = 0
-    for k in range(1, len(steps)):
-        s, y = positions[k] - positions[k - 1], steps[k][1] - steps[k - 1][1]
-        before = steps[k - 1][0] if k > 1 else -np.linalg.norm(y) / np.linalg.norm(s) * np.eye(7)
-        if -s @ y >= 0.2 * (-s @ before @ s):
-            undamped += 1
-            np.testing.assert_allclose(steps[k][0] @ s, y, atol=1e-10)
-    assert undamped >= 2
-
-
-def test_sr1_satisfies_the_secant_equation(panda, rng):
-    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="sr1"))
-    positions = walk(rng)
-    steps = learn(of, positions)
-    for k in range(1, len(steps)):
-        np.testing.assert_allclose(steps[k][0] @ (positions[k] - positions[k - 1]), steps[k][1] - steps[k - 1][1], atol=1e-10)
-
-
-def test_sr1_learns_a_constant_hessian_exactly():
-    """After n independent steps; the manipulability of two links is sin, so each step is small beside its curvature."""
-    arm = mp.planar_arm([1.0, 1.0, 1.0])
-    of = controller(arm, mp.formulations.Objective(alpha=1.0, hessian="sr1"), task=mp.Task.planar())
-    q = np.array([0.3, 0.8, 0.7])
-    positions = [q, *(q + 1e-5 * (np.arange(3) <= k) for k in range(3))]
-    found = [h for h, _ in learn(of, positions)][-1]
-    np.testing.assert_allclose(found, arm.kinematics(mp.Task.planar()).hessian(q), atol=1e-3)
-
-
-def test_literal_bfgs_is_formula_20(panda, rng):
-    """H ← (I - ρ s yᵀ) H (I - ρ y sᵀ) + ρ s sᵀ, from the identity, as printed."""
-    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian="bfgs-literal", convexify=False))
-    positions = walk(rng)
-    steps = learn(of, positions)
-    expected = np.eye(7)
-    for k in range(1, len(steps)):
-        s, y = positions[k] - positions[k - 1], steps[k][1] - steps[k - 1][1]
-        rho = 1 / (y @ s)
-        left = np.eye(7) - rho * np.outer(s, y)
-        expected = left @ expected @ left.T + rho * np.outer(s, s)
-        np.testing.assert_allclose(steps[k][0], expected, atol=1e-9 * np.abs(expected).max())
-
-
-@pytest.mark.parametrize("hessian", ["bfgs", "sr1", "bfgs-literal"])
-def test_what_was_learned_is_kept_while_the_arm_rests(panda, rng, hessian):
-    of = controller(panda, mp.formulations.Objective(alpha=1.0, hessian=hessian))
-    positions = walk(rng)
-    steps = learn(of, [*positions, positions[-1]])
-    assert steps[-2][0].any()
-    np.testing.assert_array_equal(steps[-1][0], steps[-2][0])
+def test_a_drive_whose_memories_differ_in_shape_is_refused():
+    with pytest.raises(mp.errors.InvalidInputError, match=r"next_memory.*\(3, 1\)"):
+        mp.formulations.Drive(hessian=ca.SX(2, 2), gradient=ca.SX(2, 1), memory=ca.SX(3, 1), next_memory=ca.SX(2, 1))
 
 
 # ---- convexity

@@ -9,6 +9,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.support.compiling.compiler import find_compiler
+from studies.dufour2020.quasi_newton import QuasiNewton
 
 START = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])
 DT = 0.01
@@ -32,8 +33,8 @@ FORMULATIONS = [
     mp.formulations.Classical(1.0),
     mp.formulations.General(),
     mp.formulations.Objective(15e3),
-    mp.formulations.Objective(15e3, hessian="bfgs"),
-    mp.formulations.Objective(15e3, hessian="sr1"),
+    QuasiNewton(15e3, "bfgs"),
+    QuasiNewton(15e3, "sr1"),
     mp.formulations.Equality(5e5),
     mp.formulations.LogDrive(),
 ]
@@ -180,7 +181,7 @@ def test_what_touches_at_the_start_is_pushed_out(panda):
 
 @pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")
-@pytest.mark.parametrize("formulation", [mp.formulations.LogDrive(), mp.formulations.Objective(15e3, hessian="bfgs")], ids=str)
+@pytest.mark.parametrize("formulation", [mp.formulations.LogDrive(), QuasiNewton(15e3, "bfgs")], ids=str)
 def test_exported_c_is_the_same_controller(panda, formulation, tmp_path):
     tube = mp.Tolerance(position=0.01, rotation=0.05)
     files = mp.Controller(panda, formulation, dt=DT, tolerance=tube).export_c(tmp_path)

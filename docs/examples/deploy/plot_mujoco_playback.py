@@ -22,9 +22,8 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 import manipplan as mp
-from manipplan.jobs.demo import panda_among_boxes
 
-problem = panda_among_boxes()
+problem = mp.demo.panda_among_boxes()
 robot = problem.robot
 plan = mp.plan(
     robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance

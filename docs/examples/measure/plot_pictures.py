@@ -16,13 +16,12 @@ from PIL import Image
 
 import manipplan as mp
 from manipplan import viz
-from manipplan.jobs.demo import panda_among_boxes
 
 # %%
 # A plan in one figure
 # --------------------
 # The figure that `plan.save` writes to plan.png.
-problem = panda_among_boxes()
+problem = mp.demo.panda_among_boxes()
 robot, scene = problem.robot, problem.scene
 plan = mp.plan(robot, problem.start, problem.goal, scene)
 _ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))

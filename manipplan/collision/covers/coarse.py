@@ -73,12 +73,12 @@ def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     """
     named = frozenset[str]().union(*scene.allowed)
     middle, reach = _reach(robot)
-    kept: list[Obstacle] = []
+    obstacles: list[Obstacle] = []
     crowd: list[_Balls] = []
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         balls = None if name in named else _balls(obstacle, middle, reach)
         if balls is None:
-            kept.append(obstacle.called(name))
+            obstacles.append(obstacle.called(name))
         elif len(balls.points):
             crowd.append(balls)
     if not any(each.has_surface for each in crowd) and len(crowd) < CROWD:
@@ -92,8 +92,8 @@ def coarse_scene(scene: Scene, robot: Robot) -> Scene | None:
     for cell in CELLS:
         pieces = _pieces(points, radii, cell, middle)
         if pieces is not None:
-            kept += [PieceHull(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
-            return Scene(kept, allowed=scene.allowed)
+            obstacles += [PieceHull(corners=corners, name=f"{prefix} {k}") for k, corners in enumerate(pieces)]
+            return Scene(obstacles, allowed=scene.allowed)
     return None
 
 
@@ -113,8 +113,8 @@ def _reach(robot: Robot) -> tuple[Array, float]:
     """
     model = robot.model
     middle = np.asarray(model.jointPlacements[1].translation)
-    places = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
-    lengths = sum(float(np.linalg.norm(each)) for each in places)
+    offsets = [model.jointPlacements[k].translation - (0.0 if model.parents[k] else middle) for k in range(1, model.njoints)]
+    lengths = sum(float(np.linalg.norm(each)) for each in offsets)
     tree = robot.tree
     slides = farthest(robot, tree)[tree.slides]
     bodies = 0.0
@@ -134,12 +134,12 @@ def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
         samples: Array | None
         radius = part.radius
         if isinstance(obstacle, PointCloud):
-            samples = _place(obstacle.kept, obstacle.pose)
+            samples = _to_world(obstacle.kept, obstacle.pose)
         elif isinstance(part.shape, coal.BVHModelBase):
-            samples = _spread(_place(mesh_triangles(part.shape), obstacle.pose), middle, reach)
+            samples = _spread(_to_world(mesh_triangles(part.shape), obstacle.pose), middle, reach)
         else:
             local, radius = _small(part)
-            samples = None if local is None else _place(local, obstacle.pose)
+            samples = None if local is None else _to_world(local, obstacle.pose)
         if samples is None:
             return None
         samples = samples[np.linalg.norm(samples - middle, axis=1) < reach + radius]
@@ -149,7 +149,7 @@ def _balls(obstacle: Obstacle, middle: Array, reach: float) -> _Balls | None:
     return _Balls(points=np.concatenate(points), radii=np.concatenate(radii), has_surface=has_surface)
 
 
-def _place(points: Array, pose: pin.SE3) -> Array:
+def _to_world(points: Array, pose: pin.SE3) -> Array:
     return np.asarray(points @ pose.rotation.T + pose.translation)
 
 

@@ -166,7 +166,7 @@ class _WholeMesh:
         self._surface.addTriangles(np.arange(3 * len(triangles)).reshape(-1, 3))
         self._surface.endModel()
         # a box, since coal's distance of a sphere from a degenerate triangle is wrong
-        self._point, self._place, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s(), coal.Transform3s()
+        self._point, self._pose, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s(), coal.Transform3s()
         self._request, self._result = coal.DistanceRequest(), coal.DistanceResult()
 
     def excess(self, faces: Array, cuts: Sequence[Plane]) -> tuple[float, Array]:
@@ -200,9 +200,9 @@ class _WholeMesh:
         return bool(abs(winding_number(self._triangles, point[None])[0]) > 0.5)
 
     def _distance(self, point: Array) -> float:
-        self._place.setTranslation(point)
+        self._pose.setTranslation(point)
         self._result.clear()
-        return float(coal.distance(self._point, self._place, self._surface, self._still, self._request, self._result))
+        return float(coal.distance(self._point, self._pose, self._surface, self._still, self._request, self._result))
 
 
 def _sample(faces: Array) -> Array:

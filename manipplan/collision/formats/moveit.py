@@ -102,12 +102,12 @@ class _Words:
 
     def shapes(self) -> list[Obstacle]:
         """The shapes, up to the last word."""
-        place = self._pose() if self.posed else pin.SE3.Identity()
+        frame = self._pose() if self.posed else pin.SE3.Identity()
         shapes = []
         for _ in range(self._count("the number of shapes", least=1)):
             shape, pose = self._shape(), self._pose()
             self._numbers("a colour", COLOUR)
-            shapes.append(shape.at(place * pose))
+            shapes.append(shape.at(frame * pose))
         for _ in range(self._count("the number of subframes") if self.posed else 0):
             self._word("the name of a subframe")
             self._pose()
@@ -269,7 +269,7 @@ def _object(where: str, given: Mapping[str, Any], file: Path, packages: Packages
         raise InvalidInputError(f"{where}.id", name, "a name")
     if given.get("operation", 0) not in ADD:
         raise InvalidInputError(f"{name}.operation", given["operation"], "0, which adds the object")
-    place = _pose(f"{name}.pose", given["pose"]) if given.get("pose") else pin.SE3.Identity()
+    frame = _pose(f"{name}.pose", given["pose"]) if given.get("pose") else pin.SE3.Identity()
     shapes: list[Obstacle] = []
     for kind, key in (("primitives", "primitive_poses"), ("meshes", "mesh_poses"), ("planes", "plane_poses")):
         values, poses = _list(kind, given), _list(key, given)
@@ -284,7 +284,7 @@ def _object(where: str, given: Mapping[str, Any], file: Path, packages: Packages
                 shape = _mesh(at, entry, file, packages)
             else:
                 shape = half_space(f"{at}.coef", finite_array(f"{at}.coef", entry.get("coef", ()), (4,)))
-            shapes.append(shape.at(place * _pose(f"{name}.{key}[{i}]", pose)))
+            shapes.append(shape.at(frame * _pose(f"{name}.{key}[{i}]", pose)))
     if not shapes:
         raise InvalidInputError(name, "no shape", "at least one primitive, mesh or plane")
     return name.strip(), _frame_of(given), shapes

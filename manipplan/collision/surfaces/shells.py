@@ -89,8 +89,8 @@ def merge_corners(triangles: Array) -> tuple[Array, Faces]:
     """Corners (v, 3) without doubles, and the faces (f, 3) that have three different ones."""
     points = triangles.reshape(-1, 3)
     first, index = first_of_rows(points)
-    corners, place = _merge(points[first])
-    faces = place[index].reshape(-1, 3)
+    corners, merged = _merge(points[first])
+    faces = merged[index].reshape(-1, 3)
     return corners, faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
 
 
@@ -104,9 +104,9 @@ def _merge(points: Array) -> tuple[Array, Faces]:
     if not len(near):
         return points, np.arange(len(points))
     links = coo_matrix((np.ones(len(near)), near.T), shape=(len(points), len(points)))
-    _, place = connected_components(links, directed=False)
-    first = np.unique(place, return_index=True)[1]
-    return points[first], place.astype(np.int64)
+    _, merged = connected_components(links, directed=False)
+    first = np.unique(merged, return_index=True)[1]
+    return points[first], merged.astype(np.int64)
 
 
 def winding_number(triangles: Array, points: Array) -> Array:
@@ -215,11 +215,11 @@ def _orient(faces: Faces) -> Faces | None:
     if (np.diff(keys[pairs[:, 0]]) == 0).any():
         return None
     first, second = (pairs % len(faces)).T
-    same = edges[pairs[:, 0], 0] == edges[pairs[:, 1], 0]  # both pass the edge in one direction: one has to be turned
+    is_turned = edges[pairs[:, 0], 0] == edges[pairs[:, 1], 0]  # both pass the edge in one direction: one has to be turned
     count = len(faces)
     links = [
-        np.stack([first, second + count * same], axis=1),
-        np.stack([first + count, second + count * ~same], axis=1),
+        np.stack([first, second + count * is_turned], axis=1),
+        np.stack([first + count, second + count * ~is_turned], axis=1),
     ]
     labels = _components(np.concatenate(links), 2 * count)
     if (labels[:count] == labels[count:]).any():

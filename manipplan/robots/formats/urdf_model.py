@@ -93,7 +93,7 @@ def build_bodies(
     geometry = pin.GeometryModel()
     frames = {frame.name: k for k, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY}
     links = sorted(root.findall("link"), key=lambda link: frames[str(link.get("name"))])
-    places = _mesh_places(file, links, files, kind)
+    mesh_files = _find_meshes(file, links, files, kind)
     read: dict[Path, Array] = {}
     colours = {each.get("name"): each for each in root.findall("material") if each.find("color") is not None}
     for link in links:
@@ -109,7 +109,7 @@ def build_bodies(
                 f"{name}_{k}", frame.parentJoint, index, frame.placement * _pose(element.find("origin")), coal.Sphere(1.0)
             )
             if shape.tag == "mesh":
-                path = places[shape.get("filename", "")]
+                path = mesh_files[shape.get("filename", "")]
                 scale = np.array(numbers(shape.get("scale", "1 1 1"), 3))
                 if path not in read:
                     mesh = read_mesh(f"mesh of link {name} in {file}", path)
@@ -124,19 +124,19 @@ def build_bodies(
     return geometry
 
 
-def _mesh_places(file: Path, links: Sequence[ET.Element], files: UrdfFiles, kind: str) -> dict[str, Path]:
+def _find_meshes(file: Path, links: Sequence[ET.Element], files: UrdfFiles, kind: str) -> dict[str, Path]:
     """The file of each mesh by its name in the URDF; raises FileFormatError with all that are missing."""
-    places: dict[str, Path] = {}
+    mesh_files: dict[str, Path] = {}
     missing = dict[str, str]()
     for link in links:
         for mesh in link.iterfind(f"{kind}/geometry/mesh"):
             name = mesh.get("filename", "")
-            if name not in places and name not in missing:
+            if name not in mesh_files and name not in missing:
                 path = files.mesh_file(file, name)
                 if path is None:
                     missing[name] = str(link.get("name"))
                 else:
-                    places[name] = path
+                    mesh_files[name] = path
     if missing:
         listed = ", ".join(f"{name} (link {link})" for name, link in list(missing.items())[:12])
         more = f" and {len(missing) - 12} more" if len(missing) > 12 else ""
@@ -145,7 +145,7 @@ def _mesh_places(file: Path, links: Sequence[ET.Element], files: UrdfFiles, kind
             "package_dirs= folders of packages, meshes=False leaves the meshes out"
         )
         raise FileFormatError("file", str(file), wanted)
-    return places
+    return mesh_files
 
 
 def _pose(origin: ET.Element | None) -> pin.SE3:

@@ -75,15 +75,15 @@ class _Document:
         self.nodes += 1
         if self.nodes > MOST_NODES or depth > DEEPEST:
             raise ValueError(f"more than {MOST_NODES} nodes, nodes nested deeper than {DEEPEST}, or a node inside itself")
-        place = parent @ _transform(node)
+        transform = parent @ _transform(node)
         for child in node:
             if child.tag == "instance_geometry":
                 mesh = self._mesh(self._find_named(child.get("url"), "geometry"))
-                self.found.append(move_triangles(mesh, place))
+                self.found.append(move_triangles(mesh, transform))
             elif child.tag == "instance_node":
-                self._add(self._find_named(child.get("url"), "node"), place, depth + 1)
+                self._add(self._find_named(child.get("url"), "node"), transform, depth + 1)
             elif child.tag == "node":
-                self._add(child, place, depth + 1)
+                self._add(child, transform, depth + 1)
             elif child.tag == "instance_controller":
                 raise ValueError("it has skins or morphs, which are not read")
 
@@ -159,7 +159,7 @@ def _polygons(primitive: ET.Element, lists: list[Indices]) -> list[Indices]:
 
 def _transform(node: ET.Element) -> Array:
     """The transform (4, 4) of a node in its parent: its elements one after the other."""
-    place = np.eye(4)
+    transform = np.eye(4)
     sizes = {"matrix": 16, "translate": 3, "rotate": 4, "scale": 3, "lookat": 9, "skew": 7}
     for child in node:
         if child.tag not in sizes:
@@ -180,8 +180,8 @@ def _transform(node: ET.Element) -> Array:
             step[:3, :3] = _rotation(values[:3], np.deg2rad(values[3]))
         else:
             raise ValueError(f"a transform <{child.tag}>, which is not read")
-        place = place @ step
-    return place
+        transform = transform @ step
+    return transform
 
 
 def _rotation(axis: Array, angle: float) -> Array:
