@@ -14,6 +14,7 @@ DAQP solves the quadratic program of one step. Rows that contradict each other a
 import logging
 from collections import deque
 from dataclasses import dataclass, replace
+from enum import Enum
 from functools import cached_property
 from typing import Any
 
@@ -302,10 +303,18 @@ EXACT = 1e-9
 LEAST_PENALTY = 10.0
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
-#: Why a descent ended at its deadline.
-LATE = "the time limit was reached"
-#: Why a descent ended whose model DAQP could not minimise, or is not finite.
-FAILED = "the quadratic program failed"
+
+
+class Ending(Enum):
+    """Why a descent ended."""
+
+    CONVERGED = "no step lowers g"
+    SHORT = "steps became too short"
+    STUCK = "stuck in an obstacle"
+    #: DAQP could not minimise the model, or it is not finite.
+    FAILED = "the quadratic program failed"
+    MOST_STEPS = "the maximum number of steps was reached"
+    LATE = "the time limit was reached"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -315,16 +324,19 @@ class Descent:
     Attributes:
         z: unknowns (f, n).
         steps: number of steps that were tried.
-        reason: why it ended.
+        ending: why it ended.
         violation: largest violation of limits, target clearance and constraints there [rad or m].
-        exhausted: it ended after the maximum number of steps, or at the deadline, before it converged.
     """
 
     z: Array
     steps: int
-    reason: str
+    ending: Ending
     violation: float
-    exhausted: bool
+
+    @property
+    def exhausted(self) -> bool:
+        """Whether it ended before it converged."""
+        return self.ending in (Ending.MOST_STEPS, Ending.LATE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -462,21 +474,21 @@ def descend(
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
     violations = deque([here.violation], maxlen=WINDOW + 1)
 
-    def ended(steps: int, reason: str, *, exhausted: bool = False) -> Descent:
-        log.debug("descent: %s after %d steps", reason, steps)
-        return Descent(z=here.z, steps=steps, reason=reason, violation=here.violation, exhausted=exhausted)
+    def ended(steps: int, ending: Ending) -> Descent:
+        log.debug("descent: %s after %d steps", ending.value, steps)
+        return Descent(z=here.z, steps=steps, ending=ending, violation=here.violation)
 
     for count in range(steps):
         if deadline.passed:
-            return ended(count, LATE, exhausted=True)
+            return ended(count, Ending.LATE)
         if model is None:
             model, is_plain = _Model.of(program, here, radius, penalty, curvature), False
             if model is None:
-                return ended(count, FAILED)
+                return ended(count, Ending.FAILED)
             curvature = model.curvature
         step = model.step(here, radius, penalty, is_plain=is_plain)
         if step is None:
-            return ended(count, FAILED)
+            return ended(count, Ending.FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
             penalty = max(penalty, min(2 * float(step.multipliers.sum()), LARGEST_PENALTY))
         restored = here.violation - step.slack
@@ -490,7 +502,7 @@ def descend(
                 radius, wide_steps = first_radius, WIDE_STEPS
                 here, model = Point.of(program, here.z, radius), None
             else:
-                return ended(count, "no step lowers g")
+                return ended(count, Ending.CONVERGED)
             continue
         quadratic = model.plain if is_plain else model.augmented
         new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
@@ -504,16 +516,16 @@ def descend(
                 radius = min(2 * radius, LARGEST_RADIUS)
         violations.append(here.violation)
         if not patient and len(violations) > WINDOW and min(violations) > max(DEEP, (1 - LITTLE) * violations[0]):
-            return ended(count + 1, "stuck in an obstacle")
+            return ended(count + 1, Ending.STUCK)
         if decrease < 0.25 * predicted:  # as in algorithm 4.1 of nocedal2006
             radius = size / 4
             if wide_steps > 0:
                 wide_steps -= 1
                 if wide_steps == 0:
-                    return ended(count + 1, "no step lowers g")
+                    return ended(count + 1, Ending.CONVERGED)
             if radius < SMALLEST_RADIUS:
-                return ended(count + 1, "steps became too short")
-    return ended(steps, "the maximum number of steps was reached", exhausted=True)
+                return ended(count + 1, Ending.SHORT)
+    return ended(steps, Ending.MOST_STEPS)
 
 
 def _tried(

@@ -241,7 +241,7 @@ class PathProgram:
         )
         deadline.check()
         found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
-        return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)
+        return Solution(coefficients=found, status=f"energy: {descent.ending.value}", converged=not descent.exhausted)
 
     def _energy_of(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""
