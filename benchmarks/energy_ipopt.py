@@ -6,14 +6,14 @@ clearance row. Parameters p: start, goal, 1 / size and floor of the objective, t
 rows. First and second derivatives are exact.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from manipplan.optimize.clearance import ClearanceRow, column_height, tree_size
-from manipplan.optimize.program import SPACING, Integral, LimitHull, PathProgram
+from manipplan.cost.density import Density, energy_density
+from manipplan.optimize.clearance import ClearanceRows, row_functions
+from manipplan.optimize.program import SPACING, LimitHull, PathProgram
 from manipplan.paths.basis import Basis
 from manipplan.paths.rounding import FINE, on_grid, with_bits
 from manipplan.support.checks import Array
@@ -24,6 +24,21 @@ SCALE_BITS = 24
 SLACK_COST = 1e3
 #: Tolerance, and maximum number of iterations without and with clearance rows, which are renewed after each solve.
 TOLERANCE, STEPS, STEPS_WITH_ROWS = 1e-7, 100, 60
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Integral:
+    """A density, and its quadrature points and weights over s, (m,) each."""
+
+    density: Density
+    s: Array
+    weights: Array
+
+    @classmethod
+    def of(cls, program: PathProgram) -> "Integral":
+        """The energy of a program."""
+        s, weights = program._energy_rule
+        return cls(density=energy_density(program.integral), s=s, weights=weights)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,7 +80,7 @@ def ipopt_solver(
         capacity: number of columns in the table of clearance rows.
         n, power: number of joints, and exponent of the measure.
     """
-    size, height = n * free.shape[1], basis.size + 1 + (column_height(tree_size(rows[0])) if capacity else 0)
+    size, height = n * free.shape[1], basis.size + 1 + (rows[0].size1_in(1) if capacity else 0)
     z = ca.MX.sym("z", size + capacity)
     fixed = 2 * n + 2 + n * basis.size
     p = ca.MX.sym("p", fixed + height * capacity)
@@ -160,30 +175,33 @@ def _clearance(
     return distance.T, jacobian, chained.T @ ca.diagcat(*(m * h for m, h in weighed)) @ chained
 
 
+def along(program: PathProgram) -> Array:
+    """Directions (size, f) by which coefficients give the unknowns."""
+    return np.linalg.pinv(program.free).T
+
+
 def met_column(n: int) -> Array:
     """The column of a row that is always met: zero normal and offset -1 m, so 0 >= -1."""
-    return ClearanceRow(s=0.0, joint=0, point=np.zeros(3), other=0, normal=np.zeros(3), offset=-1.0, distance=0.0).column(n)
+    return ClearanceRows.of(n, np.zeros(1), 0, np.zeros(3), 0, np.zeros(3), -1.0, 0.0).columns[0]
 
 
-def capacity_for(rows: Sequence[ClearanceRow]) -> int:
+def capacity_for(rows: ClearanceRows | None) -> int:
     """Number of columns in a table with room for the rows."""
-    return 0 if not rows else 32 * 2 ** int(np.ceil(np.log2(max(len(rows) / 32, 1))))
+    return 0 if rows is None else 32 * 2 ** int(np.ceil(np.log2(max(len(rows.s) / 32, 1))))
 
 
-def row_table(program: PathProgram, rows: Sequence[ClearanceRow], capacity: int) -> Array:
+def row_table(program: PathProgram, rows: ClearanceRows | None, capacity: int) -> Array:
     """The table of rows: values of the functions at the row's place, the place, and the row's column.
 
     Unused columns hold a row that is always met.
     """
     basis = program.basis
-    if not capacity:
+    if rows is None:
         return np.zeros((basis.size + 1, 0))
-    n, size = tree_size(program._rows.functions[0]), basis.size
-    table = np.zeros((size + 1 + column_height(n), capacity))
-    table[size + 1 :] = met_column(n)[:, None]
-    at = np.array([row.s for row in rows])
-    for k, (row, values) in enumerate(zip(rows, basis.values(at), strict=True)):
-        table[:, k] = [*values, row.s, *row.column(n)]
+    count, height = rows.columns.shape
+    table = np.zeros((basis.size + 1 + height, capacity))
+    table[basis.size + 1 :] = met_column((height - 8) // 2 - 1)[:, None]
+    table[:, :count] = np.hstack([basis.values(rows.s), rows.s[:, None], rows.columns]).T
     return table
 
 
@@ -192,11 +210,11 @@ def solver_of(
 ) -> ca.Function:
     """IPOPT for the energy of a program, with room for `capacity` clearance rows."""
     return ipopt_solver(
-        integral or program._energy,
+        integral or Integral.of(program),
         basis=program.basis,
         free=program.free,
         hull=moving_hull(program),
-        rows=(rows or program._rows.functions) if capacity else (),
+        rows=(rows or row_functions(program.kinematics).functions) if capacity else (),
         capacity=capacity,
         n=program.n,
         power=program.integral.power,
@@ -211,14 +229,14 @@ def moving_hull(program: PathProgram) -> LimitHull:
 
 
 def solver_arguments(
-    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow]
+    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: ClearanceRows | None
 ) -> dict[str, Array]:
     """The arguments of the solver, from a guess (n, size)."""
     capacity, limits = capacity_for(rows), program.kinematics.robot.limits
-    unknowns = on_grid(guess @ program._along, SPACING)
+    unknowns = on_grid(guess @ along(program), SPACING)
     kept = program._rounded(guess - unknowns @ program.free.T)
     # all inputs of IPOPT are rounded: its iterations diverge for inputs that differ in their last bits
-    scale = with_bits(np.array([1 / program._energy_of(start, goal, guess, floor)]), SCALE_BITS)
+    scale = with_bits(np.array([1 / program._energy(start, goal, guess, floor)]), SCALE_BITS)
     table = on_grid(row_table(program, rows, capacity), FINE)
     joint_limits = [np.tile(bound, len(moving_hull(program).line)) for bound in (limits.lower, limits.upper)]
     return {
@@ -232,12 +250,12 @@ def solver_arguments(
 
 
 def solve_by_ipopt(
-    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: Sequence[ClearanceRow]
+    program: PathProgram, start: Array, goal: Array, guess: Array, floor: float, rows: ClearanceRows | None
 ) -> tuple[Array, str]:
     """The coefficients (n, size) of least energy, and IPOPT's return status."""
     solver, arguments = solver_of(program, capacity_for(rows)), solver_arguments(program, start, goal, guess, floor, rows)
     result = solver(**arguments)
-    unknowns = on_grid(guess @ program._along, SPACING)
+    unknowns = on_grid(guess @ along(program), SPACING)
     x = np.asarray(result["x"]).ravel()[: unknowns.size].reshape(unknowns.shape, order="F")
     kept = program._rounded(guess - unknowns @ program.free.T)
     return kept + x @ program.free.T, str(solver.stats()["return_status"])

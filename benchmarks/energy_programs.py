@@ -23,7 +23,7 @@ from outside import problems
 from path_suite import load
 
 import manipplan as mp
-from manipplan.optimize.clearance import ClearanceRow
+from manipplan.optimize.clearance import ClearanceRows
 from manipplan.optimize.program import PathProgram, Solution
 from manipplan.optimize.rows import ConstraintSearch
 from manipplan.support.deadline import NEVER, Deadline
@@ -51,7 +51,7 @@ class EnergyProgram:
     goal: NDArray[np.float64]
     guess: NDArray[np.float64]
     floor: float
-    rows: tuple[ClearanceRow, ...]
+    rows: ClearanceRows | None
 
     @property
     def arguments(self) -> tuple:
@@ -71,12 +71,12 @@ def recorded(source: str) -> Iterator[list[EnergyProgram]]:
         goal: NDArray[np.float64],
         guess: NDArray[np.float64],
         floor: float,
-        rows: Sequence[ClearanceRow] = (),
+        rows: ClearanceRows | None = None,
         deadline: Deadline = NEVER,
         constraints: ConstraintSearch | None = None,
     ) -> Solution:
         arrays = {"start": start.copy(), "goal": goal.copy(), "guess": guess.copy()}
-        found.append(EnergyProgram(source=source, program=self, floor=floor, rows=tuple(rows), **arrays))
+        found.append(EnergyProgram(source=source, program=self, floor=floor, rows=rows, **arrays))
         return solve(self, start, goal, guess, floor, rows, deadline, constraints)
 
     PathProgram.solve = listening

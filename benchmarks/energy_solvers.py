@@ -22,7 +22,7 @@ os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_CANCELL
 
 import casadi as ca
 import numpy as np
-from energy_ipopt import SLACK_COST, capacity_for, moving_hull, solver_arguments, solver_of
+from energy_ipopt import SLACK_COST, Integral, along, capacity_for, moving_hull, solver_arguments, solver_of
 from energy_programs import EnergyProgram, collected
 from numpy.typing import NDArray
 from rich.progress import track
@@ -149,7 +149,7 @@ def derivable(program: PathProgram) -> tuple[ca.Function, ca.Function]:
 def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
     """The program of one solve; `generated`: of functions that CasADi can write as C, instead of compiled ones."""
     program, capacity = each.program, capacity_for(each.rows)
-    integral, rows = program._energy, program._rows.functions
+    integral, rows = Integral.of(program), row_functions(program.kinematics).functions
     if generated:
         density, rows = symbols(program)
         integral = replace(integral, density=density)
@@ -168,7 +168,7 @@ def derived_oracle(
     program: PathProgram, density: ca.Function, distance: ca.Function, hull: LimitHull, capacity: int, parameters: int
 ) -> dict[str, ca.MX]:
     """The objective and the constraints of `ipopt_solver`, in functions of `differentiable`."""
-    n, basis, free, energy = program.n, program.basis, program.free, program._energy
+    n, basis, free, energy = program.n, program.basis, program.free, Integral.of(program)
     size, fixed = n * free.shape[1], 2 * n + 2 + n * basis.size
     z, p = ca.MX.sym("z", size + capacity), ca.MX.sym("p", parameters)
     start, goal, scale, floor = p[:n], p[n : 2 * n], p[2 * n], p[2 * n + 1]
@@ -270,8 +270,8 @@ def ours(each: EnergyProgram, given: Nlp, **_: NDArray[np.float64]) -> dict[str,
         found = program.solve(*each.arguments).coefficients
     finally:
         program_module.SOLVED_SPACING = rounded
-    kept = program._rounded(each.guess - on_grid(each.guess @ program._along, SPACING) @ program.free.T)
-    z = (found - kept) @ program._along
+    kept = program._rounded(each.guess - on_grid(each.guess @ along(program), SPACING) @ program.free.T)
+    z = (found - kept) @ along(program)
     return {"x": np.concatenate([z.ravel(order="F"), np.zeros(given.slacks)])}
 
 
@@ -376,7 +376,7 @@ def main(arguments: Sequence[str] | None = None) -> dict[str, list[Answer | str]
         of_parts = (cells([each[k] for k in part], [first[k] for k in part]) for part in parts)
         lines.append(f"| {name} | " + " | ".join(of_parts) + " |")
     reasons = [f"- {name}: {why}." for name, each in found.items() for why in sorted({shown(one) for one in each} - {""})]
-    rows = np.array([len(each.rows) for each in programs])[parts[1]]
+    rows = np.array([0 if each.rows is None else len(each.rows.s) for each in programs])[parts[1]]
     lines += [
         "",
         *(["Without an answer to some program:", "", *reasons, ""] if reasons else []),

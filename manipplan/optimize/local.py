@@ -18,7 +18,7 @@ from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular
 from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
 from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
-from manipplan.optimize.clearance import ClearanceRow
+from manipplan.optimize.clearance import ClearanceRows
 from manipplan.optimize.descent import Ending, descend
 from manipplan.optimize.program import PathProgram, Solution
 from manipplan.optimize.result import Step
@@ -331,7 +331,7 @@ class LocalSearch:
         free: list[float] = []  # g of those that are free
         for _ in range(ROUNDS):
             path = self.program.basis.path(self.start, self.goal, coefficients)
-            rows: list[ClearanceRow] = []
+            rows: ClearanceRows | None = None
             if self.model is not None:
                 watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
                 rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
@@ -432,7 +432,9 @@ class LocalSearch:
         one. After the deadline, what the last descent reached is accepted if it is proven free, and OutOfTimeError is raised.
         """
         program, integral = self.program, self.program.integral
-        clearance_search = None if self.model is None else ClearanceSearch(model=self.model, clearance=self.clearance)
+        clearance_search = None
+        if self.model is not None:
+            clearance_search = ClearanceSearch(model=self.model, functions=program.row_functions, clearance=self.clearance)
         kept_rows = self.constraint_search()
         path = program.basis.path(self.start, self.goal, coefficients)
         first_cost = integral.cost(path)
