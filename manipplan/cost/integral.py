@@ -59,6 +59,28 @@ def metric_matrix(argument: str, value: ArrayLike | None, n: int) -> Array | Non
     return matrix
 
 
+#: Maximum exponent of m.
+MOST_POWER = 100.0
+#: Manipulability below this share of the path's maximum counts as zero.
+SINGULAR = 1e-9
+#: A panel is halved while that changes its integral by more than this share of g.
+ACCURACY = 1e-10
+#: Maximum number of halvings.
+HALVINGS = 25
+#: If more than 2^NOISE times the initial number of panels still change, the integrand consists of rounding errors, and g counts
+#: as infinite.
+NOISE = 6
+#: Gauss points per panel.
+POINTS = 10
+#: Number of intervals at whose ends m is sampled, and of its deepest dips that are searched.
+INTERVALS, DEEPEST = 2000, 5
+#: Number of successively finer grids around a dip, and of the intervals of each.
+GRIDS, GRID_INTERVALS = 8, 40
+#: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
+#: maximum number of halvings, and number of panels above which none is halved.
+RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
+#: The same for panels that follow each path of a descent: error per panel, and maximum number of halvings.
+FINE_ACCURACY, FINE_HALVINGS = 1e-12, 20
 #: Initial room for edges.
 ROOM = 4096
 
@@ -83,21 +105,21 @@ class Panels:
     owners: tuple[object, ...]
 
     @classmethod
-    def of(cls, path: JointPath, kinematics: Kinematics, power: float, floor: float, points: int) -> "Panels | None":
-        """The integral of a path with Euclidean speed and `points` Gauss points a panel; None where it is not compiled."""
+    def of(cls, path: JointPath, kinematics: Kinematics, power: float = 1.0, floor: float = 0.0) -> "Panels | None":
+        """The integral of a path with Euclidean speed; None where it is not compiled."""
         curves, measure = load_kernel("curves"), kinematics.batch_code("manipulability")
         curve, slope = path.curve(), path.curve(1)
         compiled = curve.address and slope.address and power in (1, 2)
         if measure is None or not compiled:
             return None
-        nodes, weights = gauss_rule(points)
+        nodes, weights = gauss_rule(POINTS)
         integral = struct("panels", "Integral")(
             path=curve.address,
             slope=slope.address,
             evaluate=curves.address("curve"),
             measure=measure,
             n=path.n,
-            points=points,
+            points=POINTS,
             nodes=nodes.ctypes.data,
             weights=weights.ctypes.data,
             floor=floor,
@@ -111,57 +133,33 @@ class Panels:
         places = (begin.ctypes.data, end.ctypes.data, len(begin), out.ctypes.data)
         return None if self.functions["panels"](ctypes.addressof(self.integral), *places) else out
 
-    def halved(self, edges: Array, halvings: int, accuracy: float) -> Array | None:
-        """The edges (k + 1,) of panels, halved until that changes each by at most `accuracy` of the whole; None as above."""
+    def fine_panels(self, edges: Array) -> Array | None:
+        """As `PathIntegral.fine_panels`, from the first edges (k + 1,); None as above."""
         room = max(ROOM, len(edges))
         while True:
             found = np.empty(room)
             found[: len(edges)] = edges
             places = (ctypes.addressof(self.integral), found.ctypes.data, len(edges) - 1)
-            count = self.functions["fine_panels"](*places, room, halvings, accuracy)
+            count = self.functions["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
 
-    def integral_of(self, edges: Array, most: int, halvings: int, accuracy: float) -> float | None:
-        """The whole integral from panels between edges (k + 1,), as `manipplan_integral` says; None as above."""
+    def whole(self, edges: Array, most: int) -> float | None:
+        """The whole integral from panels between edges (k + 1,); inf where more than `most` still change, and None as above."""
         edges, out = np.ascontiguousarray(edges), np.empty(1)
         places = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
-        failed = self.functions["integral"](*places, most, halvings, accuracy, out.ctypes.data)
+        failed = self.functions["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
         return None if failed else float(out[0])
 
-    def minimum(self, intervals: int, deepest: int, grids: int, grid_intervals: int) -> tuple[float, float, float] | None:
-        """The minimum of m, its s, and the maximum, as `manipplan_minimum` says; None where the measure cannot be evaluated."""
+    def minimum(self) -> tuple[float, float, float] | None:
+        """As `_minimum_manipulability`; None where the measure cannot be evaluated."""
         out = np.empty(3)
-        at = ctypes.addressof(self.integral)
-        if self.functions["minimum"](at, intervals, deepest, grids, grid_intervals, out.ctypes.data):
+        places = (ctypes.addressof(self.integral), INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS, out.ctypes.data)
+        if self.functions["minimum"](*places):
             return None
-        least, place, largest = out.tolist()
-        return least, place, largest
-
-
-#: Maximum exponent of m.
-MOST_POWER = 100.0
-#: Manipulability below this share of the path's maximum counts as zero.
-SINGULAR = 1e-9
-#: A panel is halved while that changes its integral by more than this share of g.
-ACCURACY = 1e-10
-#: Maximum number of halvings.
-HALVINGS = 25
-#: If more than 2^NOISE times the initial number of panels still change, the integrand consists of rounding errors, and g counts
-#: as infinite.
-NOISE = 6
-#: Gauss points per panel.
-POINTS = 10
-#: Number of intervals at whose ends m is sampled, and of its deepest dips that are searched.
-INTERVALS, DEEPEST = 2000, 5
-#: Number of successively finer grids around a dip, and of the intervals of each.
-GRIDS, GRID_INTERVALS = 8, 40
-#: Panels on which g is minimised: initial number, error per panel as a share of g on the path where a descent begins,
-#: maximum number of halvings, and number of panels above which none is halved.
-RULE_PANELS, RULE_ACCURACY, RULE_HALVINGS, MOST_RULE_PANELS = 12, 1e-9, 12, 200
-#: The same for panels that follow each path of a descent: error per panel, and maximum number of halvings.
-FINE_ACCURACY, FINE_HALVINGS = 1e-12, 20
+        least, at, largest = out.tolist()
+        return least, at, largest
 
 
 @one_line
@@ -198,9 +196,13 @@ class PathIntegral:
     floor: float = 0.0
     metric: Array | None = None
 
-    def cost(self, path: JointPath) -> PathCost:
+    def cost(self, path: JointPath, panels: int = 40) -> PathCost:
         """g and the minimum manipulability of a path, as in `path_cost`."""
-        return path_cost(path, self.kinematics, self.power, floor=self.floor, metric=self.metric)
+        least, at, largest = _minimum_manipulability(path, self.kinematics)
+        # a singularity, which Gauss points can miss, makes the integral diverge for p >= 1
+        singular = self.power >= 1 and self.floor == 0 and least <= SINGULAR * largest
+        g = np.inf if singular else self._whole(path, path.panel_edges(panels))
+        return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
 
     def panel_edges(self, path: JointPath, edges: Array | None = None) -> Array:
         """Edges (k + 1,) of quadrature panels for the descent from a path, narrow where m has a dip.
@@ -209,67 +211,108 @@ class PathIntegral:
         RULE_ACCURACY of g. Halving starts from `edges`, such as those of other paths; default: RULE_PANELS of equal width,
         split at the breaks of the path. With more than MOST_RULE_PANELS panels it stops.
         """
-        if edges is None:
-            edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
-        for _ in range(RULE_HALVINGS):
-            middle = (edges[:-1] + edges[1:]) / 2
-            whole = self._panel_integrals(path, edges)
-            parts = self._panel_integrals(path, np.sort(np.concatenate([edges, middle]))).reshape(-1, 2).sum(axis=1)
-            with np.errstate(invalid="ignore"):  # inf - inf on a singular path
-                rough = ~(np.abs(whole - parts) <= RULE_ACCURACY * parts.sum())
-            if not rough.any() or len(edges) > MOST_RULE_PANELS:
-                break
-            rough[1:] |= rough[:-1].copy()  # the neighbours as well: a dip moves with the path
-            rough[:-1] |= rough[1:].copy()
-            edges = np.sort(np.concatenate([edges, middle[rough]]))
-        return edges
+        edges = _first_edges(path) if edges is None else edges
+        return self._refined(path, edges, RULE_ACCURACY, RULE_HALVINGS, most=MOST_RULE_PANELS, widens=True)[1]
 
     def fine_panels(self, path: JointPath) -> Array:
         """Edges (k + 1,) of panels for this path alone, halved until that changes each by at most FINE_ACCURACY of g.
 
-        Only the panels that still change are evaluated again, so that this can be done for every path of a descent.
+        Where it is compiled, this can be done for every path of a descent.
         """
-        edges = np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
-        panels = _compiled(path, self)
-        found = None if panels is None else panels.halved(edges, FINE_HALVINGS, FINE_ACCURACY)
-        return self._fine_panels(path, edges) if found is None else found
-
-    def _fine_panels(self, path: JointPath, edges: Array) -> Array:
-        """The same by NumPy, from the first edges (k + 1,)."""
-        begin, end, done = edges[:-1], edges[1:], [edges]
-        whole, settled = _integrate_panels(path, begin, end, self), 0.0
-        for _ in range(FINE_HALVINGS):
-            middle = (begin + end) / 2
-            parts = _integrate_panels(
-                path, np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel(), self
-            )
-            halves = parts.reshape(-1, 2).sum(axis=1)
-            rough = np.abs(whole - halves) > FINE_ACCURACY * (settled + halves.sum())
-            settled += float(halves[~rough].sum())
-            if not rough.any():
-                break
-            done.append(middle[rough])
-            left, right = np.stack([begin, middle], axis=1)[rough].ravel(), np.stack([middle, end], axis=1)[rough].ravel()
-            begin, end, whole = left, right, parts.reshape(-1, 2)[rough].ravel()
-        return np.sort(np.concatenate(done))
+        edges, panels = _first_edges(path), self._panels(path)
+        found = None if panels is None else panels.fine_panels(edges)
+        return self._refined(path, edges, FINE_ACCURACY, FINE_HALVINGS)[1] if found is None else found
 
     def on_panels(self, path: JointPath, edges: Array) -> float:
         """g of a path from the Gauss points of the panels between edges (k + 1,)."""
-        return float(self._panel_integrals(path, edges).sum())
+        return float(self._integrals(path, edges[:-1], edges[1:]).sum())
 
-    def _panel_integrals(self, path: JointPath, edges: Array) -> Array:
-        """The integral over each panel (k,)."""
-        return _integrate_panels(path, edges[:-1], edges[1:], self)
+    def _whole(self, path: JointPath, edges: Array) -> float:
+        """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
+
+        Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs only a few narrow
+        panels; rounding errors need them everywhere.
+        """
+        panels, most = self._panels(path), (len(edges) - 1) * 2**NOISE
+        found = None if panels is None else panels.whole(edges, most)
+        if found is not None:
+            return found
+        found, edges = self._refined(path, edges, ACCURACY, HALVINGS, most=most)
+        return found if len(edges) <= most else np.inf
+
+    def _refined(
+        self, path: JointPath, edges: Array, accuracy: float, halvings: int, *, most: float = np.inf, widens: bool = False
+    ) -> tuple[float, Array]:
+        """g of a path, and the edges (k + 1,) of panels, halved until that changes each by at most a share of g.
+
+        Args:
+            path: the path.
+            edges: of the first panels.
+            accuracy: that share.
+            halvings: maximum number of halvings of a panel.
+            most: maximum number of edges of panels that are halved.
+            widens: both neighbours of a panel are halved as well, since a dip of m moves with the path; so every panel counts
+                again after each halving.
+        """
+        whole, parts = self._integrals(path, edges[:-1], edges[1:]), self._halves(path, edges[:-1], edges[1:])
+        is_open = np.ones(len(whole), dtype=bool)
+        for _ in range(halvings):
+            both = parts.sum(axis=1)
+            known = np.isfinite(whole) & np.isfinite(both)  # not so where m vanishes at a Gauss point
+            with np.errstate(invalid="ignore"):
+                rough = is_open & ~(known & (np.abs(whole - both) <= accuracy * both[known].sum()))
+            if not rough.any() or len(edges) > most:
+                break
+            if widens:
+                rough[1:] |= rough[:-1].copy()
+                rough[:-1] |= rough[1:].copy()
+            is_new = np.repeat(rough, 1 + rough)
+            is_open = is_new | widens
+            edges = np.sort(np.concatenate([edges, (edges[:-1] + edges[1:])[rough] / 2]))
+            whole = np.where(rough[:, None], parts, whole[:, None])[np.stack([np.ones_like(rough), rough], axis=1)]
+            parts = parts.repeat(1 + rough, axis=0)
+            parts[is_new] = self._halves(path, edges[:-1][is_new], edges[1:][is_new])
+        return float(parts.sum()), edges
+
+    def _halves(self, path: JointPath, begin: Array, end: Array) -> Array:
+        """The integral over both halves of each panel (k, 2)."""
+        middle = (begin + end) / 2
+        first, last = np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel()
+        return self._integrals(path, first, last).reshape(-1, 2)
+
+    def _integrals(self, path: JointPath, begin: Array, end: Array) -> Array:
+        """The integral over each panel from `begin` to `end` (k,)."""
+        panels = self._panels(path)
+        found = None if panels is None else panels.integrals(begin, end)
+        if found is not None:
+            return found
+        s, weights = gauss(begin, end)
+        return np.asarray((weights * self._density(path, s.ravel()).reshape(s.shape)).sum(axis=1))
+
+    def _panels(self, path: JointPath) -> Panels | None:
+        """The integral of a path by compiled code; None where there is none."""
+        return Panels.of(path, self.kinematics, self.power, self.floor) if self.metric is None else None
+
+    def _density(self, path: JointPath, s: Array) -> Array:
+        """h = ‖q'‖_W / (m² + ε²)^(p/2) at s (m,), whose integral is g; inf at a singular configuration without a floor."""
+        m = self.kinematics.manipulability(path(s))
+        with np.errstate(divide="ignore"):
+            return np.asarray(speeds(path(s, 1), self.metric) / np.hypot(m, self.floor) ** self.power)
 
     def constant_speed(self, path: JointPath, count: int) -> Array:
         """Parameters s (count,) that divide a path into parts of equal g, or of equal length where m is mostly zero."""
         s = np.linspace(0.0, 1.0, 1001)
-        density = _compute_weighted_speed(path, s, self)
+        density = self._density(path, s)
         median = np.median(density)
         # capped, so that the parameters do not all cluster near a singularity
         density = np.minimum(density, 1e3 * median) if np.isfinite(median) else speeds(path(s, 1), self.metric)
         gained = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2)])
         return np.interp(np.linspace(0.0, gained[-1], count), gained, s)
+
+
+def _first_edges(path: JointPath) -> Array:
+    """Edges of RULE_PANELS panels of equal width, split at the breaks of a path."""
+    return np.unique(np.concatenate([np.linspace(0.0, 1.0, RULE_PANELS + 1), path.breaks]))
 
 
 def gauss(begin: Array, end: Array) -> tuple[Array, Array]:
@@ -317,73 +360,7 @@ def path_cost(
     )
     matrix = metric_matrix("metric", metric, path.n)
     integral = PathIntegral(kinematics=kinematics, power=power, floor=number("floor", floor, least=0.0), metric=matrix)
-    least, at, largest = _minimum_manipulability(path, kinematics)
-    # a singularity, which Gauss points can miss, makes the integral diverge for p >= 1
-    singular = power >= 1 and floor == 0 and least <= SINGULAR * largest
-    g = np.inf if singular else _adaptive(path, integral, panels)
-    return PathCost(g=g, length=path.length, min_manipulability=least, at=at)
-
-
-def _compute_weighted_speed(path: JointPath, s: Array, integral: PathIntegral) -> Array:
-    """h = ‖q'‖_W / (m² + ε²)^(p/2) at s (m,), whose integral is g; inf at a singular configuration without a floor."""
-    m = integral.kinematics.manipulability(path(s))
-    with np.errstate(divide="ignore"):
-        return np.asarray(speeds(path(s, 1), integral.metric) / np.hypot(m, integral.floor) ** integral.power)
-
-
-def _integrate_panels(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
-    """The integral of h over each panel from `begin` to `end` (k,)."""
-    panels = _compiled(path, integral)
-    found = None if panels is None else panels.integrals(begin, end)
-    return _integrate_by_numpy(path, begin, end, integral) if found is None else found
-
-
-def _compiled(path: JointPath, integral: PathIntegral) -> Panels | None:
-    """The integral of a path by compiled code; None where there is none."""
-    if integral.metric is not None:
-        return None
-    return Panels.of(path, integral.kinematics, integral.power, integral.floor, POINTS)
-
-
-def _integrate_by_numpy(path: JointPath, begin: Array, end: Array, integral: PathIntegral) -> Array:
-    """As `_integrate_panels`."""
-    s, weights = gauss(begin, end)
-    h = _compute_weighted_speed(path, s.ravel(), integral)
-    return np.asarray((weights * h.reshape(s.shape)).sum(axis=1))
-
-
-def _adaptive(path: JointPath, integral: PathIntegral, panels: int) -> float:
-    """g to ACCURACY by halving panels: a dip of m can be a thousand times narrower than an initial panel.
-
-    Infinite if m consists of rounding errors, as on a path that is singular everywhere. A dip needs only a few narrow
-    panels; rounding errors need them everywhere.
-    """
-
-    def gained(begin: Array, end: Array) -> Array:
-        return _integrate_panels(path, begin, end, integral)
-
-    edges = path.panel_edges(panels)
-    begin, end = edges[:-1], edges[1:]
-    most = len(begin) * 2**NOISE
-    compiled = _compiled(path, integral)
-    found = None if compiled is None else compiled.integral_of(edges, most, HALVINGS, ACCURACY)
-    if found is not None:
-        return found
-    whole, settled = gained(begin, end), 0.0
-    for _ in range(HALVINGS):
-        middle = (begin + end) / 2
-        left, right = gained(begin, middle), gained(middle, end)
-        finite = np.isfinite(left + right) & np.isfinite(whole)  # false where m vanishes at a Gauss point
-        change = np.abs(np.where(finite, left + right, 0.0) - np.where(finite, whole, 0.0))
-        open_ = ~finite | (change > ACCURACY * (settled + whole[finite].sum()))
-        settled += float((left + right)[~open_].sum())
-        begin, end = np.concatenate([begin[open_], middle[open_]]), np.concatenate([middle[open_], end[open_]])
-        whole = np.concatenate([left[open_], right[open_]])
-        if not len(whole):
-            break
-        if len(whole) > most:
-            return float(np.inf)
-    return settled + float(whole.sum())
+    return integral.cost(path, panels)
 
 
 def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
@@ -391,13 +368,9 @@ def _minimum_manipulability(path: JointPath, kinematics: Kinematics) -> tuple[fl
 
     Where a path crosses a singularity, m has a sharp kink, which no fixed grid would hit.
     """
-    panels = Panels.of(path, kinematics, 1.0, 0.0, POINTS)
-    found = None if panels is None else panels.minimum(INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS)
-    return _minimum_by_numpy(path, kinematics) if found is None else found
-
-
-def _minimum_by_numpy(path: JointPath, kinematics: Kinematics) -> tuple[float, float, float]:
-    """As `_minimum_manipulability`."""
+    panels = Panels.of(path, kinematics)
+    if panels is not None and (found := panels.minimum()) is not None:
+        return found
     s = np.linspace(0.0, 1.0, INTERVALS + 1)
     values = kinematics.manipulability(path(s))
     padded = np.concatenate([[np.inf], values, [np.inf]])

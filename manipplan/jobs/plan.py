@@ -16,8 +16,7 @@ from manipplan.goals.candidates import GoalCandidate, find_candidates, rate_cand
 from manipplan.goals.choice import choose
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import read_configuration, read_goals
-from manipplan.optimize.homotopy import shift_goals
-from manipplan.optimize.optimize import check_options, optimize_from, optimize_path
+from manipplan.optimize.optimize import check_options, optimize_from, optimize_path, shift_goals
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath

@@ -16,7 +16,7 @@ from manipplan.cost.crossings import Crossing, describe, find_crossings, least_c
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Constant
 from manipplan.optimize.descent import DescentProgram
-from manipplan.optimize.rows import ConstraintRows, LinearRows
+from manipplan.optimize.rows import ClearanceSearch, DistanceRows, LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -78,7 +78,7 @@ UNKNOWN = Optimality(projected_gradient=np.inf, complementarity=np.inf, active_c
 def measure_optimality(program: DescentProgram, z: Array) -> Optimality:
     """The first-order conditions at z (f, n)."""
     close = _fitted(program, z, ACTIVE)
-    if program.clearance_search is None or close.projected_gradient <= GRADIENT:
+    if not program.is_checked or close.projected_gradient <= GRADIENT:
         return close
     *nearer, furthest = KEPT_AWAY  # what the furthest pairs do not balance, fewer do not balance either
     last = _fitted(program, z, furthest)
@@ -97,14 +97,18 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     gradient = length.gradient(z).ravel() / length.value(z)
     limits = program.limits.near(program.limits.points(z), LIMIT)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
-    if program.clearance_search is not None:
-        near, further = program.clearance_search, reach - ACTIVE
+    if isinstance(program.clearance, ClearanceSearch):
+        near, further = program.clearance, reach - ACTIVE
         margin = near.margin
-        wider = replace(program, clearance_search=replace(near, clearance=near.clearance + further))
-        rows = wider.distance_rows(z)
+        rows = program.rows_of(replace(near, clearance=near.clearance + further), z)
+        assert isinstance(rows, DistanceRows)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
-    constraints = _active_constraints(program, z)
+    constraints = LinearRows.stacked([], z.size)
+    if program.constraints is not None:
+        found = program.rows_of(program.constraints, z).linear
+        active = found.value < ACTIVE
+        constraints = LinearRows(value=found.value[active], jacobian=found.jacobian[active])
     whole = np.concatenate([limits.jacobian, constraints.jacobian, jacobian])
     gradient, whole = gradient[program.moving], whole[:, program.moving]
     if not len(whole):
@@ -124,17 +128,6 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
         complementarity=float(multipliers @ np.abs(beyond) + of_constraints @ np.abs(constraints.value)),
         active_clearance=float(np.abs(beyond[active] + margin).max(initial=0.0)),
     )
-
-
-def _active_constraints(program: DescentProgram, z: Array) -> LinearRows:
-    """The rows of constraints that are within ACTIVE of their targets at z (f, n)."""
-    search = program.constraints
-    if search is None:
-        return LinearRows.none(z.size)
-    curves = program.length.curves
-    found = ConstraintRows.of(curves, search, z, search.find_near(curves.curve(z), 0.0)).linear
-    active = found.value < ACTIVE
-    return LinearRows(value=found.value[active], jacobian=found.jacobian[active])
 
 
 #: Number of intervals of the path at whose ends all distances are measured; the grid is refined around the smallest one.

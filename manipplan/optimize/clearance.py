@@ -21,57 +21,39 @@ from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.machine_code import CodedFunctions, as_asked
 
 
-@dataclass(frozen=True, kw_only=True)
-class ClearanceRow:
-    """A point of the robot that has to stay on its side of a plane, at one place of the path.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ClearanceRows:
+    """Points of the robot that have to stay on their side of planes, each at one place of the path.
 
-    The plane is fixed in the frame of joint `other` (0: the world); row: normal · (point - plane) >= distance.
+    A plane is fixed in the frame of a joint; row: normal · (point - plane) >= distance.
 
     Attributes:
-        s: place on the path.
-        joint, point: index of the joint that carries the point, and the point (3,) in its frame [m].
-        other, normal, offset: index of the joint that carries the plane, its unit normal (3,) and offset [m] there.
-        distance: minimum distance from the plane [m].
+        s: (r,) places on the path.
+        columns: (r, 2 (N + 1) + 8) the other numbers of each row, the second argument of `row_functions`, for a tree of N
+            joints: the joint that carries the point and the one that carries the plane (0: the world), one-hot; the point and
+            the plane's normal and offset in the frames of these joints; and the minimum distance [m].
     """
 
-    s: float
-    joint: int
-    point: Array
-    other: int
-    normal: Array
-    offset: float
-    distance: float
+    s: Array
+    columns: Array
 
-    def column(self, n: int) -> Array:
-        """The row as numbers (column_height(n),) for a tree of n joints: the argument of `row_functions`."""
-        one = (np.array([each]) for each in (self.joint, self.point, self.other, self.normal, self.offset, self.distance))
-        return np.asarray(columns(n, *one)[0])
-
-
-def columns(
-    n: int,
-    joints: NDArray[np.int64],
-    points: Array,
-    others: NDArray[np.int64],
-    normals: Array,
-    offsets: Array,
-    distances: Array,
-) -> Array:
-    """Rows as numbers (m, column_height(n)) for a tree of n joints, from the attributes of `ClearanceRow` (m,) or (m, 3)."""
-    table, each = np.zeros((len(joints), column_height(n))), np.arange(len(joints))
-    table[each, joints] = table[each, n + 1 + others] = 1.0
-    table[:, -8:-5], table[:, -5:-2], table[:, -2], table[:, -1] = points, normals, offsets, distances
-    return table
-
-
-def column_height(n: int) -> int:
-    """Length of a column: two joints one-hot, point, normal, offset and distance."""
-    return 2 * (n + 1) + 8
-
-
-def tree_size(function: ca.Function) -> int:
-    """The number of joints of the tree that one of `row_functions` is for."""
-    return (int(function.size1_in(1)) - 8) // 2 - 1
+    @classmethod
+    def of(
+        cls,
+        n: int,
+        s: Array,
+        joints: NDArray[np.int64],
+        points: Array,
+        others: NDArray[np.int64],
+        normals: Array,
+        offsets: Array,
+        distances: Array,
+    ) -> "ClearanceRows":
+        """Rows for a tree of n joints, from (r,) or (r, 3) of each number."""
+        columns, each = np.zeros((len(s), 2 * (n + 1) + 8)), np.arange(len(s))
+        columns[each, joints] = columns[each, n + 1 + others] = 1.0
+        columns[:, -8:-5], columns[:, -5:-2], columns[:, -2], columns[:, -1] = points, normals, offsets, distances
+        return cls(s=s, columns=columns)
 
 
 @making_expressions()
@@ -80,10 +62,10 @@ def row_functions(kinematics: Kinematics, *, at_once: bool = False) -> CodedFunc
 
     They are first taken by the positions of the N joints of the tree, which are linear in q.
 
-    The second argument is a `ClearanceRow.column`. Only joints between the two move the point relative to the plane: the sign
-    σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the point as
-    carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the plane. If
-    neither of two joints carries the other, at most one, j, carries the point and one, i, the plane: then it is
+    The second argument is one of `ClearanceRows.columns`. Only joints between the two move the point relative to the plane:
+    the sign σ_i is 1 where joint i carries only the point, -1 where it carries only the plane. With c_i the velocity of the
+    point as carried by joint i, ∂_i d = σ_i n · c_i, and for i <= j ∂_i ∂_j d = n · (z_i x c_j), or n · (z_j x c_i) for the
+    plane. If neither of two joints carries the other, at most one, j, carries the point and one, i, the plane: then it is
     -n · (z_i x c_j).
     """
     chain = kinematics.symbolic.chain
@@ -218,13 +200,15 @@ def nearest(model: CollisionModel, path: JointPath, places: Sequence[Place], *, 
 
 def rows_for(
     model: CollisionModel, path: JointPath, safe: Callable[[float], Array], places: Sequence[Place], clearance: float
-) -> list[ClearanceRow]:
+) -> ClearanceRows | None:
     """Rows at the given places: with the planes of `path` where it is free there, else with those of the safe path.
 
-    `safe` gives the configuration (n,) of a collision-free path at s.
+    `safe` gives the configuration (n,) of a collision-free path at s. None without places.
     """
-    pairs = [pair for _, pair in places]
-    q = configurations(path, [s for s, _ in places])
+    if not places:
+        return None
+    s, pairs = np.array([s for s, _ in places]), [pair for _, pair in places]
+    q = configurations(path, s)
     found = model.witnesses(q, pairs)
     normals, opposites, offsets = found.normals.copy(), found.opposites.copy(), found.offsets.copy()
     overlaps = np.flatnonzero(found.distances <= 0).tolist()
@@ -235,20 +219,14 @@ def rows_for(
         for k, normal in zip(overlaps, free.normals, strict=True):
             first, second = found.joints[k]
             opposites[k] = -model.turned(q[k], normal, int(second), int(first))
-    rows = []
-    for k, (s, pair) in enumerate(places):
+    points, owners, distances = [], [], []
+    for k, pair in enumerate(pairs):
         core, radius = model.core(pair)
         heights = np.round(core @ -opposites[k], 9)  # so that rounding errors do not change the order
-        for point in core[np.argsort(heights, kind="stable")[:POINTS]]:
-            rows.append(
-                ClearanceRow(
-                    s=s,
-                    joint=int(found.joints[k, 0]),
-                    point=point,
-                    other=int(found.joints[k, 1]),
-                    normal=normals[k],
-                    offset=float(offsets[k]),
-                    distance=radius + clearance + SPARE,
-                )
-            )
-    return rows
+        nearest_points = core[np.argsort(heights, kind="stable")[:POINTS]]
+        points.append(nearest_points)
+        owners += [k] * len(nearest_points)
+        distances += [radius + clearance + SPARE] * len(nearest_points)
+    first, second = found.joints[owners].T
+    all_points, n = np.concatenate(points), model.robot.model.njoints - 1
+    return ClearanceRows.of(n, s[owners], first, all_points, second, normals[owners], offsets[owners], np.array(distances))

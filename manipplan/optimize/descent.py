@@ -14,6 +14,7 @@ DAQP solves the quadratic program of one step. Rows that contradict each other a
 import logging
 from collections import deque
 from dataclasses import dataclass, replace
+from enum import Enum
 from functools import cached_property
 from typing import Any
 
@@ -21,31 +22,21 @@ import daqp
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.collision.proximity import NOTHING, ProximitySamples
 from manipplan.optimize import steps
 from manipplan.optimize.rows import (
     ClearanceSearch,
-    ConstraintRows,
-    ConstraintSamples,
     ConstraintSearch,
-    DistanceRows,
     FixedRows,
-    FixedRowsAt,
     LimitRows,
     LinearRows,
     NonlinearRows,
-    RowFunctions,
-    find_violated_rows,
+    RowSource,
 )
 from manipplan.optimize.steps import LengthModel
-from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import with_bits
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.progress import interruptible
-
-#: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
-BAND, LEAST_BAND, MOST_BAND = 1.0, 2e-3, 0.1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,18 +46,14 @@ class DescentProgram:
     Attributes:
         length: g as a function of the unknowns.
         limits: the joint limits.
-        functions: functions of the clearance rows.
-        clearance_search: distances of the true bodies; None: nothing is checked for collision.
-        rows: without clearance_search, clearance rows that stay where they are; None: there are none.
+        clearance: distances of the true bodies, or clearance rows that stay where they are; None: nothing is checked.
         constraints: what is kept beside limits and clearance; None: nothing.
         held: (n,) whether a joint keeps its value.
     """
 
     length: LengthModel
     limits: LimitRows
-    functions: RowFunctions
-    clearance_search: ClearanceSearch | None
-    rows: FixedRows | None = None
+    clearance: ClearanceSearch | FixedRows | None = None
     constraints: ConstraintSearch | None = None
     held: NDArray[np.bool_] | None = None
 
@@ -77,17 +64,15 @@ class DescentProgram:
             return slice(None)
         return np.flatnonzero(np.tile(~self.held, self.length.curves.directions.shape[1]))
 
-    def find_near(self, curve: Curve, radius: float) -> ProximitySamples:
-        """The bodies near a curve, within the distance that a step of `radius` can use up."""
-        if self.clearance_search is None:
-            return NOTHING
-        return self.clearance_search.find_near(curve, min(max(BAND * radius, LEAST_BAND), MOST_BAND))
+    @property
+    def is_checked(self) -> bool:
+        """Whether distances are measured."""
+        return isinstance(self.clearance, ClearanceSearch)
 
-    def distance_rows(self, z: Array) -> DistanceRows:
-        """The rows at z (f, n) of the bodies near there."""
-        assert self.clearance_search is not None
-        curve = self.length.curves.curve(z)
-        return DistanceRows.of(self.length.curves, self.clearance_search, z, curve, self.find_near(curve, 0.0))
+    def rows_of(self, source: RowSource, z: Array, radius: float = 0.0) -> NonlinearRows:
+        """The rows of one kind at z (f, n) that a step of a radius can make negative."""
+        curves = self.length.curves
+        return source.at(curves, z, curves.curve(z), radius)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -98,77 +83,39 @@ class Point:
         program: what is minimised.
         z: its unknowns (f, n).
         value: g over g₀; inf where it is not finite.
-        curve: the path.
-        samples: the bodies near it.
-        constraint_samples: the constraints near their limits; None where there are none.
+        rows: those of clearance and of constraints that a step can make negative; none where nothing is checked.
     """
 
     program: DescentProgram
     z: Array
     value: float
-    curve: Curve
-    samples: ProximitySamples
-    constraint_samples: ConstraintSamples | None
+    rows: tuple[NonlinearRows, ...]
 
     @classmethod
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "Point":
-        """The path at z (f, n), with the bodies that a step of `radius` can reach."""
-        curve, value = program.length.curves.curve(z), program.length.value(z)
-        return cls(
-            program=program,
-            z=z,
-            value=value if np.isfinite(value) else np.inf,
-            curve=curve,
-            samples=program.find_near(curve, radius),
-            constraint_samples=None if program.constraints is None else program.constraints.find_near(curve, radius),
-        )
+        """The path at z (f, n), with the rows that a step of `radius` can reach."""
+        curves, value = program.length.curves, program.length.value(z)
+        curve, sources = curves.curve(z), (program.clearance, program.constraints)
+        rows = tuple(each.at(curves, z, curve, radius) for each in sources if each is not None)
+        return cls(program=program, z=z, value=value if np.isfinite(value) else np.inf, rows=rows)
 
     @cached_property
     def violation(self) -> float:
         """Largest violation of limits, target clearance and constraints [rad or m]."""
-        program, short = self.program, 0.0
-        if program.clearance_search is not None:
-            short = max(program.clearance_search.target - self.samples.least, 0.0)
-        elif program.rows is not None:
-            short = self._fixed.violation
-        if self.constraint_samples is not None:
-            short = max(short, self.constraint_samples.violation)
-        return max(short, program.limits.violation(self._control))
-
-    @cached_property
-    def rows(self) -> tuple[NonlinearRows, ...]:
-        """The rows of clearance and of constraints here, none where nothing is checked."""
-        program, curves = self.program, self.program.length.curves
-        found: list[NonlinearRows] = []
-        if program.rows is not None:
-            found.append(self._fixed)
-        elif program.clearance_search is not None:
-            found.append(DistanceRows.of(curves, program.clearance_search, self.z, self.curve, self.samples))
-        if program.constraints is not None and self.constraint_samples is not None:
-            found.append(ConstraintRows.of(curves, program.constraints, self.z, self.constraint_samples))
-        return tuple(found)
+        return max(self.program.limits.violation(self._control), *(each.violation for each in self.rows), 0.0)
 
     @cached_property
     def linear(self) -> LinearRows:
         """All these rows for steps from here."""
-        whole = LinearRows.none(self.z.size)
-        for each in self.rows:
-            whole = whole.with_rows(each.linear)
-        return whole
+        return LinearRows.stacked([each.linear for each in self.rows], self.z.size)
 
     def curvature(self, multipliers: Array) -> Array:
         """Σ_i λ_i ∇²c_i (f n, f n) of these rows, with multipliers λ (r,)."""
         total, first = np.zeros((self.z.size, self.z.size)), 0
         for each in self.rows:
-            count = len(each.linear.value)
-            total += each.curvature(multipliers[first : first + count])
-            first += count
+            total += each.curvature(multipliers[first : first + len(each.s)])
+            first += len(each.s)
         return total
-
-    @cached_property
-    def _fixed(self) -> FixedRowsAt:
-        assert self.program.rows is not None
-        return self.program.rows.at(self.z)
 
     def limits(self, radius: float) -> LinearRows:
         """The joint limits that a step whose entries are at most `radius` can reach."""
@@ -302,10 +249,18 @@ EXACT = 1e-9
 LEAST_PENALTY = 10.0
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
-#: Why a descent ended at its deadline.
-LATE = "the time limit was reached"
-#: Why a descent ended whose model DAQP could not minimise, or is not finite.
-FAILED = "the quadratic program failed"
+
+
+class Ending(Enum):
+    """Why a descent ended."""
+
+    CONVERGED = "no step lowers g"
+    SHORT = "steps became too short"
+    STUCK = "stuck in an obstacle"
+    #: DAQP could not minimise the model, or it is not finite.
+    FAILED = "the quadratic program failed"
+    MOST_STEPS = "the maximum number of steps was reached"
+    LATE = "the time limit was reached"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -315,16 +270,19 @@ class Descent:
     Attributes:
         z: unknowns (f, n).
         steps: number of steps that were tried.
-        reason: why it ended.
+        ending: why it ended.
         violation: largest violation of limits, target clearance and constraints there [rad or m].
-        exhausted: it ended after the maximum number of steps, or at the deadline, before it converged.
     """
 
     z: Array
     steps: int
-    reason: str
+    ending: Ending
     violation: float
-    exhausted: bool
+
+    @property
+    def exhausted(self) -> bool:
+        """Whether it ended before it converged."""
+        return self.ending in (Ending.MOST_STEPS, Ending.LATE)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -361,7 +319,7 @@ class _Model:
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):
             return None
         near = at.linear
-        rows = at.limits(radius).with_rows(near)
+        rows = LinearRows.stacked([at.limits(radius), near])
         quadratic = convex(hessian - previous)
         step = solve_step(quadratic, gradient, rows, radius, penalty, program.moving)
         if step is None:
@@ -384,7 +342,8 @@ class _Model:
         if self.first is not None and self.first[1] == radius:
             return self.first[2]
         quadratic = self.plain if is_plain else self.augmented
-        return solve_step(*quadratic, here.limits(radius).with_rows(self.near), radius, penalty, here.program.moving)
+        rows = LinearRows.stacked([here.limits(radius), self.near])
+        return solve_step(*quadratic, rows, radius, penalty, here.program.moving)
 
     @cached_property
     def augmented(self) -> tuple[Array, Array]:
@@ -405,12 +364,9 @@ class _Model:
 
     def with_rejected(self, here: Point, there: Point) -> "_Model":
         """The same model about `here`, with rows for the bodies that a rejected step met at `there`."""
-        program = here.program
-        if program.clearance_search is None:
-            return self
-        curves = program.length.curves
-        more = find_violated_rows(program.functions, curves, program.clearance_search, here.z, there.curve, there.samples)
-        return self if more is None else replace(self, near=self.near.with_rows(more), first=None)
+        more = [each.violated_from(here.z) for each in there.rows]
+        found = [each for each in more if each is not None]
+        return replace(self, near=LinearRows.stacked([self.near, *found]), first=None) if found else self
 
     def predict_decrease(self, step: QuadraticStep, restored: float, penalty: float) -> float:
         """Decrease of the merit function that the model predicts for a step that lowers the violation by `restored`.
@@ -445,9 +401,8 @@ def descend(
         patient: the descent goes on where the violation hardly falls; a few come out of an obstacle only after many steps.
         deadline: no step is begun after it.
     """
-    is_unchecked = program.clearance_search is None
     usual_steps, usual_tolerance = FREE_STEPS, FREE_TOLERANCE
-    if not is_unchecked:
+    if program.is_checked:
         curves = program.length.curves
         apart = float(np.linalg.norm(curves.goal - curves.start))
         usual_steps, usual_tolerance = STEPS, TOLERANCE * min(1.0, apart) ** 2
@@ -462,21 +417,21 @@ def descend(
     wide_steps = 0  # steps left since the radius was set back to RADIUS, 0 before that
     violations = deque([here.violation], maxlen=WINDOW + 1)
 
-    def ended(steps: int, reason: str, *, exhausted: bool = False) -> Descent:
-        log.debug("descent: %s after %d steps", reason, steps)
-        return Descent(z=here.z, steps=steps, reason=reason, violation=here.violation, exhausted=exhausted)
+    def ended(steps: int, ending: Ending) -> Descent:
+        log.debug("descent: %s after %d steps", ending.value, steps)
+        return Descent(z=here.z, steps=steps, ending=ending, violation=here.violation)
 
     for count in range(steps):
         if deadline.passed:
-            return ended(count, LATE, exhausted=True)
+            return ended(count, Ending.LATE)
         if model is None:
             model, is_plain = _Model.of(program, here, radius, penalty, curvature), False
             if model is None:
-                return ended(count, FAILED)
+                return ended(count, Ending.FAILED)
             curvature = model.curvature
         step = model.step(here, radius, penalty, is_plain=is_plain)
         if step is None:
-            return ended(count, FAILED)
+            return ended(count, Ending.FAILED)
         if step.slack == 0.0:  # φ is exact where ν is larger than Σ λ [nocedal2006, sec. 17.2]
             penalty = max(penalty, min(2 * float(step.multipliers.sum()), LARGEST_PENALTY))
         restored = here.violation - step.slack
@@ -490,7 +445,7 @@ def descend(
                 radius, wide_steps = first_radius, WIDE_STEPS
                 here, model = Point.of(program, here.z, radius), None
             else:
-                return ended(count, "no step lowers g")
+                return ended(count, Ending.CONVERGED)
             continue
         quadratic = model.plain if is_plain else model.augmented
         new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
@@ -504,16 +459,16 @@ def descend(
                 radius = min(2 * radius, LARGEST_RADIUS)
         violations.append(here.violation)
         if not patient and len(violations) > WINDOW and min(violations) > max(DEEP, (1 - LITTLE) * violations[0]):
-            return ended(count + 1, "stuck in an obstacle")
+            return ended(count + 1, Ending.STUCK)
         if decrease < 0.25 * predicted:  # as in algorithm 4.1 of nocedal2006
             radius = size / 4
             if wide_steps > 0:
                 wide_steps -= 1
                 if wide_steps == 0:
-                    return ended(count + 1, "no step lowers g")
+                    return ended(count + 1, Ending.CONVERGED)
             if radius < SMALLEST_RADIUS:
-                return ended(count + 1, "steps became too short")
-    return ended(steps, "the maximum number of steps was reached", exhausted=True)
+                return ended(count + 1, Ending.SHORT)
+    return ended(steps, Ending.MOST_STEPS)
 
 
 def _tried(
@@ -535,7 +490,7 @@ def _tried(
     decrease = before - new.merit(penalty)
     if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
         return new, decrease
-    rows = here.limits(radius).with_rows(new.linear.from_step((here.z - new.z).ravel()))
+    rows = LinearRows.stacked([here.limits(radius), new.linear.from_step((here.z - new.z).ravel())])
     corrected = solve_step(*quadratic, rows, radius, penalty, program.moving)
     if corrected is not None:
         other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)

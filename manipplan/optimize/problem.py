@@ -17,10 +17,9 @@ from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.optimize.descent import LATE
-from manipplan.optimize.local import LocalSearch
+from manipplan.optimize.descent import Ending
+from manipplan.optimize.local import INSIDE, Candidate, LocalSearch, Until
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.proven import INSIDE, Candidate, Until
 from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, find_basis
 from manipplan.paths.export import read_trajectory
@@ -170,7 +169,7 @@ def solve_local(
     if best is not None and (best.cost.g <= first_cost.g * (1 + same) or not fallback):
         path, cost = best.path, best.cost
         reached = Status.SHORTEST if integral.kinematics.measure.constant else Status.OPTIMAL
-        unfinished = Status.OUT_OF_TIME if late or best.solver == LATE else Status.STOPPED_EARLY
+        unfinished = Status.OUT_OF_TIME if late else Status.STOPPED_EARLY
         status = reached if best.optimality.reached else unfinished
     else:
         path, cost = first, first_cost
@@ -189,7 +188,7 @@ def solve_local(
         status = Status.INTERRUPTED
     log.info("optimize_path: g %.4g, seed %.4g, %d solves: %s", cost.g, first_cost.g, len(history), status.name)
     solvers = [best.solver] if best is not None and path is best.path and is_free else []
-    solver = "; ".join(dict.fromkeys([*solvers, *([LATE] if late else [])]))
+    solver = "; ".join(dict.fromkeys([*solvers, *([Ending.LATE.value] if late else [])]))
     return make_result(
         path,
         integral,

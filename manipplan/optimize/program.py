@@ -1,24 +1,22 @@
 """The program of a path in one basis: minima of the energy, and the program of g for the descent among the true obstacles."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from manipplan.cost.density import Density, energy_density, length_density
+from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
-from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.optimize.descent import DescentProgram, descend
-from manipplan.optimize.rows import ClearanceSearch, ConstraintSearch, FixedRows, LimitRows, RowFunctions
-from manipplan.optimize.steps import BatchDensity, Curves, LengthModel, MovingLengthModel
+from manipplan.optimize.rows import ClearanceSearch, ConstraintSearch, FixedRows, LimitRows
+from manipplan.optimize.steps import Curves, Derivatives, LengthModel
 from manipplan.paths.basis import Basis, free_directions
 from manipplan.paths.rounding import FINE, FIXED, on_grid
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, building
 from manipplan.support.progress import interruptible
-from manipplan.symbolic.machine_code import CodedFunctions
 
 #: Number of Gauss points of the energy on the whole path, and minimum number on each piece.
 NODES, PIECE_NODES = 40, 8
@@ -35,15 +33,6 @@ SOLVED_SPACING = 2.0**-16
 #: solve, and without, first radius of the trust region [rad or m], and smallest penalty parameter, in units of the first energy
 #: per metre.
 ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY = 1e-6, 60, 100, 0.4, 20.0
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Integral:
-    """A density, and its quadrature points and weights over s, (m,) each."""
-
-    density: Density
-    s: Array
-    weights: Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -73,7 +62,6 @@ class PathProgram:
         self.n = kinematics.robot.n
         #: coefficients (n, size) move along these directions (size, f), which keep the fixed end derivatives
         self.free = free_directions(fixed, basis)
-        self._along = np.linalg.pinv(self.free).T
         self._hull, self._fine_hull = self._moving_hull(LIMIT_PARTS), self._moving_hull(FINE_PARTS)
 
     def _moving_hull(self, parts: int) -> LimitHull:
@@ -84,30 +72,24 @@ class PathProgram:
 
     @cached_property
     @building()
-    def _rows(self) -> CodedFunctions:
-        return row_functions(self.kinematics)
+    def row_functions(self) -> Derivatives:
+        """The functions of clearance rows."""
+        return Derivatives.of(row_functions(self.kinematics))
 
     @cached_property
     @building()
-    def _energy(self) -> Integral:
-        s, weights = self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
-        return Integral(density=energy_density(self.integral), s=s, weights=weights)
+    def _energy_density(self) -> Derivatives:
+        return Derivatives.of(energy_density(self.integral).coded)
 
     @cached_property
     @building()
-    def _energy_density(self) -> BatchDensity:
-        return BatchDensity.of(self._energy.density)
+    def _length_density(self) -> Derivatives:
+        return Derivatives.of(length_density(self.integral).coded)
 
     @cached_property
-    @building()
-    def _length_density(self) -> BatchDensity:
-        return BatchDensity.of(length_density(self.integral))
-
-    @cached_property
-    @building()
-    def _batch_rows(self) -> RowFunctions:
-        value, gradient, hessian = self._rows.batches()
-        return RowFunctions(joints=tree_size(self._rows.functions[0]), value=value, gradient=gradient, hessian=hessian)
+    def _energy_rule(self) -> tuple[Array, Array]:
+        """Quadrature points and weights of the energy, (m,) each."""
+        return self.basis.gauss(max(-(-NODES // (len(self.basis.breaks) - 1)), PIECE_NODES))
 
     @property
     def _fixes_derivatives(self) -> bool:
@@ -131,7 +113,7 @@ class PathProgram:
         start: Array,
         goal: Array,
         coefficients: Array,
-        clearance_search: ClearanceSearch | None,
+        clearance: ClearanceSearch | None,
         *,
         limited: bool = True,
         edges: Array | None = None,
@@ -145,7 +127,7 @@ class PathProgram:
             start, goal: (n,) [rad or m].
             coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
                 where this path needs it.
-            clearance_search: distances of the true bodies; None: nothing is checked for collision.
+            clearance: distances of the true bodies; None: nothing is checked for collision.
             limited: False: without joint limits.
             edges: panel edges (k + 1,) that earlier paths needed; they are refined.
             floor: floor of g; None: that of the objective.
@@ -168,14 +150,10 @@ class PathProgram:
             power=integral.power,
             floor=integral.floor,
             pace=g0,
+            integral=integral if moving else None,
         )
-        if moving:
-            length = MovingLengthModel(**vars(length), integral=integral)
         limits = self._limit_rows(self._fine_hull, curves, limited=limited)
-        program = DescentProgram(
-            length=length, limits=limits, functions=self._batch_rows, clearance_search=clearance_search, **_kept(constraints)
-        )
-        return program, z
+        return DescentProgram(length=length, limits=limits, clearance=clearance, **_kept(constraints)), z
 
     def _curves(self, start: Array, goal: Array, coefficients: Array) -> tuple[Curves, Array]:
         """The curves with the free directions, and the unknowns z (f, n) of coefficients (n, size)."""
@@ -201,7 +179,7 @@ class PathProgram:
         goal: Array,
         guess: Array,
         floor: float,
-        rows: Sequence[ClearanceRow] = (),
+        rows: ClearanceRows | None = None,
         deadline: Deadline = NEVER,
         constraints: ConstraintSearch | None = None,
     ) -> Solution:
@@ -211,45 +189,43 @@ class PathProgram:
         OutOfTimeError after the deadline.
         """
         curves, z = self._curves(start, goal, guess)
-        energy = self._energy_of(start, goal, guess, floor)
+        s, weights = self._energy_rule
         program = DescentProgram(
             length=LengthModel(
                 density=self._energy_density,
                 curves=curves,
                 edges=np.array([0.0, 1.0]),
-                s=self._energy.s,
-                weights=self._energy.weights,
-                g0=energy,
+                s=s,
+                weights=weights,
+                g0=self._energy(start, goal, guess, floor),
                 power=self.integral.power,
                 floor=floor,
                 pace=1.0,
             ),
             limits=self._limit_rows(self._hull, curves),
-            functions=self._batch_rows,
-            clearance_search=None,
-            rows=FixedRows.of(self._batch_rows, curves, rows) if rows else None,
+            clearance=None if rows is None else FixedRows.of(self.row_functions, curves, rows),
             **_kept(constraints),
         )
         descent = descend(
             program,
             z,
             tolerance=ENERGY_TOLERANCE,
-            steps=ENERGY_STEPS if rows or constraints is not None else FREE_ENERGY_STEPS,
+            steps=ENERGY_STEPS if rows is not None or constraints is not None else FREE_ENERGY_STEPS,
             first_radius=ENERGY_RADIUS,
             least_penalty=ENERGY_PENALTY,
             deadline=deadline,
         )
         deadline.check()
         found = curves.coefficients(on_grid(descent.z, SOLVED_SPACING))
-        return Solution(coefficients=found, status=f"energy: {descent.reason}", converged=not descent.exhausted)
+        return Solution(coefficients=found, status=f"energy: {descent.ending.value}", converged=not descent.exhausted)
 
-    def _energy_of(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
+    def _energy(self, start: Array, goal: Array, guess: Array, floor: float) -> float:
         """The energy of a guess (n, size), by the quadrature of the program; 1 when it is not finite and positive."""
-        s = self._energy.s
+        s, weights = self._energy_rule
         q = start[:, None] + np.outer(goal - start, s) + guess @ self.basis.values(s).T
         v = (goal - start)[:, None] + guess @ self.basis.values(s, 1).T
-        density = np.asarray(self._energy.density.value(q, v, np.array([[1.0], [self.integral.power], [floor]]))).ravel()
-        value = float(density @ self._energy.weights)
+        numbers = np.array([1.0, self.integral.power, floor])
+        value = float(self._energy_density.value.by_columns(q.T, v.T, numbers)[:, 0] @ weights)
         return value if np.isfinite(value) and value > 0 else 1.0
 
 

@@ -1,15 +1,19 @@
 """The rows of a descent: limits, clearances and constraints of a path as functions of its unknowns z.
 
-Every row is value(z) >= 0 [rad or m], with its Jacobian and sums of Hessians. The limits are linear: control points of the
-curve stay inside. A clearance row holds the distance of two bodies at a point of the path, or keeps a point of one body
-beyond a plane that the other carries. `FixedRows` come from a free path, so that paths of low energy pass each body on
-the same side; a descent on the energy computes no distance. Rows of constraints stand where these are smallest.
+Every row is value(z) >= 0 [rad or m]. The limits are linear: control points of the curve stay inside. Other kinds of rows come
+from sources, whose `at` gives the `NonlinearRows` of one curve: their largest violation, values, linearisation and curvature.
+
+- `ClearanceSearch`: the distance of two bodies where they are near on the curve.
+- `FixedRows`: a point of one body stays beyond a plane that another one carries, at fixed places. They come from a free path,
+  so that paths of low energy pass each body on the same side; a descent on the energy computes no distance.
+- `ConstraintSearch`: the rows of constraints where these are smallest.
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,103 +22,11 @@ from manipplan.collision.model import CollisionModel, Witnesses
 from manipplan.collision.proximity import DistanceSearch, Place, ProximitySamples
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.optimize import steps
-from manipplan.optimize.clearance import ClearanceRow, columns
-from manipplan.optimize.steps import Curves
+from manipplan.optimize.clearance import ClearanceRows
+from manipplan.optimize.steps import Curves, Derivatives
 from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
-from manipplan.symbolic.machine_code import BatchFunction
-
-#: Margin beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
-MARGIN = 5e-5
-#: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
-PAIR_APART = 1e-2
-#: Maximum number of places with rows: bottoms of dips first, then the nearest.
-MOST_PLACES = 80
-#: Joint step of the finite differences for second derivatives of a distance [rad or m].
-JOINT_STEP = 1e-4
-
-
-@dataclass(kw_only=True, eq=False)
-class ClearanceSearch:
-    """Distances on paths that differ little from each other.
-
-    Attributes:
-        model: the arm among its obstacles.
-        clearance: required distance [m].
-        margin: margin beyond the required distance [m]; larger at first, as corners are rounder at a distance.
-        always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
-    """
-
-    model: CollisionModel
-    clearance: float
-    margin: float = MARGIN
-    always: list[Place] = field(default_factory=list)
-
-    @cached_property
-    def _search(self) -> DistanceSearch:
-        return DistanceSearch(self.model)
-
-    @property
-    def target(self) -> float:
-        """The distance to keep [m]: the required one plus the margin."""
-        return self.clearance + self.margin
-
-    def find_near(self, curve: Curve, band: float) -> ProximitySamples:
-        """Places on a curve where a pair is near, as `DistanceSearch.find_near` says."""
-        return self._search.find_near(curve, self.target, band, self.always)
-
-    def places(self, samples: ProximitySamples) -> NDArray[np.intp]:
-        """The samples (r,) that get rows, bottoms of dips first."""
-        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
-        if len(bottoms) and len(bottoms) < MOST_PLACES:
-            along = 2 * samples.pairs + samples.s  # by pair, then place
-            ordered = np.sort(along[bottoms])
-            after = np.searchsorted(ordered, along[others])
-            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
-            others = others[np.minimum(*gaps) >= PAIR_APART]
-        return np.concatenate([bottoms, others])[:MOST_PLACES]
-
-    def planes(self, found: Witnesses) -> Array:
-        """Clearance rows (m, column_height(n)) of witnesses, each with the plane through the second body's point."""
-        first, second = found.joints.T
-        distances = found.radii[:, 0] + self.target
-        return columns(self.model.robot.model.njoints - 1, first, found.points, second, found.normals, found.offsets, distances)
-
-    def reverse_planes(self, found: Witnesses) -> Array:
-        """As `planes`, with planes on the first bodies: better where a corner of the second faces a side of the first."""
-        first, second = found.joints.T
-        offsets, distances = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0], found.radii[:, 1] + self.target
-        return columns(self.model.robot.model.njoints - 1, second, found.others, first, found.opposites, offsets, distances)
-
-    def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
-        """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""
-        m, n = q.shape
-        moved = q[:, None] + JOINT_STEP * np.eye(n)
-        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n))
-        hessians = (found.gradients.reshape(m, n, n) - gradients[:, None]) / JOINT_STEP
-        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
-
-
-#: The bottom of a dip moves with the path only where the second derivative of the distance by s is above this [m].
-LEAST_BEND = 1e-3
-#: Maximum number of places of a rejected path whose planes become rows, the nearest first.
-MOST_REJECTED = 10
-#: Tolerance by which a row may be stricter than the true distance [m].
-STRICT = 1e-7
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RowFunctions:
-    """Distance (m, 1, 1), gradient (m, n, 1) and Hessian (m, n, n) in q of m clearance rows, each at its own configuration.
-
-    `joints` is the number of joints of the tree, for `ClearanceRow.column`.
-    """
-
-    joints: int
-    value: BatchFunction
-    gradient: BatchFunction
-    hessian: BatchFunction
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -131,15 +43,13 @@ class LinearRows:
         return cls(value=value, jacobian=(changes[:, :, None] * gradients[:, None, :]).reshape(len(value), size))
 
     @classmethod
-    def none(cls, size: int) -> "LinearRows":
-        """No rows, for steps of a size."""
-        return cls(value=np.empty(0), jacobian=np.empty((0, size)))
-
-    def with_rows(self, other: "LinearRows") -> "LinearRows":
-        """These rows followed by the other ones."""
-        return LinearRows(
-            value=np.concatenate([self.value, other.value]), jacobian=np.concatenate([self.jacobian, other.jacobian])
-        )
+    def stacked(cls, parts: Sequence["LinearRows"], size: int = 0) -> "LinearRows":
+        """All rows, one part after the other; no rows for steps of a size without any part."""
+        if not parts:
+            return cls(value=np.empty(0), jacobian=np.empty((0, size)))
+        if len(parts) == 1:
+            return parts[0]
+        return cls(value=np.concatenate([e.value for e in parts]), jacobian=np.concatenate([e.jacobian for e in parts]))
 
     def from_step(self, step: Array) -> "LinearRows":
         """The same rows for steps from another point, which lies a step (f n,) away."""
@@ -179,24 +89,42 @@ class LimitRows:
         return np.asarray(np.abs(self.directions).sum(axis=1))
 
 
+#: The bottom of a dip moves with the path only where the second derivative of a row by s is above this [rad or m].
+LEAST_BEND = 1e-3
+
+
+class RowSource(Protocol):
+    """One kind of rows, on any curve."""
+
+    def at(self, curves: Curves, z: Array, curve: Curve, radius: float) -> "NonlinearRows":
+        """The rows on `curve`, that of z (f, n), which a step of a radius [rad or m] can make negative."""
+        ...
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NonlinearRows(ABC):
-    """Rows that are not linear, at the curve of z.
+    """Rows of one kind on the curve of z.
 
     Attributes:
-        curves: the curves.
-        z: (f, n) the unknowns.
+        curves, z, curve: all curves, the unknowns (f, n), and the curve that they give.
         s, is_bottom: (r,) the parameter of each row, and whether its value has a minimum along the curve there.
-        q: (r, n) configurations.
-        value: (r,) the rows.
     """
 
     curves: Curves
     z: Array
+    curve: Curve
     s: Array
     is_bottom: NDArray[np.bool_]
-    q: Array
-    value: Array
+
+    @property
+    @abstractmethod
+    def violation(self) -> float:
+        """The largest violation of a row [rad or m]; 0 when there is none."""
+
+    @property
+    @abstractmethod
+    def value(self) -> Array:
+        """The rows (r,)."""
 
     @property
     @abstractmethod
@@ -207,15 +135,19 @@ class NonlinearRows(ABC):
     def hessians(self, rows: NDArray[np.intp]) -> Array:
         """Hessians (k, n, n) of some rows (k,) by q."""
 
+    def violated_from(self, _z: Array) -> LinearRows | None:
+        """Rows at other unknowns (f, n) that keep a step from violating these again; None where there are none."""
+        return None
+
+    @cached_property
+    def q(self) -> Array:
+        """Configurations (r, n)."""
+        return self.curve(self.s, FINE)
+
     @cached_property
     def changes(self) -> Array:
         """Change (r, f) of the curve with z at the rows."""
         return self.curves.at(self.s)[1]
-
-    @property
-    def violation(self) -> float:
-        """The largest violation of a row; 0 when there is none."""
-        return max(-float(self.value.min()), 0.0)
 
     @cached_property
     def linear(self) -> LinearRows:
@@ -239,47 +171,114 @@ class NonlinearRows(ABC):
         return steps.curvature(multipliers[used], changes, slopes, speeds, bends, gradients, hessians, is_bottom, LEAST_BEND)
 
 
+#: Margin beyond the required distance, so that the proof, whose bounds are not exact, succeeds [m].
+MARGIN = 5e-5
+#: Minimum distance in s between a place of the grid with a row and the bottom of a dip of the same pair.
+PAIR_APART = 1e-2
+#: Maximum number of places with rows: bottoms of dips first, then the nearest.
+MOST_PLACES = 80
+#: Joint step of the finite differences for second derivatives of a distance [rad or m].
+JOINT_STEP = 1e-4
+#: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
+NEAR, LEAST_NEAR, MOST_NEAR = 1.0, 2e-3, 0.1
+#: Maximum number of places of a rejected path whose planes become rows, the nearest first.
+MOST_REJECTED = 10
+#: Tolerance by which a row may be stricter than the true distance [m].
+STRICT = 1e-7
+
+
+@dataclass(kw_only=True, eq=False)
+class ClearanceSearch:
+    """Distances on paths that differ little from each other.
+
+    Attributes:
+        model: the arm among its obstacles.
+        functions: those of clearance rows, by q and the numbers of a row.
+        clearance: required distance [m].
+        margin: margin beyond the required distance [m]; larger at first, as corners are rounder at a distance.
+        always: places (s, pair) around which every path is searched for a dip, such as those where a proof failed.
+    """
+
+    model: CollisionModel
+    functions: Derivatives
+    clearance: float
+    margin: float = MARGIN
+    always: list[Place] = field(default_factory=list)
+
+    @cached_property
+    def _search(self) -> DistanceSearch:
+        return DistanceSearch(self.model)
+
+    @property
+    def target(self) -> float:
+        """The distance to keep [m]: the required one plus the margin."""
+        return self.clearance + self.margin
+
+    def at(self, curves: Curves, z: Array, curve: Curve, radius: float) -> "DistanceRows":
+        """The distances that are near the target: bottoms of dips first, then the nearest."""
+        band = min(max(NEAR * radius, LEAST_NEAR), MOST_NEAR)
+        samples = self._search.find_near(curve, self.target, band, self.always)
+        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
+        if len(bottoms) and len(bottoms) < MOST_PLACES:
+            along = 2 * samples.pairs + samples.s  # by pair, then place
+            ordered = np.sort(along[bottoms])
+            after = np.searchsorted(ordered, along[others])
+            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
+            others = others[np.minimum(*gaps) >= PAIR_APART]
+        chosen = np.concatenate([bottoms, others])[:MOST_PLACES]
+        return DistanceRows(
+            curves=curves,
+            z=z,
+            curve=curve,
+            s=samples.s[chosen],
+            is_bottom=samples.is_bottom[chosen],
+            search=self,
+            samples=samples,
+            pairs=samples.pairs[chosen],
+        )
+
+    def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
+        """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""
+        m, n = q.shape
+        moved = q[:, None] + JOINT_STEP * np.eye(n)
+        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n))
+        hessians = (found.gradients.reshape(m, n, n) - gradients[:, None]) / JOINT_STEP
+        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DistanceRows(NonlinearRows):
     """The distances beyond the target [m] at the nearest configurations of the curve.
 
     Attributes:
-        clearance_search: source of the distances.
+        search: source of the distances.
+        samples: all that is near, of which these rows are the nearest.
         pairs: (r,) the pair of bodies of each row.
-        witnesses: their nearest points.
     """
 
-    clearance_search: ClearanceSearch
+    search: ClearanceSearch
+    samples: ProximitySamples
     pairs: NDArray[np.intp]
-    witnesses: Witnesses
 
-    @classmethod
-    def of(
-        cls, curves: Curves, clearance_search: ClearanceSearch, z: Array, curve: Curve, samples: ProximitySamples
-    ) -> "DistanceRows":
-        """The rows where bodies are near along `curve`, which is that of z."""
-        chosen = clearance_search.places(samples)
-        s, pairs = samples.s[chosen], samples.pairs[chosen]
-        q = curve(s, FINE)
-        witnesses = clearance_search.model.witnesses(q, pairs)
-        return cls(
-            curves=curves,
-            z=z,
-            s=s,
-            is_bottom=samples.is_bottom[chosen],
-            q=q,
-            value=witnesses.distances - clearance_search.target,
-            clearance_search=clearance_search,
-            pairs=pairs,
-            witnesses=witnesses,
-        )
+    @property
+    def violation(self) -> float:
+        return max(self.search.target - self.samples.least, 0.0)
+
+    @cached_property
+    def witnesses(self) -> Witnesses:
+        """The nearest points of each pair."""
+        return self.search.model.witnesses(self.q, self.pairs)
+
+    @cached_property
+    def value(self) -> Array:
+        return self.witnesses.distances - self.search.target
 
     @property
     def gradients(self) -> Array:
         return self.witnesses.gradients
 
     def hessians(self, rows: NDArray[np.intp]) -> Array:
-        return self.clearance_search.hessians(self.q[rows], self.pairs[rows], self.gradients[rows])
+        return self.search.hessians(self.q[rows], self.pairs[rows], self.gradients[rows])
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
         """Gradients of the distances of some rows, on the path and with each joint moved by a step.
@@ -295,37 +294,39 @@ class DistanceRows(NonlinearRows):
         moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])
         owner = np.repeat(rows, len(moves))
         moved = (self.q[rows, None] + moves).reshape(-1, n)
-        found = self.clearance_search.model.witnesses(moved, self.pairs[owner])
+        found = self.search.model.witnesses(moved, self.pairs[owner])
         return LinearRows.of(found.distances, self.changes[owner], found.gradients).jacobian, owner
 
+    def violated_from(self, z: Array) -> LinearRows | None:
+        """Rows at other unknowns z (f, n), for each sample of this curve that violates the clearance; None for none.
 
-def find_violated_rows(
-    functions: RowFunctions,
-    curves: Curves,
-    clearance_search: ClearanceSearch,
-    z: Array,
-    rejected: Curve,
-    samples: ProximitySamples,
-) -> LinearRows | None:
-    """Rows at z (f, n) at each sample of a rejected curve that violates the clearance; None when there are none.
-
-    Each place gives two, with the plane on either body of the pair. Rows that are stricter at z than the true distance are left
-    out: they would forbid configurations that are free.
-    """
-    near = np.flatnonzero(samples.distances < clearance_search.target)[:MOST_REJECTED]
-    if not len(near):
-        return None
-    found = clearance_search.model.witnesses(rejected(samples.s[near], FINE), samples.pairs[near])
-    both = np.stack([clearance_search.planes(found), clearance_search.reverse_planes(found)], axis=1)
-    planes, s, pairs = both.reshape(2 * len(near), -1), np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
-    line, changes = curves.at(s)
-    q = steps.points(line, changes, z)
-    values = functions.value.by_columns(q, planes)[:, 0]
-    true = clearance_search.model.pair_distances(q, pairs) - clearance_search.target
-    allowed = np.flatnonzero(values >= true - STRICT)
-    if not len(allowed):
-        return None
-    return LinearRows.of(values[allowed], changes[allowed], functions.gradient.by_columns(q[allowed], planes[allowed]))
+        Each place gives two, with the plane on either body of the pair: the one on the first body is better where a corner of
+        the second faces a side of the first. Rows that are stricter at z than the true distance are left out: they would forbid
+        configurations that are free.
+        """
+        search, samples = self.search, self.samples
+        near = np.flatnonzero(samples.distances < search.target)[:MOST_REJECTED]
+        if not len(near):
+            return None
+        found = search.model.witnesses(self.curve(samples.s[near], FINE), samples.pairs[near])
+        (first, second), n = found.joints.T, search.model.robot.model.njoints - 1
+        keep, other_keep = (found.radii + search.target).T
+        opposite = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0]
+        s, pairs = np.repeat(samples.s[near], 2), np.repeat(samples.pairs[near], 2)
+        planes = [
+            ClearanceRows.of(n, samples.s[near], first, found.points, second, found.normals, found.offsets, keep),
+            ClearanceRows.of(n, samples.s[near], second, found.others, first, found.opposites, opposite, other_keep),
+        ]
+        columns = np.stack([each.columns for each in planes], axis=1).reshape(len(s), -1)
+        line, changes = self.curves.at(s)
+        q = steps.points(line, changes, z)
+        values = search.functions.value.by_columns(q, columns)[:, 0]
+        true = search.model.pair_distances(q, pairs) - search.target
+        allowed = np.flatnonzero(values >= true - STRICT)
+        if not len(allowed):
+            return None
+        gradients = search.functions.first.by_columns(q[allowed], columns[allowed])
+        return LinearRows.of(values[allowed], changes[allowed], gradients)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -333,59 +334,56 @@ class FixedRows:
     """Clearance rows at fixed places of the curves.
 
     Attributes:
-        functions: distance, gradient and Hessian of the rows.
-        curves: the curves they are on.
-        s: (r,) their places.
-        columns: (r, column_height(n)) the rows as numbers, see `ClearanceRow.column`.
+        functions: those of clearance rows, by q and the numbers of a row.
+        rows: their places and planes.
+        line, changes: the curve of z = 0 (r, n) and its change with z (r, f), at these places.
     """
 
-    functions: RowFunctions
-    curves: Curves
-    s: Array
-    columns: Array
+    functions: Derivatives
+    rows: ClearanceRows
+    line: Array
+    changes: Array
 
     @classmethod
-    def of(cls, functions: RowFunctions, curves: Curves, rows: Sequence[ClearanceRow]) -> "FixedRows":
+    def of(cls, functions: Derivatives, curves: Curves, rows: ClearanceRows) -> "FixedRows":
         """The given rows on curves."""
-        s, columns = np.array([row.s for row in rows]), np.array([row.column(functions.joints) for row in rows])
-        return cls(functions=functions, curves=curves, s=s, columns=columns)
+        line, changes = curves.at(rows.s)
+        return cls(functions=functions, rows=rows, line=line, changes=changes)
 
-    @cached_property
-    def changes(self) -> tuple[Array, Array]:
-        """The curve at z = 0 (r, n) and its change with z (r, f), at the places of the rows."""
-        return self.curves.at(self.s)
-
-    def at(self, z: Array) -> "FixedRowsAt":
-        """The rows at z (f, n)."""
-        line, changes = self.changes
-        q = steps.points(line, changes, z)
-        return FixedRowsAt(
-            curves=self.curves,
-            z=z,
-            s=self.s,
-            is_bottom=np.zeros(len(self.s), dtype=bool),
-            q=q,
-            value=self.functions.value.by_columns(q, self.columns)[:, 0],
-            rows=self,
-        )
+    def at(self, curves: Curves, z: Array, curve: Curve, _radius: float = 0.0) -> "FixedRowsAt":
+        """All rows."""
+        none = np.zeros(len(self.line), dtype=bool)
+        return FixedRowsAt(curves=curves, z=z, curve=curve, s=self.rows.s, is_bottom=none, source=self)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FixedRowsAt(NonlinearRows):
     """Fixed rows at unknowns z (f, n)."""
 
-    rows: FixedRows
+    source: FixedRows
+
+    @cached_property
+    def q(self) -> Array:
+        return steps.points(self.source.line, self.source.changes, self.z)
+
+    @property
+    def changes(self) -> Array:
+        return self.source.changes
+
+    @cached_property
+    def value(self) -> Array:
+        return self.source.functions.value.by_columns(self.q, self.source.rows.columns)[:, 0]
+
+    @property
+    def violation(self) -> float:
+        return max(-float(self.value.min()), 0.0)
 
     @cached_property
     def gradients(self) -> Array:
-        return self.rows.functions.gradient.by_columns(self.q, self.rows.columns)
-
-    @cached_property
-    def changes(self) -> Array:
-        return self.rows.changes[1]
+        return self.source.functions.first.by_columns(self.q, self.source.rows.columns)
 
     def hessians(self, rows: NDArray[np.intp]) -> Array:
-        return self.rows.functions.hessian(self.q[rows], self.rows.columns[rows])
+        return self.source.functions.second(self.q[rows], self.source.rows.columns[rows])
 
 
 #: Rows keep this much more than is required, or what start and goal have: a timed motion leaves its path by some 1e-6 rad.
@@ -400,21 +398,6 @@ MOST_ROWS = 80
 APART = 1e-2
 #: Steps of the search for the bottom of a dip, by false position on the slope.
 BOTTOM_STEPS = 5
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ConstraintSamples:
-    """Places of a curve at which rows are near their targets.
-
-    Attributes:
-        s, rows, is_bottom: (k,) places, the row that is near there, and whether it has a minimum along the curve.
-        violation: how far the smallest row is below its target; 0 where all are above.
-    """
-
-    s: Array
-    rows: NDArray[np.intp]
-    is_bottom: NDArray[np.bool_]
-    violation: float
 
 
 @dataclass(kw_only=True, eq=False)
@@ -437,8 +420,8 @@ class ConstraintSearch:
         room = constraints.values(np.array([start, goal])).min(axis=0)
         return cls(constraints=constraints, target=np.minimum(room, CONSTRAINT_MARGIN))
 
-    def find_near(self, curve: Curve, radius: float) -> ConstraintSamples:
-        """The places that a step of a radius [rad or m] can use up."""
+    def at(self, curves: Curves, z: Array, curve: Curve, radius: float) -> "ConstraintRows":
+        """The smallest rows along the curve first, then the smallest of the others."""
         s = np.unique(np.concatenate([np.linspace(0.0, 1.0, ROW_INTERVALS + 1), self.always]))
         values = self._values(curve, s)
         band = min(max(BAND * radius, LEAST_BAND), MOST_BAND)
@@ -447,17 +430,20 @@ class ConstraintSearch:
         places, rows = np.nonzero(low)
         bottoms = self._bottoms(curve, s[places], s[places + 1], s[places + 2], rows)
         at_bottoms = self._values(curve, bottoms)[np.arange(len(rows)), rows] if len(rows) else np.empty(0)
-        violation = max(-float(values.min(initial=0.0)), -float(at_bottoms.min(initial=0.0)))
         others, of_others = np.nonzero(values[::STRIDE] < band)
         near = np.abs(s[::STRIDE][others, None] - bottoms) < APART
         alone = ~((of_others[:, None] == rows) & near).any(axis=1)
         others, of_others = others[alone], of_others[alone]
         order = np.argsort(values[::STRIDE][others, of_others], kind="stable")[: max(MOST_ROWS - len(rows), 0)]
-        return ConstraintSamples(
+        return ConstraintRows(
+            curves=curves,
+            z=z,
+            curve=curve,
             s=np.concatenate([bottoms, s[::STRIDE][others[order]]]),
-            rows=np.concatenate([rows, of_others[order]]),
             is_bottom=np.arange(len(rows) + len(order)) < len(rows),
-            violation=violation,
+            search=self,
+            least=min(float(values.min(initial=0.0)), float(at_bottoms.min(initial=0.0))),
+            indices=np.concatenate([rows, of_others[order]]),
         )
 
     def _values(self, curve: Curve, s: Array) -> Array:
@@ -488,25 +474,26 @@ class ConstraintSearch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ConstraintRows(NonlinearRows):
-    """The rows of constraints beyond their targets at samples of the curve.
+    """The rows of constraints beyond their targets.
 
     Attributes:
         search: source of the rows.
+        least: the smallest value on the curve of a row beyond its target; at most 0.
         indices: (r,) the row of the constraints that each of these is.
     """
 
     search: ConstraintSearch
+    least: float
     indices: NDArray[np.intp]
 
-    @classmethod
-    def of(cls, curves: Curves, search: ConstraintSearch, z: Array, samples: ConstraintSamples) -> "ConstraintRows":
-        """The rows at samples of the curve of z (f, n)."""
-        q = curves.curve(z)(samples.s, FINE)
-        values = on_grid(search.constraints.values(q), FINE_DISTANCE)[np.arange(len(q)), samples.rows]
-        value = np.asarray(values - search.target[samples.rows])
-        return cls(
-            curves=curves, z=z, s=samples.s, is_bottom=samples.is_bottom, q=q, value=value, search=search, indices=samples.rows
-        )
+    @property
+    def violation(self) -> float:
+        return -self.least
+
+    @cached_property
+    def value(self) -> Array:
+        values = on_grid(self.search.constraints.values(self.q), FINE_DISTANCE)[np.arange(len(self.q)), self.indices]
+        return np.asarray(values - self.search.target[self.indices])
 
     @cached_property
     def gradients(self) -> Array:

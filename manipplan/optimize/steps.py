@@ -5,14 +5,13 @@ What a descent minimises: g, or the energy, of a curve with a few unknowns, with
 
 import ctypes
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.cost.density import Density
 from manipplan.cost.integral import PathIntegral, gauss
 from manipplan.paths.basis import Basis
 from manipplan.paths.joint import Curve, JointPath
@@ -20,7 +19,7 @@ from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import signatures
 from manipplan.support.compiling.kernels import load_kernel
-from manipplan.symbolic.machine_code import BatchFunction
+from manipplan.symbolic.machine_code import BatchFunction, CodedFunctions
 
 
 @cache
@@ -179,18 +178,18 @@ class Curves:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class BatchDensity:
-    """A density's value, its gradient, and both derivatives at many points."""
+class Derivatives:
+    """A function with its first and second derivatives, at many points at once."""
 
     value: BatchFunction
-    gradient: BatchFunction
-    derivatives: BatchFunction
+    first: BatchFunction
+    second: BatchFunction
 
     @classmethod
-    def of(cls, density: Density) -> "BatchDensity":
-        """The three functions of a density with buffers of their own."""
-        value, gradient, derivatives = density.coded.batches()
-        return cls(value=value, gradient=gradient, derivatives=derivatives)
+    def of(cls, coded: CodedFunctions) -> "Derivatives":
+        """The three functions with buffers of their own."""
+        value, first, second = coded.batches()
+        return cls(value=value, first=first, second=second)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -206,9 +205,11 @@ class LengthModel:
         power, floor: exponent p and floor ε.
         pace: g₀ in the share of the energy, κ h² / g₀; inf: no such share, so that the value is that of g alone. Any number for
             the energy alone.
+        integral: finds panels that follow each path, since the peak of the integrand at a crossing moves with the path; None:
+            the panels stay.
     """
 
-    density: BatchDensity
+    density: Derivatives
     curves: Curves
     edges: Array
     s: Array
@@ -217,11 +218,42 @@ class LengthModel:
     power: float
     floor: float
     pace: float
+    integral: PathIntegral | None = None
+    _last: dict[bytes, "LengthModel"] = field(default_factory=dict, init=False)
 
     @property
     def without_energy(self) -> "LengthModel":
         """g alone, over g₀."""
         return replace(self, pace=np.inf)
+
+    def value(self, z: Array) -> float:
+        """The integral at z (f, n)."""
+        here = self._at(z)
+        return float(here.weights @ here.density.value.by_columns(*here._points(z))[:, 0]) / here.g0
+
+    def gradient(self, z: Array) -> Array:
+        """Its gradient (f, n)."""
+        here = self._at(z)
+        _, _, values, slopes = here._values
+        return gradient(here._shares, values, slopes, here.density.first.by_columns(*here._points(z)))
+
+    def derivatives(self, z: Array) -> tuple[Array, Array]:
+        """Its gradient (f, n) and Hessian (f n, f n), z in row-major order."""
+        here = self._at(z)
+        _, _, values, slopes = here._values
+        return derivatives(z.shape[1], here._shares, values, slopes, here.density.second.by_columns(*here._points(z)))
+
+    def _at(self, z: Array) -> "LengthModel":
+        """The sum over the panels that the path at z (f, n) needs; that of the last z is stored."""
+        if self.integral is None:
+            return self
+        key = z.tobytes()
+        if key not in self._last:
+            edges = self.integral.fine_panels(self.curves.path(z))
+            s, weights = gauss(edges[:-1], edges[1:])
+            self._last.clear()
+            self._last[key] = replace(self, edges=edges, s=s.ravel(), weights=weights.ravel(), integral=None)
+        return self._last[key]
 
     @cached_property
     def _values(self) -> tuple[Array, Array, Array, Array]:
@@ -239,50 +271,3 @@ class LengthModel:
         line, slope, values, slopes = self._values
         numbers = np.array([self.pace, self.power, self.floor])
         return points(line, values, z), points(slope, slopes, z), numbers
-
-    def value(self, z: Array) -> float:
-        """The integral at z (f, n)."""
-        return float(self.weights @ self.density.value.by_columns(*self._points(z))[:, 0]) / self.g0
-
-    def gradient(self, z: Array) -> Array:
-        """Its gradient (f, n)."""
-        _, _, values, slopes = self._values
-        return gradient(self._shares, values, slopes, self.density.gradient.by_columns(*self._points(z)))
-
-    def derivatives(self, z: Array) -> tuple[Array, Array]:
-        """Its gradient (f, n) and Hessian (f n, f n), z in row-major order."""
-        _, _, values, slopes = self._values
-        each = self.density.derivatives.by_columns(*self._points(z))
-        return derivatives(z.shape[1], self._shares, values, slopes, each)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MovingLengthModel(LengthModel):
-    """The same sum with panels that follow each path: the peak of the integrand at a crossing moves with the path.
-
-    Attributes:
-        integral: finds the panels.
-    """
-
-    integral: PathIntegral
-    _last: dict[bytes, LengthModel] = field(default_factory=dict, init=False)
-
-    def at(self, z: Array) -> LengthModel:
-        """The sum over the panels that the path at z (f, n) needs; that of the last z is stored."""
-        key = z.tobytes()
-        if key not in self._last:
-            edges = self.integral.fine_panels(self.curves.path(z))
-            s, weights = gauss(edges[:-1], edges[1:])
-            fixed = {each.name: getattr(self, each.name) for each in fields(LengthModel)}
-            self._last.clear()
-            self._last[key] = LengthModel(**fixed | {"edges": edges, "s": s.ravel(), "weights": weights.ravel()})
-        return self._last[key]
-
-    def value(self, z: Array) -> float:
-        return self.at(z).value(z)
-
-    def gradient(self, z: Array) -> Array:
-        return self.at(z).gradient(z)
-
-    def derivatives(self, z: Array) -> tuple[Array, Array]:
-        return self.at(z).derivatives(z)

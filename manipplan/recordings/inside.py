@@ -3,7 +3,7 @@
 Whether a body that moves with the tool stays in an obstacle wherever in the tube the tool is: no motion is possible then.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +15,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.clearance import (
     DISTANCE_INTERVALS,
     NEAR,
-    ClearanceRow,
+    ClearanceRows,
     Place,
     distance_profile,
     more_places,
@@ -257,7 +257,7 @@ class _PieceSearch:
         """The solution in this share of the tube, with more clearance rows and a narrower tube until it is free and inside."""
         model, clearance = self.tube.model, self.tube.clearance
         safe = self._motion(first).path()
-        rows: Sequence[ClearanceRow] = ()
+        rows: ClearanceRows | None = None
         places: tuple[Place, ...] = ()
         room, control = share * self.room, first
         for _ in range(ROUNDS):
@@ -275,5 +275,5 @@ class _PieceSearch:
             if more == places and not (excess > 0).any():
                 break
             places, room = more, np.maximum(room - NARROWER * np.maximum(excess, 0.0), LEAST * self.room)
-            rows = rows_for(model, path, safe, nearest(model, path, places), clearance) if places else ()
+            rows = rows_for(model, path, safe, nearest(model, path, places), clearance)
         return control

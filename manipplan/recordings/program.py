@@ -11,7 +11,7 @@ and jerk at all times. First and second derivatives are exact. Each control poin
 keeps all matrices banded.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,7 +20,7 @@ import numpy as np
 
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.recordings.smooth import Ends, SplineBasis
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
@@ -70,7 +70,7 @@ class TubeProgram:
         poses: Array,
         tube: Array,
         least: float = 0.0,
-        rows: Sequence[ClearanceRow] = (),
+        rows: ClearanceRows | None = None,
     ) -> tuple[Array, float]:
         """Control points (size, n) and τ of the solution from `control`; what they keep has to be checked.
 
@@ -91,7 +91,7 @@ class TubeProgram:
             *([self._equal(tau)] if weights.time > 0 else []),
             self._tube(c, poses, tube),
             *([self._least(c, least)] if least > 0 else []),
-            *([self._clearance(c, rows)] if rows else []),
+            *([] if rows is None else [self._clearance(c, rows)]),
         ]
         f, grad_f, hess_f = self._objective(c, tau, control, weights)
         g = ca.vertcat(*(part.value for part in parts))
@@ -265,17 +265,16 @@ class TubeProgram:
             hessian=lambda lam: self._chain_twice(symbolic.hessian.map(count)(q) / least, lam, values),
         )
 
-    def _clearance(self, c: ca.MX, rows: Sequence[ClearanceRow]) -> "_Rows":
+    def _clearance(self, c: ca.MX, rows: ClearanceRows) -> "_Rows":
         """Distances of clearance rows [m]."""
         distance, gradient, hessian = row_functions(self.integral.kinematics, at_once=True).functions
-        columns = ca.DM(np.array([row.column(tree_size(distance)) for row in rows]).T)
-        values = self.basis.values(np.array([row.s for row in rows]))
+        columns, values, count = ca.DM(rows.columns.T), self.basis.values(rows.s), len(rows.s)
         q = c @ ca.DM(values.T)
         return _Rows(
-            value=distance.map(len(rows))(q, columns).T,
-            jacobian=self._chain(gradient.map(len(rows))(q, columns), values),
-            lower=np.zeros(len(rows)),
-            hessian=lambda lam: self._chain_twice(hessian.map(len(rows))(q, columns), lam, values),
+            value=distance.map(count)(q, columns).T,
+            jacobian=self._chain(gradient.map(count)(q, columns), values),
+            lower=np.zeros(count),
+            hessian=lambda lam: self._chain_twice(hessian.map(count)(q, columns), lam, values),
         )
 
     def _at_places(self, value: ca.SX, q: ca.SX, p: ca.SX, c: ca.MX, parameters: ca.DM) -> "_Rows":

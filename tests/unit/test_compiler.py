@@ -16,7 +16,7 @@ import pytest
 import manipplan as mp
 from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
-from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.support.compiling import compiler as module
 from manipplan.support.compiling import stored
 from manipplan.support.compiling.compiler import find_compiler, load_library
@@ -221,7 +221,7 @@ def everything_compiled(robot, compiled):
     q = np.array([0.1, 0.5, 0.9])
     kinematics = robot.kinematics(compiled=compiled)
     found = [kinematics.manipulability(q), kinematics.jacobian(np.tile(q, (2, 1)))]
-    column = ClearanceRow(s=0.0, joint=3, point=np.ones(3), other=0, normal=np.eye(3)[0], offset=0.1, distance=0.0).column(3)
+    column = ClearanceRows.of(3, np.zeros(1), 3, np.ones(3), 0, np.eye(3)[0], 0.1, 0.0).columns[0]
     found.append(np.array(row_functions(kinematics).functions[1](q, column)))
     found.append(np.array(energy_density(PathIntegral(kinematics=kinematics, power=1.0)).gradient(q, q, [1.0, 1.0, 0.0])))
     controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=compiled)

@@ -19,7 +19,7 @@ from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.rows import ClearanceSearch
-from manipplan.optimize.steps import BatchDensity
+from manipplan.optimize.steps import Derivatives
 from manipplan.paths.basis import find_basis
 from manipplan.paths.rounding import with_bits
 
@@ -33,7 +33,8 @@ def around_a_post(panda):
     """The example of docs/start.md, with everything that goes into its last descent."""
     result = mp.optimize_path(panda, START, GOAL, scene=mp.Scene([POST]), clearance=CLEARANCE)
     program = PathProgram(PathIntegral(kinematics=panda.kinematics(), power=1.0), find_basis("legendre", 6))
-    clearance_search = ClearanceSearch(model=mp.Scene([POST]).collision_model(panda), clearance=CLEARANCE)
+    model = mp.Scene([POST]).collision_model(panda)
+    clearance_search = ClearanceSearch(model=model, functions=program.row_functions, clearance=CLEARANCE)
     coefficients = program.basis.fit(result.path, np.linspace(0.0, 1.0, 161))
     true, z = program.descent_program(np.array(START), np.array(GOAL), coefficients, clearance_search)
     return result, true, z
@@ -61,14 +62,14 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    rows = true.distance_rows(z)
+    rows = true.rows_of(true.clearance, z)
     k = int(np.flatnonzero(rows.is_bottom)[0])
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
-        found = true.find_near(true.length.curves.curve(at), 0.0)
+        found = true.rows_of(true.clearance, at).samples
         near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
-        return min(near) - true.clearance_search.target
+        return min(near) - true.clearance.target
 
     assert rows.value[k] == pytest.approx(least(z), abs=1e-9)
     np.testing.assert_allclose(
@@ -101,8 +102,8 @@ def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post)
     """The optimum for 10 mm, measured as a path for 7 mm: the post is 3 mm further away than it has to be."""
     _, true, z = around_a_post
     assert measure_optimality(true, z).reached
-    demanded = replace(true.clearance_search, clearance=CLEARANCE - 3e-3)
-    measured = measure_optimality(replace(true, clearance_search=demanded), z)
+    demanded = replace(true.clearance, clearance=CLEARANCE - 3e-3)
+    measured = measure_optimality(replace(true, clearance=demanded), z)
     assert not measured.reached
     assert measured.projected_gradient < 1e-3
     assert measured.active_clearance == pytest.approx(3e-3, abs=2.5e-4)
@@ -251,10 +252,10 @@ def test_machine_code_gives_the_same_bits_as_the_virtual_machine(panda):
     q, v = panda.random_configuration(rng, size=50), rng.standard_normal((50, panda.n))
     numbers = np.tile([100.0, 1.0, 0.0], (50, 1))
     densities = [
-        BatchDensity.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
+        Derivatives.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)).coded)
         for compiled in (True, False)
     ]
-    for name in ("value", "gradient", "derivatives"):
+    for name in ("value", "first", "second"):
         code, machine = (getattr(density, name)(q, v, numbers) for density in densities)
         np.testing.assert_array_equal(code, machine)
 

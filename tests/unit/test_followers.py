@@ -25,7 +25,7 @@ from manipplan.goals.solutions import beyond_links
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.jobs.plan_many import robot_key
-from manipplan.optimize.clearance import ClearanceRow, row_functions, tree_size
+from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.robots.arms import arm_of, tool_reach
 from manipplan.robots.configuration import nearest_turns
 from manipplan.timing.constant_speed import most_acceleration
@@ -321,19 +321,17 @@ def test_rows_of_clearance(arms):
     for name in ("double", "torso-right", "upstream"):
         _, robot, _ = arms(name)
         functions = row_functions(robot.kinematics(mp.Task.position(), compiled=False)).functions
-        size = tree_size(functions[0])
+        size = robot.model.njoints - 1
         rng = np.random.default_rng(2)
         for _ in range(5):
             joint, other = rng.choice(size + 1, 2, replace=False).tolist()
-            row = ClearanceRow(
-                s=0.0, joint=joint, point=rng.normal(size=3), other=other, normal=np.eye(3)[1], offset=0.1, distance=0.05
-            )
-            column, q = row.column(size), samples(robot, 1, seed=joint)[0]
+            point, q = rng.normal(size=3), samples(robot, 1, seed=joint)[0]
+            column = ClearanceRows.of(size, np.zeros(1), joint, point, other, np.eye(3)[1], 0.1, 0.05).columns[0]
 
-            def value(q, row=row, robot=robot):
+            def value(q, joint=joint, other=other, point=point, robot=robot):
                 data = robot.model.createData()
                 pin.forwardKinematics(robot.model, data, q)
-                return data.oMi[row.other].actInv(data.oMi[row.joint].act(row.point)) @ row.normal - row.offset - row.distance
+                return data.oMi[other].actInv(data.oMi[joint].act(point))[1] - 0.1 - 0.05
 
             step, unit = 1e-4, np.eye(robot.n)
             slopes = [(value(q + step * e) - value(q - step * e)) / (2 * step) for e in unit]

@@ -15,7 +15,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import clearance
 from manipplan.optimize.clearance import row_functions
-from manipplan.optimize.homotopy import best_and_rivals, same_class
+from manipplan.optimize.optimize import best_and_rivals, same_class
 from manipplan.paths import basis
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]

@@ -247,9 +247,9 @@ def test_an_interrupt_returns_the_best_so_far(after, sigint):
 @pytest.mark.slow
 def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
     """A later descent is interrupted: the best path so far is returned, and the status says so."""
-    from manipplan.optimize import proven
+    from manipplan.optimize import local
 
-    descend, calls = proven.descend, []
+    descend, calls = local.descend, []
 
     def interrupted(*arguments, **options):
         calls.append(arguments)
@@ -257,7 +257,7 @@ def test_an_interrupt_between_two_solves(planar, monkeypatch, sigint):
             signal.raise_signal(signal.SIGINT)
         return descend(*arguments, **options)
 
-    monkeypatch.setattr(proven, "descend", interrupted)
+    monkeypatch.setattr(local, "descend", interrupted)
     seed = mp.seed_path(planar, START, GOAL, POST)
     result = mp.optimize_path(
         planar, START, GOAL, objective=mp.PathObjective(power=2), scene=POST, seeding=mp.Seeding(initial=seed)

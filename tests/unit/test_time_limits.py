@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.optimize.descent import LATE
+from manipplan.optimize.descent import Ending
 from manipplan.optimize.problem import PathProblem, solve_local
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, building, work_time
 from manipplan.support.memo import once_per_owner
@@ -60,7 +60,7 @@ def test_the_result_is_checked_and_better_the_later_it_comes(problem, first):
         assert result.certificate.proven_clearance > 0.01
         assert result.g <= result.seed_cost.g
         assert result.status.has_path  # another optimum may have been reached before
-        assert result.certificate.solver.endswith(LATE)
+        assert result.certificate.solver.endswith(Ending.LATE.value)
         g.append(result.g)
     assert g[0] == result.seed_cost.g
     assert g[-1] < 1.05 * best.g
@@ -83,7 +83,7 @@ def test_without_a_scene_the_straight_line_is_left(panda, problem):
     line = mp.JointPath.line(START, GOAL)
     result = solve_local(free, START, GOAL, line, deadline=AfterChecks(at=0))
     assert result.status is mp.Status.SEED_OUT_OF_TIME
-    assert result.certificate.solver == LATE
+    assert result.certificate.solver == Ending.LATE.value
     assert "time_limit" in result.status.value
 
 

@@ -13,7 +13,7 @@ import manipplan as mp
 from manipplan.collision.path_clearance import body_motion
 from manipplan.goals.read import goals_from_yaml
 from manipplan.goals.two_arms import reaching_tools
-from manipplan.optimize.clearance import ClearanceRow, row_functions
+from manipplan.optimize.clearance import ClearanceRows, row_functions
 
 TOOLS = ("left_gripper", "right_gripper")
 TABLE = mp.Box(size=(0.7, 1.6, 0.05), position=(0.85, 0.0, -0.2), name="table")
@@ -229,10 +229,8 @@ def test_clearance_rows_between_the_arms(baxter):
     for carrier, other in ((7, 14), (14, 7), (3, 10), (12, 0), (9, 12)):
         normal = rng.normal(size=3)
         normal /= np.linalg.norm(normal)
-        row = ClearanceRow(
-            s=0.0, joint=carrier, point=rng.normal(size=3), other=other, normal=normal, offset=0.1, distance=0.01
-        )
-        column, q = row.column(baxter.n), baxter.random_configuration(rng)
+        row = ClearanceRows.of(baxter.n, np.zeros(1), carrier, rng.normal(size=3), other, normal, 0.1, 0.01)
+        column, q = row.columns[0], baxter.random_configuration(rng)
         slope = np.array(gradient(q, column)).ravel()
         np.testing.assert_allclose(slopes(lambda q, c=column: float(value(q, c)), q), slope, atol=1e-7)
         bends = slopes(lambda q, c=column: np.array(gradient(q, c)).ravel(), q)
