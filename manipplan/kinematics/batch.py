@@ -16,7 +16,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.kinematics.instructions import Program, is_expressible, kernel_source
+from manipplan.kinematics.instructions import BatchProgram, is_expressible, kernel_source
 from manipplan.support.checks import Array, ArrayLike, configurations
 from manipplan.support.compiling.compiler import NATIVE, load_library, load_stored
 from manipplan.support.compiling.kernels import load_kernel
@@ -77,7 +77,7 @@ class BatchKernel:
     def __init__(self, function: ca.Function, compiled: bool | str, subject: str) -> None:
         """`compiled`: "auto" for machine code where it saves time, False for none; True raises CompilerError without it."""
         self._function, self._subject, self._lock = function, subject, threading.Lock()
-        self._program = Program(function)
+        self._program = BatchProgram(function)
         self._most = PAYS_OFF / function.n_instructions() if wants_machine_code(compiled) else math.inf
         self._run: Any = BATCH(load_kernel("batch").address("batch"))
         if self._most < math.inf:

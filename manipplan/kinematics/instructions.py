@@ -85,7 +85,7 @@ def pure_angles(found: list[Instruction]) -> set[str]:
 CONSTANT, SINE_COSINES, OUTPUT = -1, {True: -2, False: -3}, -4
 
 
-class Program:
+class BatchProgram:
     """An SX Function of one input and one output for `manipplan_batch`; `data` is that of csrc/batch.c."""
 
     def __init__(self, function: ca.Function) -> None:
