@@ -21,8 +21,7 @@ from typing import TYPE_CHECKING
 from manipplan import errors, measures, results
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
-from manipplan.constraints.built_in import HeldJoints, PositionBox, TiltLimit
-from manipplan.constraints.constraint import Constraint, SymbolicPose
+from manipplan.constraints.constraint import Constraint, HeldJoints, PositionBox, SymbolicPose, TiltLimit
 from manipplan.cost.integral import path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import PoseGoal

@@ -12,8 +12,7 @@ from manipplan.jobs.recordings.comparison import Comparison, MotionFigures
 from manipplan.jobs.report import PathPart, PlanReport, Report, ToolFigure
 from manipplan.jobs.result import PartialPlan
 from manipplan.kinematics.batch import Evaluator
-from manipplan.optimize.certificate import Certificate, LimitApproach
-from manipplan.optimize.result import NoPath, PathResult
+from manipplan.optimize.result import Certificate, LimitApproach, NoPath, PathResult
 from manipplan.paths.deviation import Deviation
 from manipplan.robots.configuration import TakenToLimit
 from manipplan.search.interruptions import Interruptions

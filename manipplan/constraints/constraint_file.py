@@ -8,8 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from manipplan.constraints.built_in import HeldJoints, PositionBox, TiltLimit
-from manipplan.constraints.constraint import Constraint
+from manipplan.constraints.constraint import Constraint, HeldJoints, PositionBox, TiltLimit
 from manipplan.support.checks import existing_file
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.yaml_files import read_yaml

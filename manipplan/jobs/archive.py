@@ -27,8 +27,7 @@ from manipplan.goals.candidates import GoalCandidate
 from manipplan.jobs.report import PlanReport
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import measure_data, restore_measure
-from manipplan.optimize.certificate import Certificate
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import Certificate, PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
 from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath

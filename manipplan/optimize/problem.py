@@ -122,15 +122,7 @@ class PathProblem:
 
 
 @one_thread()
-def solve_local(
-    problem: PathProblem,
-    start: Array,
-    goal: Array,
-    first: JointPath,
-    *,
-    straight: bool = True,
-    deadline: Deadline = NEVER,
-) -> PathResult:
+def solve_local(problem: PathProblem, first: JointPath, *, straight: bool = True, deadline: Deadline = NEVER) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line.
 
     After the deadline it is the best one that was found by then.
@@ -141,8 +133,8 @@ def solve_local(
     program = _program(problem, integral)
     search = LocalSearch(
         program=program,
-        start=start,
-        goal=goal,
+        start=first.start,
+        goal=first.goal,
         model=model,
         clearance=clearance,
         history=history,
@@ -232,7 +224,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
             found = patient.from_straight_line() or patient.nearest_to(first)
     lower = problem.lower() if search.until is Until.SETTLED else None
     if lower is not None:
-        result = solve_local(lower, search.start, search.goal, first, straight=straight, deadline=search.deadline)
+        result = solve_local(lower, first, straight=straight, deadline=search.deadline)
         search.history.extend(result.history)
         if result.status.ok:
             found += search.embedded(result.path)

@@ -11,17 +11,11 @@ from typing import Any
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral, speeds
-from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
+from manipplan.seeds.connect import LEAST, PANEL, POINTS, RANGE, SPARE, Level, MotionCheck, can_check
 from manipplan.seeds.seeding import FEASIBLE
 from manipplan.seeds.task import PATIENCE, SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
-
-#: Maximum length of the panels in which a motion is integrated [rad or m], and number of Gauss points per panel.
-PANEL = 0.2
-POINTS = 5
-#: Lower bound on the manipulability in the cost: a motion through a singularity is expensive, but its cost is finite.
-LEAST = 1e-12
 
 
 def motion_cost(integral: PathIntegral, first: Array, second: Array) -> float:

@@ -11,7 +11,7 @@ from manipplan.collision.model import apart_text
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
-from manipplan.seeds.motions import Level
+from manipplan.seeds.connect import Level
 from manipplan.seeds.task import LONGEST, SeedTask, crossing_limit
 from manipplan.support import checks
 from manipplan.support.checks import Array, ArrayLike

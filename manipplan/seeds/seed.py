@@ -21,8 +21,7 @@ from manipplan.kinematics.factors import singularity_signs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath, rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.connect import StarSearch, TreeSearch
-from manipplan.seeds.motions import MOST_JOINTS, Level, can_check
+from manipplan.seeds.connect import MOST_JOINTS, Level, StarSearch, TreeSearch, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.own import OwnSearch, fault_of, planner_name
 from manipplan.seeds.reachable import why_unreachable
@@ -280,22 +279,25 @@ class _Finder:
         """The name of the planner, with that of OMPL for "auto"."""
         return AUTO if self.seeding.planner == "auto" else planner_name(self.seeding.planner)
 
+    def _search(self, task: SeedTask) -> tuple[Callable[[Sequence[Level]], Array | None], Sequence[Level]]:
+        """The search for waypoints (k, n), and the levels of its motion checks."""
+        if callable(self.seeding.planner):
+            return OwnSearch(task, self.seeding.planner).run, LEVELS[-1:]
+        if self.planner == STAR:
+            limited = replace(task, checks=self.checks if task.checks is None else min(self.checks, task.checks))
+            return (lambda levels: StarSearch(limited, levels, self.integral).path()), LEVELS
+        if self.compiled:
+            return (lambda levels: TreeSearch(task, levels).path()), LEVELS
+        optimises = self.planner in OPTIMISING  # it does not check a motion again
+        limited = replace(task, checks=self.checks) if optimises else task
+        search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
+        return search.run, LEVELS[-1:] if optimises else LEVELS
+
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        search: TreeSearch | StarSearch | OmplSearch | OwnSearch = TreeSearch(task=task)
-        levels: Sequence[Level] = LEVELS
-        if callable(self.seeding.planner):
-            search, levels = OwnSearch(task, self.seeding.planner), LEVELS[-1:]
-        elif self.planner == STAR:
-            checks = self.checks if task.checks is None else min(self.checks, task.checks)
-            search = StarSearch(task=replace(task, checks=checks), integral=self.integral)
-        elif not self.compiled:
-            optimises = self.planner in OPTIMISING
-            limited = replace(task, checks=self.checks) if optimises else task
-            search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
-            levels = LEVELS[-1:] if optimises else LEVELS  # an optimising planner does not check a motion again
+        search, levels = self._search(task)
         for share in FINER if task.constraints is None else CONSTRAINED_FINER:
-            waypoints = search.run([replace(level, step=share * level.step) for level in levels])
+            waypoints = search([replace(level, step=share * level.step) for level in levels])
             if waypoints is None:
                 return
             yield waypoints
