@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.density import Density, energy_density
+from manipplan.cost.density import energy_density, hessian_of
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.optimize.program import SPACING, LimitHull, PathProgram
 from manipplan.paths.basis import Basis
@@ -30,7 +30,7 @@ TOLERANCE, STEPS, STEPS_WITH_ROWS = 1e-7, 100, 60
 class Integral:
     """A density, and its quadrature points and weights over s, (m,) each."""
 
-    density: Density
+    density: tuple[ca.Function, ...]
     s: Array
     weights: Array
 
@@ -38,7 +38,7 @@ class Integral:
     def of(cls, program: PathProgram) -> "Integral":
         """The energy of a program."""
         s, weights = program._energy_rule
-        return cls(density=energy_density(program.integral), s=s, weights=weights)
+        return cls(density=energy_density(program.integral).functions, s=s, weights=weights)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -137,8 +137,8 @@ def _objective(
     values, slopes = basis.values(integral.s), basis.values(integral.s, 1)
     q = curve.at(ca.DM(integral.s).T, ca.DM(values).T)
     v = (curve.goal - curve.start) @ ca.DM.ones(1, nodes) + curve.x @ ca.DM(slopes).T
-    density = integral.density
-    functions = (density.value, density.gradient, density.hessian)
+    density, slope, derivatives = integral.density
+    functions = (density, slope, hessian_of(derivatives))
     value, gradient, hessian = (f.map(nodes)(q, v, ca.repmat(numbers, 1, nodes)) for f in functions)
     weights = scale * ca.DM(integral.weights).T
     weighed = gradient * ca.repmat(weights, 2 * n, 1)

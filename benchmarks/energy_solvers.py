@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from rich.progress import track
 from scipy.optimize import nnls
 
-from manipplan.cost.density import Density, energy_density
+from manipplan.cost.density import energy_density, hessian_of
 from manipplan.optimize import program as program_module
 from manipplan.optimize.clearance import row_functions
 from manipplan.optimize.program import SPACING, LimitHull, PathProgram
@@ -131,18 +131,18 @@ class Answer:
 
 
 @cache
-def symbols(program: PathProgram) -> tuple[Density, tuple[ca.Function, ...]]:
+def symbols(program: PathProgram) -> tuple[tuple[ca.Function, ...], tuple[ca.Function, ...]]:
     """The energy's density and the functions of clearance rows, which CasADi can write as C."""
     kinematics = program.kinematics
     kinematics = kinematics.robot.kinematics(kinematics.task, measure=kinematics.measure, compiled=False)
-    return energy_density(replace(program.integral, kinematics=kinematics)), row_functions(kinematics).functions
+    return energy_density(replace(program.integral, kinematics=kinematics)).functions, row_functions(kinematics).functions
 
 
 @cache
 def derivable(program: PathProgram) -> tuple[ca.Function, ca.Function]:
     """The same as machine code that CasADi can derive twice."""
     density, rows = symbols(program)
-    energy = differentiable("energy_density", density.value, density.gradient, density.hessian, moving=2)
+    energy = differentiable("energy_density", *density[:2], hessian_of(density[2]), moving=2)
     return compile_together(energy, "the energy")[0], compile_together(differentiable("row", *rows, moving=1), "rows")[0]
 
 
@@ -153,7 +153,7 @@ def nlp(each: EnergyProgram, *, generated: bool = False) -> Nlp:
     if generated:
         density, rows = symbols(program)
         integral = replace(integral, density=density)
-        energy = differentiable("energy_density", density.value, density.gradient, density.hessian, moving=2)[0]
+        energy = differentiable("energy_density", *density[:2], hessian_of(density[2]), moving=2)[0]
         distance = differentiable("row", *rows, moving=1)[0]
     else:
         energy, distance = derivable(program)

@@ -51,9 +51,8 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
 from manipplan.search.refine import refine
 from manipplan.search.sampling import sample_layers
-from manipplan.seeds.own import PlannerProblem
 from manipplan.seeds.seed import seed_path
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import PlannerProblem, Seeding
 from manipplan.support.status import Status
 from manipplan.symbolic.pinocchio_casadi import pinocchio_casadi
 from manipplan.symbolic.task import Task

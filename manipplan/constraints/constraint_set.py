@@ -316,24 +316,20 @@ def _names(symbols: Sequence[ca.SX]) -> list[int]:
     return [each.element_hash() for each in symbols]
 
 
-def check_start(constraints: ConstraintSet, start: Array) -> None:
+def check_start(constraints: ConstraintSet, start: Array, argument: str = "start") -> None:
     """Raise InvalidInputError where the start (n,) breaks a constraint: it names the constraint, and by how much."""
-    _check("start", constraints, start)
+    broken = constraints.broken(start)
+    if broken:
+        raise InvalidInputError(argument, start.tolist(), f"a configuration that keeps the constraints, but it breaks {broken}")
 
 
 def check_ends(constraints: ConstraintSet, start: Array, goal: Array) -> None:
     """The same for both ends; and where the goal (n,) differs from the start in a held joint."""
     check_start(constraints, start)
-    _check("goal", constraints, goal)
+    check_start(constraints, goal, "goal")
     moved = constraints.moved(start, goal)
     if moved:
         raise InvalidInputError("goal", goal.tolist(), f"a configuration with the held joints of the start: {moved}")
-
-
-def _check(argument: str, constraints: ConstraintSet, q: Array) -> None:
-    broken = constraints.broken(q)
-    if broken:
-        raise InvalidInputError(argument, q.tolist(), f"a configuration that keeps the constraints, but it breaks {broken}")
 
 
 #: Value down to which a row counts as kept in a proof [rad or m]. A tenth of what a report allows.
@@ -491,17 +487,10 @@ class ConstraintFigure:
 
 def figures(constraints: ConstraintSet, proof: ConstraintProof) -> tuple[ConstraintFigure, ...]:
     """The figures of all constraints on a path that was judged."""
-    return tuple(
-        ConstraintFigure(
-            name=each.name,
-            least=float(proof.least[k]),
-            at=float(proof.least_at[k]),
-            figure=each.figure(_without_noise(float(proof.least[k]), isinstance(each, HeldJoints))),
-            proven=proof.proven[k],
-        )
-        for k, each in enumerate(constraints.constraints)
-    )
-
-
-def _without_noise(value: float, held: bool) -> float:
-    return 0.0 if held and abs(value) <= TOLERANCE else value
+    found = []
+    for k, each in enumerate(constraints.constraints):
+        least, is_noise = float(proof.least[k]), isinstance(each, HeldJoints) and abs(proof.least[k]) <= TOLERANCE
+        figure = each.figure(0.0 if is_noise else least)
+        at, proven = float(proof.least_at[k]), proof.proven[k]
+        found.append(ConstraintFigure(name=each.name, least=least, at=at, figure=figure, proven=proven))
+    return tuple(found)

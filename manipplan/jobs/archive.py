@@ -20,8 +20,7 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
-from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_file import constraint_data, constraint_of
+from manipplan.constraints.constraint import Constraint, constraint_data, constraint_of
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.jobs.report import PlanReport

@@ -12,7 +12,6 @@ is followed by one with twice as many checks, so that with more and more checks 
 
 import ctypes
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -26,7 +25,7 @@ from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.kinematics.batch import BATCH
 from manipplan.kinematics.factors import SingularitySigns
 from manipplan.paths.rounding import gauss_rule
-from manipplan.seeds.task import PATIENCE, SeedTask
+from manipplan.seeds.task import PATIENCE, Level, SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
@@ -54,21 +53,6 @@ SIDE = np.dtype([("positive", np.uint8), ("known", np.uint8), ("changes", np.int
 _DECIDE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(ctypes.c_double), ctypes.c_double)
 #: Functions that hold the GIL: to release it would take longer than what they do.
 QUICK = ("state", "motion_is_free")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Level:
-    """How motions are checked until `checks` further configurations were checked; the last level goes on.
-
-    Attributes:
-        step: maximum motion of a joint between two checks [rad or m].
-        margin: distance beyond the clearance [m]; less near start and goal, where they have less.
-        checks: number of configurations.
-    """
-
-    step: float
-    margin: float
-    checks: int = 0
 
 
 @cache

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral, speeds
-from manipplan.seeds.connect import LEAST, PANEL, POINTS, RANGE, SPARE, Level, MotionCheck, can_check
+from manipplan.seeds.connect import LEAST, PANEL, POINTS, RANGE, SPARE, MotionCheck, can_check
 from manipplan.seeds.seeding import FEASIBLE
-from manipplan.seeds.task import PATIENCE, SeedTask
+from manipplan.seeds.task import PATIENCE, Level, SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
 

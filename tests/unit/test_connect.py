@@ -16,10 +16,10 @@ import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.factors import singularity_signs
 from manipplan.seeds import connect
-from manipplan.seeds.connect import Level, MotionCheck, TreeSearch, can_check
+from manipplan.seeds.connect import MotionCheck, TreeSearch, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.seeding import PLANNERS, STAR
-from manipplan.seeds.task import SeedTask
+from manipplan.seeds.task import Level, SeedTask
 from manipplan.support.deadline import work_time
 
 START, GOAL = [0.0, 1.5, -2.0], [3.14, -2.0, 2.0]

@@ -9,7 +9,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.constraints.constraint_file import constraints_from_yaml
+from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.constraints.constraint_set import TOLERANCE, ConstraintSet, prove, tool_frame
 from manipplan.seeds.connect import _of_own
 from manipplan.symbolic.backends import chain_of

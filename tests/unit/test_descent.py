@@ -252,7 +252,7 @@ def test_machine_code_gives_the_same_bits_as_the_virtual_machine(panda):
     q, v = panda.random_configuration(rng, size=50), rng.standard_normal((50, panda.n))
     numbers = np.tile([100.0, 1.0, 0.0], (50, 1))
     densities = [
-        Derivatives.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)).coded)
+        Derivatives.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
         for compiled in (True, False)
     ]
     for name in ("value", "first", "second"):
