@@ -96,12 +96,10 @@ class Panels:
 
     Attributes:
         integral: `Integral` of panels.c.
-        functions: those of panels.c.
         owners: what has to live as long as this object.
     """
 
     integral: ctypes.Structure
-    functions: dict[str, Callable[..., Any]]
     owners: tuple[object, ...]
 
     @classmethod
@@ -125,13 +123,13 @@ class Panels:
             floor=floor,
             power=power,
         )
-        return cls(integral=integral, functions=_calls(), owners=(curve, slope, curves, kinematics, nodes, weights))
+        return cls(integral=integral, owners=(curve, slope, curves, kinematics, nodes, weights))
 
     def integrals(self, begin: Array, end: Array) -> Array | None:
         """The integral over each panel from `begin` to `end` (k,); None where the measure cannot be evaluated."""
         begin, end, out = np.ascontiguousarray(begin), np.ascontiguousarray(end), np.empty(len(begin))
         places = (begin.ctypes.data, end.ctypes.data, len(begin), out.ctypes.data)
-        return None if self.functions["panels"](ctypes.addressof(self.integral), *places) else out
+        return None if _calls()["panels"](ctypes.addressof(self.integral), *places) else out
 
     def fine_panels(self, edges: Array) -> Array | None:
         """As `PathIntegral.fine_panels`, from the first edges (k + 1,); None as above."""
@@ -140,7 +138,7 @@ class Panels:
             found = np.empty(room)
             found[: len(edges)] = edges
             places = (ctypes.addressof(self.integral), found.ctypes.data, len(edges) - 1)
-            count = self.functions["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
+            count = _calls()["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
@@ -149,14 +147,14 @@ class Panels:
         """The whole integral from panels between edges (k + 1,); inf where more than `most` still change, and None as above."""
         edges, out = np.ascontiguousarray(edges), np.empty(1)
         places = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
-        failed = self.functions["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
+        failed = _calls()["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
         return None if failed else float(out[0])
 
     def minimum(self) -> tuple[float, float, float] | None:
         """As `_minimum_manipulability`; None where the measure cannot be evaluated."""
         out = np.empty(3)
         places = (ctypes.addressof(self.integral), INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS, out.ctypes.data)
-        if self.functions["minimum"](*places):
+        if _calls()["minimum"](*places):
             return None
         least, at, largest = out.tolist()
         return least, at, largest

@@ -203,8 +203,7 @@ class LocalSearch:
             return [near_it]
         if not (self.keeps(found.path) and self.inside_limits(found.path)):
             return []
-        self.accepted.append(replace(found, optimality=UNKNOWN, solver="the optimum of a coarse copy of the scene"))
-        return [self.accepted[-1]]
+        return [self._accept(found.path, found.coefficients, "the optimum of a coarse copy of the scene")]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum reached from a path of a lower degree."""

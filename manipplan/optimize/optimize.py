@@ -401,13 +401,10 @@ def shift_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Ar
     turns = []
     for joint, can_turn in enumerate(robot.turns.tolist()):
         options = (-1, 0, 1) if can_turn else (0,)
-        turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
+        low, high = robot.limits.lower[joint], robot.limits.upper[joint]
+        turns.append([2 * np.pi * k for k in options if low <= goal[joint] + 2 * np.pi * k <= high])
     goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
     return [each for each in goals if np.abs(each - start).max() > 1e-9]
-
-
-def _outside(robot: Robot, joint: int, value: float) -> bool:
-    return not robot.limits.lower[joint] <= value <= robot.limits.upper[joint]
 
 
 def _coincide(first: JointPath | None, second: JointPath | None) -> bool:

@@ -338,7 +338,7 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
     if isinstance(initial, JointPath):
         path = initial
     else:
-        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
+        motion = initial if isinstance(initial, Trajectory) else read_trajectory("initial", initial)
         if motion.joint_names != robot.joint_names:
             wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
             raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
@@ -348,12 +348,6 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
     if path.n != robot.n:
         raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
     return path
-
-
-def _recorded(file: str | Path) -> Trajectory:
-    if not isinstance(file, str | Path):
-        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of a trajectory file")
-    return read_trajectory("initial", file)
 
 
 def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:

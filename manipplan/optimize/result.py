@@ -19,7 +19,7 @@ from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Constant, Yoshikawa
 from manipplan.measures.measure import Measure
 from manipplan.optimize.descent import DescentProgram
-from manipplan.optimize.rows import ClearanceSearch, DistanceRows, LinearRows
+from manipplan.optimize.rows import ClearanceSearch, LinearRows
 from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -100,17 +100,17 @@ def _fitted(program: DescentProgram, z: Array, reach: float) -> Optimality:
     length = program.length.without_energy
     gradient = length.gradient(z).ravel() / length.value(z)
     limits = program.limits.near(program.limits.points(z), LIMIT)
+    curves, curve = program.length.curves, program.length.curves.curve(z)
     margin, beyond, jacobian, owner = 0.0, np.empty(0), np.empty((0, z.size)), np.empty(0, dtype=int)
     if isinstance(program.clearance, ClearanceSearch):
         near, further = program.clearance, reach - ACTIVE
         margin = near.margin
-        rows = program.rows_of(replace(near, clearance=near.clearance + further), z)
-        assert isinstance(rows, DistanceRows)
+        rows = replace(near, clearance=near.clearance + further).at(curves, z, curve, 0.0)
         beyond = rows.value + further
         jacobian, owner = rows.gradients_nearby(np.flatnonzero(beyond < reach - margin), KINK)
     constraints = LinearRows.stacked([], z.size)
     if program.constraints is not None:
-        found = program.rows_of(program.constraints, z).linear
+        found = program.constraints.at(curves, z, curve, 0.0).linear
         active = found.value < ACTIVE
         constraints = LinearRows(value=found.value[active], jacobian=found.jacobian[active])
     whole = np.concatenate([limits.jacobian, constraints.jacobian, jacobian])

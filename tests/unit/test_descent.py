@@ -62,12 +62,13 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    rows = true.rows_of(true.clearance, z)
+    curves = true.length.curves
+    rows = true.clearance.at(curves, z, curves.curve(z), 0.0)
     k = int(np.flatnonzero(rows.is_bottom)[0])
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
-        found = true.rows_of(true.clearance, at).samples
+        found = true.clearance.at(curves, at, curves.curve(at), 0.0).samples
         near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
         return min(near) - true.clearance.target
 
