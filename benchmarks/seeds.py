@@ -162,7 +162,7 @@ def main(arguments: Sequence[str] | None = None) -> dict[tuple[str, str], list[O
     given = parser.parse_args(arguments)
     clock = Clock()
     for owner, name, part in (
-        (TreeSearch, "run", "search"),
+        (TreeSearch, "path", "search"),
         (OmplSearch, "run", "search"),
         (task, "path_clearance", "proof"),
     ):

@@ -21,8 +21,7 @@ from typing import TYPE_CHECKING
 from manipplan import errors, measures, results
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, PointCloud, Sphere
-from manipplan.constraints.built_in import HeldJoints, PositionBox, TiltLimit
-from manipplan.constraints.constraint import Constraint, SymbolicPose
+from manipplan.constraints.constraint import Constraint, HeldJoints, PositionBox, SymbolicPose, TiltLimit
 from manipplan.cost.integral import path_cost
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import PoseGoal
@@ -53,9 +52,8 @@ from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search
 from manipplan.search.refine import refine
 from manipplan.search.sampling import sample_layers
-from manipplan.seeds.own import PlannerProblem
 from manipplan.seeds.seed import seed_path
-from manipplan.seeds.seeding import Seeding
+from manipplan.seeds.seeding import PlannerProblem, Seeding
 from manipplan.support.status import Status
 from manipplan.symbolic.pinocchio_casadi import pinocchio_casadi
 from manipplan.symbolic.task import Task

@@ -7,8 +7,7 @@ from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.ik.solutions import Completeness, SolutionSet
 from manipplan.kinematics.batch import Evaluator
-from manipplan.optimize.certificate import Certificate, LimitApproach
-from manipplan.optimize.result import NoPath, PathResult
+from manipplan.optimize.result import Certificate, LimitApproach, NoPath, PathResult
 from manipplan.paths.deviation import Deviation
 from manipplan.plans.comparison import Comparison, MotionFigures
 from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure

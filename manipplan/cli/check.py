@@ -9,7 +9,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, WithRobotOptions, columns_of, configuration_of, task_of
-from manipplan.constraints.constraint_file import constraints_from_yaml
+from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.jobs.check import check as check_job
 from manipplan.paths.cartesian import CartesianPath

@@ -1,5 +1,7 @@
 """ConstraintSet: the constraints of one motion, evaluated for a robot.
 
+ToolFrame: the tool's pose and Jacobian in one call, and bounds on how fast both change.
+
 Whether the ends of a motion keep its constraints.
 
 ConstraintFigure: how a path or a motion keeps a constraint.
@@ -11,6 +13,7 @@ minus M d² / 8, where M bounds its second derivative along the path: joint spee
 points, and the tool's by `ToolFrame.bend`. Intervals are halved until that suffices. Rows of a user's class are sampled.
 """
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -19,17 +22,105 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.constraints.built_in import POSE, HeldJoints, TiltLimit, ToolFrame, contradiction, tool_frame
-from manipplan.constraints.constraint import ROW_TOLERANCE, Constraint, SymbolicPose, constraint_tuple
+from manipplan.constraints.constraint import (
+    ROW_TOLERANCE,
+    Constraint,
+    HeldJoints,
+    SymbolicPose,
+    TiltLimit,
+    constraint_tuple,
+    contradiction,
+)
+from manipplan.kinematics.batch import BatchKernel, run_kernel
 from manipplan.paths.joint import JointPath
 from manipplan.robots.arms import led_by
+from manipplan.robots.model_tree import JointTree, frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.expressions import making_expressions
+from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.machine_code import BatchFunction
+
+#: Number of entries of a pose: position and columns of the rotation.
+POSE = 12
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ToolFrame:
+    """The tool of an arm.
+
+    Attributes:
+        function: POSE + 6 n numbers of q (n,): position, columns of the rotation, then linear and angular part of the Jacobian
+            of each joint, in the world's axes.
+        kernel: the same for batches.
+        tree: the arm's N joints.
+        turns, slides: (N,) whether a joint carries the tool and is revolute, or prismatic; 1 or 0.
+        lengths: (N + 1,) distances from the origin of the joint before to that of each joint, and of the tool [m].
+    """
+
+    function: ca.Function
+    kernel: BatchKernel
+    tree: JointTree
+    turns: Array
+    slides: Array
+    lengths: Array
+
+    def at(self, q: Array) -> tuple[Array, Array]:
+        """Poses (m, POSE) and Jacobians (m, n, 6) at configurations (m, n)."""
+        n, q = q.shape[1], np.ascontiguousarray(q, dtype=float)
+        found = run_kernel(self.kernel, q, POSE + 6 * n, threads=1)
+        if found is None:
+            raise InvalidInputError("q", q, "finite numbers, no NaN or inf")
+        return found[:, :POSE], found[:, POSE:].reshape(-1, n, 6)
+
+    def bend(self, q: Array, speed: Array, acceleration: Array) -> tuple[Array, Array]:
+        """Upper bounds (m,) on |u''| of any unit vector u that the tool carries, and on |p''| of its position [m].
+
+        For absolute joint values, speeds and accelerations of at most `q`, `speed` and `acceleration` (m, n). Of joints i <= j,
+        in their order from the base, ∂²u = z_i x (z_j x u), and ∂²p = z_i x ∂_j p, which is 0 where i is prismatic.
+        """
+        tree = self.tree
+        q, speed, acceleration = tree.sizes(q) + np.abs(tree.offset), tree.sizes(speed), tree.sizes(acceleration)
+        # from the origin of each joint to that of the tool, at most
+        far = self.lengths[-1] + np.cumsum((self.lengths[:-1] + self.slides * q)[:, ::-1], axis=1)[:, ::-1]
+        far = np.hstack([far[:, 1:], np.full((len(q), 1), self.lengths[-1])])
+        reach = self.turns * far + self.slides
+        turning = speed * self.turns
+        unit = turning.sum(axis=1) ** 2 + (acceleration * self.turns).sum(axis=1)
+        # Σ_j (2 Σ_{i<j} turning_i + turning_j) speed_j reach_j
+        before = 2 * np.cumsum(turning, axis=1) - turning
+        position = (before * speed * reach).sum(axis=1) + (acceleration * reach).sum(axis=1)
+        return unit, position
+
+
+@once_per_owner
+def tool_frame(robot: Robot, tool: str) -> ToolFrame:
+    """One tool of a robot."""
+    robot = led_by(robot, tool)
+    chain = chain_of(robot, "auto")
+    pose = ca.vertcat(chain.tool.origin, ca.reshape(chain.tool.rotation, 9, 1))
+    values = ca.vertcat(pose, ca.reshape(chain.jacobian, 6 * robot.n, 1))
+    function = ca.Function("tool_frame", [chain.q], [ca.densify(values)], ["q"], ["values"])
+    model = robot.model
+    frame = model.frames[frame_index(model, robot.tool)]
+    turns, slides, lengths = np.zeros(model.njoints - 1), np.zeros(model.njoints - 1), np.zeros(model.njoints)
+    lengths[-1] = np.linalg.norm(frame.placement.translation)
+    for i in model.supports[frame.parentJoint]:
+        if i > 0:
+            (slides if chain.tree.slides[i - 1] else turns)[i - 1] = 1.0
+            lengths[i - 1] = np.linalg.norm(model.jointPlacements[i].translation)
+    return ToolFrame(
+        function=function,
+        kernel=BatchKernel(function, "auto", f"{tool} of {robot.name}, in batches"),
+        tree=chain.tree,
+        turns=turns,
+        slides=slides,
+        lengths=lengths,
+    )
+
 
 #: Held joints whose values differ by no more than this are the same [rad or m].
 EQUAL_VALUE = 1e-9
@@ -213,35 +304,30 @@ def _symbolic_pose(robot: Robot, tool: str) -> SymbolicPose:
 def _check_contradictions(robot: Robot, constraints: Sequence[Constraint]) -> None:
     """Raise InvalidInputError for two tilt limits that no rotation keeps."""
     tilts = [(k, each) for k, each in enumerate(constraints) if isinstance(each, TiltLimit)]
-    for i, (k, one) in enumerate(tilts):
-        for j, other in tilts[i + 1 :]:
-            if (one.tool or robot.tool) == (other.tool or robot.tool) and contradiction(one, other):
-                wanted = f"one that can be kept together with constraints[{k}]: {one.name}"
-                raise InvalidInputError(f"constraints[{j}]", other.name, wanted)
+    for (k, one), (j, other) in itertools.combinations(tilts, 2):
+        if (one.tool or robot.tool) == (other.tool or robot.tool) and contradiction(one, other):
+            wanted = f"one that can be kept together with constraints[{k}]: {one.name}"
+            raise InvalidInputError(f"constraints[{j}]", other.name, wanted)
 
 
 def _names(symbols: Sequence[ca.SX]) -> list[int]:
     return [each.element_hash() for each in symbols]
 
 
-def check_start(constraints: ConstraintSet, start: Array) -> None:
+def check_start(constraints: ConstraintSet, start: Array, argument: str = "start") -> None:
     """Raise InvalidInputError where the start (n,) breaks a constraint: it names the constraint, and by how much."""
-    _check("start", constraints, start)
+    broken = constraints.broken(start)
+    if broken:
+        raise InvalidInputError(argument, start.tolist(), f"a configuration that keeps the constraints, but it breaks {broken}")
 
 
 def check_ends(constraints: ConstraintSet, start: Array, goal: Array) -> None:
     """The same for both ends; and where the goal (n,) differs from the start in a held joint."""
     check_start(constraints, start)
-    _check("goal", constraints, goal)
+    check_start(constraints, goal, "goal")
     moved = constraints.moved(start, goal)
     if moved:
         raise InvalidInputError("goal", goal.tolist(), f"a configuration with the held joints of the start: {moved}")
-
-
-def _check(argument: str, constraints: ConstraintSet, q: Array) -> None:
-    broken = constraints.broken(q)
-    if broken:
-        raise InvalidInputError(argument, q.tolist(), f"a configuration that keeps the constraints, but it breaks {broken}")
 
 
 #: Value down to which a row counts as kept in a proof [rad or m]. A tenth of what a report allows.
@@ -399,17 +485,10 @@ class ConstraintFigure:
 
 def figures(constraints: ConstraintSet, proof: ConstraintProof) -> tuple[ConstraintFigure, ...]:
     """The figures of all constraints on a path that was judged."""
-    return tuple(
-        ConstraintFigure(
-            name=each.name,
-            least=float(proof.least[k]),
-            at=float(proof.least_at[k]),
-            figure=each.figure(_without_noise(float(proof.least[k]), isinstance(each, HeldJoints))),
-            proven=proof.proven[k],
-        )
-        for k, each in enumerate(constraints.constraints)
-    )
-
-
-def _without_noise(value: float, held: bool) -> float:
-    return 0.0 if held and abs(value) <= TOLERANCE else value
+    found = []
+    for k, each in enumerate(constraints.constraints):
+        least, is_noise = float(proof.least[k]), isinstance(each, HeldJoints) and abs(proof.least[k]) <= TOLERANCE
+        figure = each.figure(0.0 if is_noise else least)
+        at, proven = float(proof.least_at[k]), proof.proven[k]
+        found.append(ConstraintFigure(name=each.name, least=least, at=at, figure=figure, proven=proven))
+    return tuple(found)

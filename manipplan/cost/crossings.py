@@ -7,10 +7,8 @@ has a limit as ε falls to 0 for p < 1 + k_c. For p = 1 the integral is asinh(M 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from manipplan.cost.density import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
@@ -199,7 +197,7 @@ def _crossing(path: JointPath, integral: PathIntegral, s: float, kind: str) -> C
     if np.abs(moved).max() < STANDING:
         return found
     if kinematics.is_square and isinstance(kinematics.measure, Yoshikawa):
-        change = abs(float(np.diff(_determinants(kinematics, ends))[0]))
+        change = abs(float(np.diff(np.linalg.det(kinematics.jacobian(ends)))[0]))
     else:
         change = float(kinematics.manipulability(ends).max())
     steepness = change / float(speeds(moved[None], integral.metric)[0])
@@ -272,13 +270,13 @@ def _sign_changes(path: JointPath, signs: SingularitySigns) -> list[tuple[float,
     s = path.fine_samples(STEP)
     found = []
     for k, (name, values) in enumerate(zip(signs.names, signs.values(path(s)).T, strict=True)):
-        changes = _changes(values)
-        found += [(at, name) for at in _zeros(partial(_along, signs, k, path), s[changes], s[changes + 1])]
+        changes = np.flatnonzero(np.diff(values >= 0))  # zero counts as positive
+
+        def factor(at: Array, k: int = k) -> Array:
+            return signs.values(path(at))[:, k]
+
+        found += [(at, name) for at in _zeros(factor, s[changes], s[changes + 1])]
     return found
-
-
-def _along(signs: SingularitySigns, k: int, path: JointPath, s: Array) -> Array:
-    return signs.values(path(s))[:, k]
 
 
 def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[float]:
@@ -311,12 +309,3 @@ def _loses_rank(kinematics: Kinematics, q: Array) -> bool:
         return False
     values = np.linalg.svd(kinematics.jacobian(q)[0], compute_uv=False)
     return bool(values[-1] <= VANISHING * values[0])
-
-
-def _changes(values: Array) -> NDArray[np.intp]:
-    """Indices k with values of different signs at k and k + 1; zero counts as positive."""
-    return np.flatnonzero(np.diff(values >= 0))
-
-
-def _determinants(kinematics: Kinematics, q: Array) -> Array:
-    return np.asarray(np.linalg.det(kinematics.jacobian(q)))

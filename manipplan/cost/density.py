@@ -11,8 +11,6 @@ finite, and smooth where det J changes its sign.
 """
 
 import logging
-from dataclasses import dataclass
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -84,34 +82,20 @@ STANDSTILL = 1e-9
 CONSTANCY = 1e-6
 
 
-@dataclass(frozen=True, kw_only=True)
-class Density:
-    """A density e(q, v, g₀, p, ε) as CasADi Functions of (q, v, [g₀, p, ε]).
-
-    g₀ is an estimate of the path's g; the energy does not depend on it. Exponent and floor are arguments: one build serves all.
-
-    Attributes:
-        value: e.
-        gradient: (2n,) in (q, v).
-        derivatives: (2n, 1 + 2n) gradient and Hessian side by side.
-        coded: the three, with their machine code.
-    """
-
-    value: ca.Function
-    gradient: ca.Function
-    derivatives: ca.Function
-    coded: CodedFunctions
-
-    @cached_property
-    def hessian(self) -> ca.Function:
-        """The Hessian (2n, 2n) in (q, v)."""
-        at = [ca.MX.sym(name, self.value.size1_in(k)) for k, name in enumerate(("q", "v", "numbers"))]
-        return ca.Function("density_hessian", at, [self.derivatives(*at)[:, 1:]])
+def hessian_of(derivatives: ca.Function) -> ca.Function:
+    """The Hessian (2n, 2n) in (q, v) alone, of the derivatives of a density."""
+    at = [ca.MX.sym(name, derivatives.size1_in(k)) for k, name in enumerate(("q", "v", "numbers"))]
+    return ca.Function("density_hessian", at, [derivatives(*at)[:, 1:]])
 
 
 @making_expressions()
-def energy_density(integral: PathIntegral, *, at_once: bool = False) -> Density:
-    """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E; `at_once`: its machine code is built now."""
+def energy_density(integral: PathIntegral, *, at_once: bool = False) -> CodedFunctions:
+    """h² = ‖v‖_W² / (m² + ε²)^p, whose integral over s is the energy E; `at_once`: its machine code is built now.
+
+    A density is three Functions of q, v and [g₀, p, ε], so that one build serves all exponents and floors: its value, its
+    gradient (2n,) in (q, v), and gradient and Hessian side by side (2n, 1 + 2n). g₀ is an estimate of the path's g; the energy
+    does not depend on it.
+    """
     metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
     q, v, log_m, slope, bend = _symbols(integral.kinematics, floor, ENERGY_REGULARISATION)
     weight = ca.exp(-2 * power * log_m)
@@ -126,7 +110,7 @@ def energy_density(integral: PathIntegral, *, at_once: bool = False) -> Density:
 
 
 @making_expressions()
-def length_density(integral: PathIntegral) -> Density:
+def length_density(integral: PathIntegral) -> CodedFunctions:
     """h + κ h² / g₀ with h = ‖v‖_W / (m² + ε²)^(p/2): its integral is g plus a small multiple of the energy."""
     metric, g0, power, floor = _metric(integral), ca.SX.sym("g0"), ca.SX.sym("p"), ca.SX.sym("floor")
     q, v, log_m, slope, bend = _symbols(integral.kinematics, floor, LENGTH_REGULARISATION)
@@ -194,7 +178,7 @@ def _density(
     hessian: ca.SX,
     *,
     at_once: bool = False,
-) -> Density:
+) -> CodedFunctions:
     """The density, compiled to machine code as `integral.kinematics.compiled` specifies."""
     functions = [
         ca.Function(f"path_{name}", at, [value]),
@@ -203,6 +187,4 @@ def _density(
     ]
     kinematics = integral.kinematics
     subject = f"the {name} of paths of {kinematics.robot.name}"
-    made = as_asked(functions, kinematics.compiled, subject, at_once=at_once)
-    value_of, gradient_of, derivatives_of = made.functions
-    return Density(value=value_of, gradient=gradient_of, derivatives=derivatives_of, coded=made)
+    return as_asked(functions, kinematics.compiled, subject, at_once=at_once)

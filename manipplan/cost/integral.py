@@ -96,12 +96,10 @@ class Panels:
 
     Attributes:
         integral: `Integral` of panels.c.
-        functions: those of panels.c.
         owners: what has to live as long as this object.
     """
 
     integral: ctypes.Structure
-    functions: dict[str, Callable[..., Any]]
     owners: tuple[object, ...]
 
     @classmethod
@@ -125,13 +123,13 @@ class Panels:
             floor=floor,
             power=power,
         )
-        return cls(integral=integral, functions=_calls(), owners=(curve, slope, curves, kinematics, nodes, weights))
+        return cls(integral=integral, owners=(curve, slope, curves, kinematics, nodes, weights))
 
     def integrals(self, begin: Array, end: Array) -> Array | None:
         """The integral over each panel from `begin` to `end` (k,); None where the measure cannot be evaluated."""
         begin, end, out = np.ascontiguousarray(begin), np.ascontiguousarray(end), np.empty(len(begin))
         places = (begin.ctypes.data, end.ctypes.data, len(begin), out.ctypes.data)
-        return None if self.functions["panels"](ctypes.addressof(self.integral), *places) else out
+        return None if _calls()["panels"](ctypes.addressof(self.integral), *places) else out
 
     def fine_panels(self, edges: Array) -> Array | None:
         """As `PathIntegral.fine_panels`, from the first edges (k + 1,); None as above."""
@@ -140,7 +138,7 @@ class Panels:
             found = np.empty(room)
             found[: len(edges)] = edges
             places = (ctypes.addressof(self.integral), found.ctypes.data, len(edges) - 1)
-            count = self.functions["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
+            count = _calls()["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
@@ -149,14 +147,14 @@ class Panels:
         """The whole integral from panels between edges (k + 1,); inf where more than `most` still change, and None as above."""
         edges, out = np.ascontiguousarray(edges), np.empty(1)
         places = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
-        failed = self.functions["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
+        failed = _calls()["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
         return None if failed else float(out[0])
 
     def minimum(self) -> tuple[float, float, float] | None:
         """As `_minimum_manipulability`; None where the measure cannot be evaluated."""
         out = np.empty(3)
         places = (ctypes.addressof(self.integral), INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS, out.ctypes.data)
-        if self.functions["minimum"](*places):
+        if _calls()["minimum"](*places):
             return None
         least, at, largest = out.tolist()
         return least, at, largest
@@ -237,8 +235,7 @@ class PathIntegral:
         found = None if panels is None else panels.whole(edges, most)
         if found is not None:
             return found
-        found, edges = self._refined(path, edges, ACCURACY, HALVINGS, most=most)
-        return found if len(edges) <= most else np.inf
+        return self._refined(path, edges, ACCURACY, HALVINGS, most=most)[0]
 
     def _refined(
         self, path: JointPath, edges: Array, accuracy: float, halvings: int, *, most: float = np.inf, widens: bool = False
@@ -250,35 +247,37 @@ class PathIntegral:
             edges: of the first panels.
             accuracy: that share.
             halvings: maximum number of halvings of a panel.
-            most: maximum number of edges of panels that are halved.
+            most: number of panels above which none is halved; without `widens` of those that still change, which makes g
+                infinite.
             widens: both neighbours of a panel are halved as well, since a dip of m moves with the path; so every panel counts
                 again after each halving.
         """
-        whole, parts = self._integrals(path, edges[:-1], edges[1:]), self._halves(path, edges[:-1], edges[1:])
-        is_open = np.ones(len(whole), dtype=bool)
+        begin, end, done, settled = edges[:-1], edges[1:], [edges], 0.0
+        whole = self._integrals(path, begin, end)
         for _ in range(halvings):
+            middle = (begin + end) / 2
+            first, last = np.stack([begin, middle], axis=1), np.stack([middle, end], axis=1)
+            parts = self._integrals(path, first.ravel(), last.ravel()).reshape(-1, 2)
             both = parts.sum(axis=1)
-            known = np.isfinite(whole) & np.isfinite(both)  # not so where m vanishes at a Gauss point
-            with np.errstate(invalid="ignore"):
-                rough = is_open & ~(known & (np.abs(whole - both) <= accuracy * both[known].sum()))
-            if not rough.any() or len(edges) > most:
-                break
+            with np.errstate(invalid="ignore"):  # they are infinite where m vanishes at a Gauss point
+                rough = ~(np.abs(whole - both) <= accuracy * (settled + both[np.isfinite(both)].sum()))
             if widens:
+                if not rough.any() or len(whole) >= most:
+                    break
                 rough[1:] |= rough[:-1].copy()
                 rough[:-1] |= rough[1:].copy()
-            is_new = np.repeat(rough, 1 + rough)
-            is_open = is_new | widens
-            edges = np.sort(np.concatenate([edges, (edges[:-1] + edges[1:])[rough] / 2]))
-            whole = np.where(rough[:, None], parts, whole[:, None])[np.stack([np.ones_like(rough), rough], axis=1)]
-            parts = parts.repeat(1 + rough, axis=0)
-            parts[is_new] = self._halves(path, edges[:-1][is_new], edges[1:][is_new])
-        return float(parts.sum()), edges
-
-    def _halves(self, path: JointPath, begin: Array, end: Array) -> Array:
-        """The integral over both halves of each panel (k, 2)."""
-        middle = (begin + end) / 2
-        first, last = np.stack([begin, middle], axis=1).ravel(), np.stack([middle, end], axis=1).ravel()
-        return self._integrals(path, first, last).reshape(-1, 2)
+                kept = np.stack([np.ones_like(rough), rough], axis=1)
+                old = zip((first, last, parts), (begin, end, whole), strict=True)
+                begin, end, whole = (np.where(rough[:, None], halves, each[:, None])[kept] for halves, each in old)
+            else:
+                settled += float(both[~rough].sum())
+                begin, end, whole = first[rough].ravel(), last[rough].ravel(), parts[rough].ravel()
+                if not len(whole):
+                    break
+                if len(whole) > most:
+                    return np.inf, edges
+            done.append(middle[rough])
+        return settled + float(whole.sum()), np.sort(np.concatenate(done))
 
     def _integrals(self, path: JointPath, begin: Array, end: Array) -> Array:
         """The integral over each panel from `begin` to `end` (k,)."""

@@ -67,7 +67,11 @@ class PathObjective:
         if self.task is None and measure is None and is_always_singular(robot, robot.default_task):
             measure = Constant()
         kinematics = robot.kinematics(self.task, measure=measure, compiled=compiled)
-        check_task(kinematics)
+        task, n = kinematics.task, robot.n
+        if task.rows > n and not kinematics.measure.constant:
+            rows = f"at most {n} row{'s' * (n > 1)}; with more rows than joints the manipulability is identically zero"
+            remedy = 'leave task out for the motions that the joints span, or take measure="constant" for the shortest path'
+            raise InvalidInputError("task", task.name, f"{rows}: {remedy}")
         check_measure(kinematics)
         return kinematics
 
@@ -83,15 +87,6 @@ class PathObjective:
         kinematics = integral.kinematics
         warn_of_floor(kinematics, integral.floor)
         return replace(self, task=kinematics.task, measure=kinematics.measure, metric=integral.metric, floor=integral.floor)
-
-
-def check_task(kinematics: Kinematics) -> None:
-    """Raise InvalidInputError when the task has more rows than the arm has joints."""
-    task, n = kinematics.task, kinematics.symbolic.joints
-    if task.rows > n and not kinematics.measure.constant:
-        rows = f"at most {n} row{'s' * (n > 1)}; with more rows than joints the manipulability is identically zero"
-        remedy = 'leave task out for the motions that the joints span, or take measure="constant" for the shortest path'
-        raise InvalidInputError("task", task.name, f"{rows}: {remedy}")
 
 
 def idle_hint(kinematics: Kinematics) -> str:

@@ -69,11 +69,6 @@ class DescentProgram:
         """Whether distances are measured."""
         return isinstance(self.clearance, ClearanceSearch)
 
-    def rows_of(self, source: RowSource, z: Array, radius: float = 0.0) -> NonlinearRows:
-        """The rows of one kind at z (f, n) that a step of a radius can make negative."""
-        curves = self.length.curves
-        return source.at(curves, z, curves.curve(z), radius)
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:
@@ -95,7 +90,8 @@ class Point:
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "Point":
         """The path at z (f, n), with the rows that a step of `radius` can reach."""
         curves, value = program.length.curves, program.length.value(z)
-        curve, sources = curves.curve(z), (program.clearance, program.constraints)
+        curve = curves.curve(z)
+        sources: tuple[RowSource | None, ...] = (program.clearance, program.constraints)
         rows = tuple(each.at(curves, z, curve, radius) for each in sources if each is not None)
         return cls(program=program, z=z, value=value if np.isfinite(value) else np.inf, rows=rows)
 

@@ -7,7 +7,7 @@ import logging
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 
@@ -17,11 +17,10 @@ from manipplan.constraints.constraint_set import ConstraintProof, ConstraintSet,
 from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular_end, runs_along
 from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
-from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
 from manipplan.optimize.clearance import ClearanceRows
 from manipplan.optimize.descent import Ending, descend
 from manipplan.optimize.program import PathProgram, Solution
-from manipplan.optimize.result import Step
+from manipplan.optimize.result import SINGLE, UNKNOWN, Optimality, Step, measure_optimality
 from manipplan.optimize.rows import MARGIN, ClearanceSearch, ConstraintSearch
 from manipplan.paths.basis import EndConditions
 from manipplan.paths.joint import JointPath
@@ -55,16 +54,8 @@ NEARLY_INSIDE = 1e-4
 COMPARED = 1e-6
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class LowEnergy:
-    """A minimum of the energy among clearance rows.
-
-    Attributes:
-        solution: what the solver found.
-        g: g of its path.
-        missing: required clearance that its path misses [m].
-        is_free: its path is inside the joint limits and proven free.
-    """
+class LowEnergy(NamedTuple):
+    """A minimum of the energy, g of its path, the clearance that it misses [m], and whether it is inside and proven free."""
 
     solution: Solution
     g: float
@@ -212,8 +203,7 @@ class LocalSearch:
             return [near_it]
         if not (self.keeps(found.path) and self.inside_limits(found.path)):
             return []
-        self.accepted.append(replace(found, optimality=UNKNOWN, solver="the optimum of a coarse copy of the scene"))
-        return [self.accepted[-1]]
+        return [self._accept(found.path, found.coefficients, "the optimum of a coarse copy of the scene")]
 
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum reached from a path of a lower degree."""

@@ -235,7 +235,7 @@ def optimize_from(
         climbs=False,
         constraints=tuple(constraints),
     )
-    return solve_local(problem, first.start, first.goal, first, deadline=deadline)
+    return solve_local(problem, first, deadline=deadline)
 
 
 def check_options(objective: PathObjective, shape: PathShape, seeding: Seeding) -> None:
@@ -276,24 +276,22 @@ class SolvePool:
 
     def seeds(self, start: Array, tasks: Sequence[tuple[Array, int]]) -> list[JointPath | NoPath]:
         """A free first path per goal (n,) and seed."""
-        notify = part(self.notify, 0.0, 0.33)
-        return self._each(
-            _seed, [(start, goal, seed, self.deadline) for goal, seed in tasks], notify, "looking for a first path"
-        )
+        wanted = [{"start": start, "goal": goal, "seed": seed, "deadline": self.deadline} for goal, seed in tasks]
+        return self._each(_seed, wanted, part(self.notify, 0.0, 0.33), "looking for a first path")
 
     def solve_local(self, firsts: Sequence[FirstPath]) -> list[PathResult]:
         """The optimiser's result from each first path; the first one to each goal is solved from the straight line as well."""
-        tasks = []
+        tasks: list[dict[str, object]] = []
         for k, first in enumerate(firsts):
             known = any(_ends_together(first.path, other.path) for other in firsts[:k])
-            tasks.append((first.path, not known, self.deadline))
-        results = self._each(_solve, tasks, part(self.notify, 0.33, 1.0), "optimising the path")
+            tasks.append({"first": first.path, "straight": not known, "deadline": self.deadline})
+        results = self._each(solve_local, tasks, part(self.notify, 0.33, 1.0), "optimising the path")
         return [replace(result, first_paths=first.count) for result, first in zip(results, firsts, strict=False)]
 
-    def _each(self, work: Callable[..., T], tasks: Sequence[tuple[object, ...]], notify: Progress, text: str) -> list[T]:
+    def _each(self, work: Callable[..., T], tasks: Sequence[dict[str, object]], notify: Progress, text: str) -> list[T]:
         made: list[Callable[[], T]]
         if self.executor is None:
-            made = [partial(work, self.problem, *task) for task in tasks]
+            made = [partial(work, self.problem, **task) for task in tasks]
         else:
             packed = pickle.dumps(self.problem)
             try:
@@ -403,13 +401,10 @@ def shift_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Ar
     turns = []
     for joint, can_turn in enumerate(robot.turns.tolist()):
         options = (-1, 0, 1) if can_turn else (0,)
-        turns.append([2 * np.pi * k for k in options if not _outside(robot, joint, goal[joint] + 2 * np.pi * k)])
+        low, high = robot.limits.lower[joint], robot.limits.upper[joint]
+        turns.append([2 * np.pi * k for k in options if low <= goal[joint] + 2 * np.pi * k <= high])
     goals = [goal + np.array(shift) for shift in itertools.product(*turns)]
     return [each for each in goals if np.abs(each - start).max() > 1e-9]
-
-
-def _outside(robot: Robot, joint: int, value: float) -> bool:
-    return not robot.limits.lower[joint] <= value <= robot.limits.upper[joint]
 
 
 def _coincide(first: JointPath | None, second: JointPath | None) -> bool:
@@ -434,12 +429,8 @@ def _seed(problem: PathProblem, start: Array, goal: Array, seed: int, deadline: 
         return NoPath(message=str(error))
 
 
-def _solve(problem: PathProblem, first: JointPath, straight: bool, deadline: Deadline) -> PathResult:
-    return solve_local(problem, first.start, first.goal, first, straight=straight, deadline=deadline)
-
-
-def _at_worker(work: Callable[..., T], packed: bytes, task: tuple[object, ...]) -> T:
+def _at_worker(work: Callable[..., T], packed: bytes, task: dict[str, object]) -> T:
     """Run in a worker's thread, which unpacks the problem once and keeps it, with what was built for it, for later tasks."""
     if getattr(_own, "packed", None) != packed:
         _own.problem, _own.packed = pickle.loads(packed), packed
-    return work(_own.problem, *task)
+    return work(_own.problem, **task)

@@ -122,15 +122,7 @@ class PathProblem:
 
 
 @one_thread()
-def solve_local(
-    problem: PathProblem,
-    start: Array,
-    goal: Array,
-    first: JointPath,
-    *,
-    straight: bool = True,
-    deadline: Deadline = NEVER,
-) -> PathResult:
+def solve_local(problem: PathProblem, first: JointPath, *, straight: bool = True, deadline: Deadline = NEVER) -> PathResult:
     """The best path near `first`, which is free and inside the limits, and with `straight` also near the straight line.
 
     After the deadline it is the best one that was found by then.
@@ -141,8 +133,8 @@ def solve_local(
     program = _program(problem, integral)
     search = LocalSearch(
         program=program,
-        start=start,
-        goal=goal,
+        start=first.start,
+        goal=first.goal,
         model=model,
         clearance=clearance,
         history=history,
@@ -232,7 +224,7 @@ def _local_optima(problem: PathProblem, search: LocalSearch, first: JointPath, s
             found = patient.from_straight_line() or patient.nearest_to(first)
     lower = problem.lower() if search.until is Until.SETTLED else None
     if lower is not None:
-        result = solve_local(lower, search.start, search.goal, first, straight=straight, deadline=search.deadline)
+        result = solve_local(lower, first, straight=straight, deadline=search.deadline)
         search.history.extend(result.history)
         if result.status.ok:
             found += search.embedded(result.path)
@@ -346,7 +338,7 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
     if isinstance(initial, JointPath):
         path = initial
     else:
-        motion = initial if isinstance(initial, Trajectory) else _recorded(initial)
+        motion = initial if isinstance(initial, Trajectory) else read_trajectory("initial", initial)
         if motion.joint_names != robot.joint_names:
             wanted = f"a motion of the joints {', '.join(robot.joint_names)}"
             raise InvalidInputError("initial", f"one of {', '.join(motion.joint_names)}", wanted)
@@ -356,12 +348,6 @@ def initial_path(robot: Robot, initial: JointPath | Trajectory | str | Path) -> 
     if path.n != robot.n:
         raise InvalidInputError("initial", f"a path of {path.n} joints", f"a path of the {robot.n} joints of {robot.name}")
     return path
-
-
-def _recorded(file: str | Path) -> Trajectory:
-    if not isinstance(file, str | Path):
-        raise InvalidInputError("initial", file, "a JointPath, a Trajectory, or the path of a trajectory file")
-    return read_trajectory("initial", file)
 
 
 def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: Array) -> None:

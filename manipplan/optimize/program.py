@@ -79,12 +79,12 @@ class PathProgram:
     @cached_property
     @building()
     def _energy_density(self) -> Derivatives:
-        return Derivatives.of(energy_density(self.integral).coded)
+        return Derivatives.of(energy_density(self.integral))
 
     @cached_property
     @building()
     def _length_density(self) -> Derivatives:
-        return Derivatives.of(length_density(self.integral).coded)
+        return Derivatives.of(length_density(self.integral))
 
     @cached_property
     def _energy_rule(self) -> tuple[Array, Array]:

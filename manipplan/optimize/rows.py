@@ -237,14 +237,6 @@ class ClearanceSearch:
             pairs=samples.pairs[chosen],
         )
 
-    def hessians(self, q: Array, pairs: NDArray[np.intp], gradients: Array) -> Array:
-        """Hessians (m, n, n) of the distances of pairs (m,) at q (m, n), where they have gradients (m, n), by differences."""
-        m, n = q.shape
-        moved = q[:, None] + JOINT_STEP * np.eye(n)
-        found = self.model.witnesses(moved.reshape(-1, n), np.repeat(pairs, n))
-        hessians = (found.gradients.reshape(m, n, n) - gradients[:, None]) / JOINT_STEP
-        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DistanceRows(NonlinearRows):
@@ -278,7 +270,11 @@ class DistanceRows(NonlinearRows):
         return self.witnesses.gradients
 
     def hessians(self, rows: NDArray[np.intp]) -> Array:
-        return self.search.hessians(self.q[rows], self.pairs[rows], self.gradients[rows])
+        q, (m, n) = self.q[rows], (len(rows), self.q.shape[1])
+        moved = (q[:, None] + JOINT_STEP * np.eye(n)).reshape(-1, n)
+        found = self.search.model.witnesses(moved, np.repeat(self.pairs[rows], n))
+        hessians = (found.gradients.reshape(m, n, n) - self.gradients[rows][:, None]) / JOINT_STEP
+        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
         """Gradients of the distances of some rows, on the path and with each joint moved by a step.

@@ -20,14 +20,12 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
-from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_file import constraint_data, constraint_of
+from manipplan.constraints.constraint import Constraint, constraint_data, constraint_of
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import measure_data, restore_measure
-from manipplan.optimize.certificate import Certificate
-from manipplan.optimize.result import PathResult
+from manipplan.optimize.result import Certificate, PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance

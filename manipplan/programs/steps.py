@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.collision.scene import Scene
-from manipplan.constraints.constraint import Constraint, constraint_tuple
-from manipplan.constraints.constraint_file import constraint_of_entry
+from manipplan.constraints.constraint import Constraint, constraint_of_entry, constraint_tuple
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import goal_of_entry
 from manipplan.paths.cartesian import CartesianPath

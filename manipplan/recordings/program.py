@@ -18,7 +18,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.density import energy_density
+from manipplan.cost.density import energy_density, hessian_of
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.recordings.smooth import Ends, SplineBasis
@@ -176,16 +176,16 @@ class TubeProgram:
     def _energy(self, c: ca.MX, control: Array, fixed: Array | None) -> tuple[ca.MX, ca.MX, ca.MX]:
         """The energy of g over that of the curve `control`, with gradient and Hessian in c; q' is `fixed` (n, k) if given."""
         n, count = self.limits.n, len(self.u)
-        density = energy_density(self.integral, at_once=True)
+        density, slope, derivatives = energy_density(self.integral, at_once=True).functions
         numbers = ca.repmat(ca.DM([1.0, self.integral.power, self.integral.floor]), 1, count)
         slopes = self.slopes if fixed is None else np.zeros_like(self.slopes)
         about = ca.DM(np.zeros((n, count)) if fixed is None else fixed)
         at = ca.DM((self.values @ control).T), ca.DM((slopes @ control).T) + about
-        first = float(ca.dot(density.value.map(count)(*at, numbers), ca.DM(self.weights).T))
+        first = float(ca.dot(density.map(count)(*at, numbers), ca.DM(self.weights).T))
         weights = ca.DM(self.weights).T / first
         q, v = c @ ca.DM(self.values.T), c @ ca.sparsify(ca.DM(slopes.T)) + about
         value, gradient, hessian = (
-            function.map(count)(q, v, numbers) for function in (density.value, density.gradient, density.hessian)
+            function.map(count)(q, v, numbers) for function in (density, slope, hessian_of(derivatives))
         )
         blocks = ca.diagcat(*(w * h for w, h in zip(ca.horzsplit(weights), ca.horzsplit(hessian, 2 * n), strict=True)))
         weighed = gradient * ca.repmat(weights, 2 * n, 1)

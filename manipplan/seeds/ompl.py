@@ -11,17 +11,12 @@ from typing import Any
 import numpy as np
 
 from manipplan.cost.integral import PathIntegral, speeds
-from manipplan.seeds.motions import RANGE, SPARE, Level, MotionCheck, can_check
+from manipplan.paths.rounding import gauss_rule
+from manipplan.seeds.connect import LEAST, PANEL, POINTS, RANGE, SPARE, MotionCheck, can_check
 from manipplan.seeds.seeding import FEASIBLE
-from manipplan.seeds.task import PATIENCE, SeedTask
+from manipplan.seeds.task import PATIENCE, Level, SeedTask
 from manipplan.support.checks import Array
 from manipplan.support.deadline import work_time
-
-#: Maximum length of the panels in which a motion is integrated [rad or m], and number of Gauss points per panel.
-PANEL = 0.2
-POINTS = 5
-#: Lower bound on the manipulability in the cost: a motion through a singularity is expensive, but its cost is finite.
-LEAST = 1e-12
 
 
 def motion_cost(integral: PathIntegral, first: Array, second: Array) -> float:
@@ -64,7 +59,7 @@ def _configuration(state: object, n: int) -> Array:
 
 def _rule(panels: int) -> tuple[Array, Array]:
     """Gauss points and weights (m,) over [0, 1] in equal panels."""
-    x, w = np.polynomial.legendre.leggauss(POINTS)
+    x, w = gauss_rule(POINTS)
     nodes = (np.arange(panels)[:, None] + (x + 1) / 2) / panels
     return nodes.ravel(), np.tile(w / 2, panels) / panels
 
@@ -120,9 +115,9 @@ class OmplSearch:
         information.setup()
 
         def is_over() -> bool:
-            if work_time() >= task.deadline or (task.checks is not None and check.done >= task.checks):
+            if work_time() >= task.deadline or (task.checks is not None and check.checks >= task.checks):
                 return True
-            return check.done >= PATIENCE and task.why_unreachable() is not None
+            return check.checks >= PATIENCE and task.why_unreachable() is not None
 
         problem = base.ProblemDefinition(information)
         problem.setStartAndGoalStates(_state(space, task.start), _state(space, task.goal), 1e-9)
@@ -138,7 +133,7 @@ class OmplSearch:
             return None
         path = problem.getSolutionPath()
         if self.integral is None:
-            check.late = task.late
+            check.deadline = task.late
             simplifier = geometric.PathSimplifier(information)
             simplifier.reduceVertices(path)
             simplifier.partialShortcutPath(path)
@@ -148,40 +143,23 @@ class OmplSearch:
         return points
 
 
-class _Compiled:
-    """The compiled check for OMPL.
-
-    Attributes:
-        late: past it nothing is valid, so that a search ends soon; in `work_time` [s].
-    """
+class _Compiled(MotionCheck):
+    """The compiled check for OMPL. Past its deadline nothing is valid, so that a search ends soon."""
 
     def __init__(self, task: SeedTask, levels: Sequence[Level]) -> None:
         if task.most_crossings != 0:  # a motion alone cannot tell how many crossings its path has
             task = replace(task, most_crossings=None)
-        self._check, self._n = MotionCheck(task, levels), task.model.robot.n
-
-    @property
-    def late(self) -> float:
-        return self._check.deadline
-
-    @late.setter
-    def late(self, late: float) -> None:
-        self._check.deadline = late
-
-    @property
-    def done(self) -> int:
-        """Number of configurations checked."""
-        return self._check.checks
+        super().__init__(task, levels)
 
     def is_valid(self, state: Any) -> bool:
         """Whether a configuration is free."""
-        return work_time() < self._check.deadline and self._check.configuration(state[0 : self._n])
+        return work_time() < self.deadline and self.configuration(state[0 : self.n])
 
     def validator(self, information: object) -> object:
         """The MotionValidator of OMPL that asks the compiled check. No planner of ours asks where a motion becomes invalid."""
         from ompl import base
 
-        check, n = self._check, self._n
+        check, n = self, self.n
 
         class Motions(base.MotionValidator):  # type: ignore[misc]  # ompl has no stubs
             def checkMotion(self, first: Any, last: Any) -> bool:  # noqa: N802  # OMPL's name
@@ -194,20 +172,20 @@ class _Sampled:
     """The check where it cannot be compiled: OMPL asks for one configuration after the other.
 
     Attributes:
-        late: past it nothing is valid, so that a search ends soon; in `work_time` [s].
-        done: number of configurations checked.
+        deadline: past it nothing is valid, so that a search ends soon; in `work_time` [s].
+        checks: number of configurations checked.
     """
 
     def __init__(self, task: SeedTask, margin: float) -> None:
         spare = min(task.distances) - task.clearance
         self._task, self._n, self._clearance = task, task.model.robot.n, task.clearance + min(margin, SPARE * spare)
-        self.late, self.done = task.deadline, 0
+        self.deadline, self.checks = task.deadline, 0
 
     def is_valid(self, state: Any) -> bool:
         """Whether a configuration is free."""
         task, q = self._task, np.array(state[0 : self._n])
-        self.done += 1
-        if work_time() >= self.late or task.model.in_collision(q, clearance=self._clearance):
+        self.checks += 1
+        if work_time() >= self.deadline or task.model.in_collision(q, clearance=self._clearance):
             return False
         return task.signs is None or task.most_crossings != 0 or task.signs.changes(np.array([task.start, q])) == 0
 

@@ -293,23 +293,15 @@ def why_unreachable(task: SeedTask) -> str | None:
         (_SomeJoints.of(task, kernel, joints, between) for joints in each)
         for each in (sorted(few, key=lambda joints: (len(joints), sorted(joints))), first[FEW:])
     )
-    for each in itertools.chain[_Condition](quick, _balls(task), slow):
+    for each in itertools.chain[_SomeJoints | _Centres](quick, _balls(task), slow):
         barrier = find_barrier(each)
         if barrier is not None:
             return each.reason(task, barrier)
     return None
 
 
-class _Condition(Space):
-    """A space in which every path of the arm is a curve of free points."""
-
-    @abstractmethod
-    def reason(self, task: SeedTask, barrier: Barrier) -> str:
-        """Why a barrier in this space separates start and goal."""
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _SomeJoints(_Condition):
+class _SomeJoints(Space):
     """The configurations of k joints, and the pairs of bodies that depend on no other joint.
 
     Attributes:
@@ -378,7 +370,7 @@ class _SomeJoints(_Condition):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Centres(_Condition):
+class _Centres(Space):
     """The places in the world of the centre of a ball inside a body, and the obstacles of this body.
 
     Attributes:

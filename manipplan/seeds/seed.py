@@ -21,16 +21,15 @@ from manipplan.kinematics.factors import singularity_signs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath, rounded
 from manipplan.robots.robot import Robot
-from manipplan.seeds.connect import StarSearch, TreeSearch
-from manipplan.seeds.motions import MOST_JOINTS, Level, can_check
+from manipplan.seeds.connect import MOST_JOINTS, StarSearch, TreeSearch, can_check
 from manipplan.seeds.ompl import OmplSearch
-from manipplan.seeds.own import OwnSearch, fault_of, planner_name
 from manipplan.seeds.reachable import why_unreachable
-from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, Seeding
+from manipplan.seeds.seeding import AUTO, OPTIMISING, STAR, OwnSearch, Seeding, fault_of, planner_name
 from manipplan.seeds.task import (
     GRACE,
     LONGEST,
     MOST_GRACE,
+    Level,
     SeedTask,
     acceptance,
     crossing_limit,
@@ -134,12 +133,11 @@ def seed_path(
                 "constraints", constraints, f"none: the search that keeps them serves at most {MOST_JOINTS} joints"
             )
     kinematics = integral.kinematics
-    at_goal, _, nearest = model.least_distance(q_goal[None])
     task = SeedTask(
         model=model,
         start=q_start,
         goal=q_goal,
-        distances=(model.least_distance(q_start[None])[0], at_goal),
+        distances=(model.least_distance(q_start[None])[0], model.least_distance(q_goal[None])[0]),
         seed=seeding.seed,
         clearance=clearance,
         signs=singularity_signs(kinematics),
@@ -156,8 +154,6 @@ def seed_path(
         checks=checks,
         compiled=compiled,
         free=acceptance(task),
-        nearest=(*model.pair_names[nearest], at_goal) if nearest >= 0 else None,
-        constrained="" if kept is None else f", widen the constraints ({'; '.join(each.name for each in kept.constraints)})",
     )
     if same_aspect:
         _check_aspect(task, kinematics)
@@ -168,7 +164,7 @@ def seed_path(
         found = finder.find(each)
         if found is not None:
             return found
-    raise PlanningError(task.why_unreachable() or finder.failure())
+    raise PlanningError(task.why_unreachable() or finder.failure(task))
 
 
 def _check_aspect(task: SeedTask, kinematics: Kinematics) -> None:
@@ -208,8 +204,6 @@ class _Finder:
         checks: maximum number of checks of an optimising planner.
         compiled: search by our own compiled code, not by OMPL.
         free: the acceptance test.
-        nearest: the two bodies that are nearest at the goal, and their distance [m]; None where nothing is checked.
-        constrained: what messages say of constraints; "" without any.
         spent: the number of checks, not the time limit, ended the search.
         fault: what is wrong with the last path of a planner of the user; "" without any.
     """
@@ -219,8 +213,6 @@ class _Finder:
     checks: int
     compiled: bool
     free: Callable[[JointPath], bool]
-    nearest: tuple[str, str, float] | None
-    constrained: str
     spent: bool = False
     fault: str = ""
 
@@ -280,46 +272,52 @@ class _Finder:
         """The name of the planner, with that of OMPL for "auto"."""
         return AUTO if self.seeding.planner == "auto" else planner_name(self.seeding.planner)
 
+    def _search(self, task: SeedTask) -> tuple[Callable[[Sequence[Level]], Array | None], Sequence[Level]]:
+        """The search for waypoints (k, n), and the levels of its motion checks."""
+        if callable(self.seeding.planner):
+            return OwnSearch(task, self.seeding.planner).run, LEVELS[-1:]
+        if self.planner == STAR:
+            limited = replace(task, checks=self.checks if task.checks is None else min(self.checks, task.checks))
+            return (lambda levels: StarSearch(limited, levels, self.integral).path()), LEVELS
+        if self.compiled:
+            return (lambda levels: TreeSearch(task, levels).path()), LEVELS
+        optimises = self.planner in OPTIMISING  # it does not check a motion again
+        limited = replace(task, checks=self.checks) if optimises else task
+        search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
+        return search.run, LEVELS[-1:] if optimises else LEVELS
+
     def _waypoints(self, task: SeedTask) -> Iterator[Array]:
         """The paths (k, n) of searches with finer and finer motion checks."""
-        search: TreeSearch | StarSearch | OmplSearch | OwnSearch = TreeSearch(task=task)
-        levels: Sequence[Level] = LEVELS
-        if callable(self.seeding.planner):
-            search, levels = OwnSearch(task, self.seeding.planner), LEVELS[-1:]
-        elif self.planner == STAR:
-            checks = self.checks if task.checks is None else min(self.checks, task.checks)
-            search = StarSearch(task=replace(task, checks=checks), integral=self.integral)
-        elif not self.compiled:
-            optimises = self.planner in OPTIMISING
-            limited = replace(task, checks=self.checks) if optimises else task
-            search = OmplSearch(task=limited, planner=self.planner, integral=self.integral)
-            levels = LEVELS[-1:] if optimises else LEVELS  # an optimising planner does not check a motion again
+        search, levels = self._search(task)
         for share in FINER if task.constraints is None else CONSTRAINED_FINER:
-            waypoints = search.run([replace(level, step=share * level.step) for level in levels])
+            waypoints = search([replace(level, step=share * level.step) for level in levels])
             if waypoints is None:
                 return
             yield waypoints
             log.info("the path is not proven free; looking for another one with checks nearer to each other")
 
-    def failure(self) -> str:
-        """Why no path was found."""
+    def failure(self, task: SeedTask) -> str:
+        """Why no path of a task was found."""
         limit, is_auto = self.seeding.time_limit, self.compiled and self.seeding.planner == "auto"
         if self.fault:
             return f"{self.planner} {self.fault}"
         spent, remedy = f"in {limit:g} s", "allow more time (Seeding.time_limit)"
         if self.spent and self.planner in OPTIMISING:
             spent, remedy = f"with {self.checks} checks", "allow more of them (checks)"
-        elif self.spent and self.constrained:
+        elif self.spent and task.constraints is not None:
             spent, remedy = "that keeps the constraints also between its checks", "give them more width"
         elif self.spent and callable(self.seeding.planner):
             spent, remedy = "(it returned None)", "let it search longer"
-        there = ""
-        if self.nearest is not None:
-            first, second, distance = self.nearest
+        widen = there = ""
+        if task.constraints is not None:
+            widen = f", widen the constraints ({'; '.join(each.name for each in task.constraints.constraints)})"
+        distance, _, nearest = task.model.least_distance(task.goal[None])
+        if nearest >= 0:
+            first, second = task.model.pair_names[nearest]
             there = f": there {first} and {second} are the nearest bodies, {1e3 * distance:.3g} mm apart"
         return (
             f"no path from start to goal was found by {'RRT-Connect' if is_auto else self.planner} {spent}; "
-            f"{remedy}, reduce the clearance{self.constrained}, or check that the goal can be reached{there}"
+            f"{remedy}, reduce the clearance{widen}, or check that the goal can be reached{there}"
         )
 
 

@@ -27,6 +27,21 @@ HUGE = 4 * np.pi + 1e-6
 LONGEST = 1000.0
 
 
+@dataclass(frozen=True, kw_only=True)
+class Level:
+    """How motions are checked until `checks` further configurations were checked; the last level goes on.
+
+    Attributes:
+        step: maximum motion of a joint between two checks [rad or m].
+        margin: distance beyond the clearance [m]; less near start and goal, where they have less.
+        checks: number of configurations.
+    """
+
+    step: float
+    margin: float
+    checks: int = 0
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SeedTask:
     """A search from start to goal.

@@ -103,7 +103,6 @@ ELSEWHERE = [
     "Program.show",
     "PlanReport.from_json",
     "PlanReport.to_json",
-    "Certificate.of",
     "MotionFigures.of",
     "Robot.from_mjcf",
     "Controller.export_c",

@@ -232,7 +232,7 @@ def everything_compiled(robot, compiled):
     found = [kinematics.manipulability(q), kinematics.jacobian(np.tile(q, (2, 1)))]
     column = ClearanceRows.of(3, np.zeros(1), 3, np.ones(3), 0, np.eye(3)[0], 0.1, 0.0).columns[0]
     found.append(np.array(row_functions(kinematics).functions[1](q, column)))
-    found.append(np.array(energy_density(PathIntegral(kinematics=kinematics, power=1.0)).gradient(q, q, [1.0, 1.0, 0.0])))
+    found.append(np.array(energy_density(PathIntegral(kinematics=kinematics, power=1.0)).functions[1](q, q, [1.0, 1.0, 0.0])))
     controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01, compiled=compiled)
     found.append(controller.step(q, np.zeros(3), kinematics.pose(q)))
     return found, controller

@@ -15,12 +15,11 @@ import pytest
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.kinematics.factors import singularity_signs
-from manipplan.seeds import connect, motions
-from manipplan.seeds.connect import TreeSearch
-from manipplan.seeds.motions import Level, MotionCheck, can_check
+from manipplan.seeds import connect
+from manipplan.seeds.connect import MotionCheck, TreeSearch, can_check
 from manipplan.seeds.ompl import OmplSearch
 from manipplan.seeds.seeding import PLANNERS, STAR
-from manipplan.seeds.task import SeedTask
+from manipplan.seeds.task import Level, SeedTask
 from manipplan.support.deadline import work_time
 
 START, GOAL = [0.0, 1.5, -2.0], [3.14, -2.0, 2.0]
@@ -105,14 +104,14 @@ def test_paths_are_free_and_depend_on_the_seed_alone(name, panda, ur5, demo_prob
         else ([-0.9, -1.0, 1.0, -1, -1.2, 0], [0.9, -1.0, 1.0, -1, -1.2, 0])
     )
     task = task_of(robot, scene, *ends)
-    first = TreeSearch(task=task).run([Level(step=0.01, margin=0.005)])
+    first = TreeSearch(task, [Level(step=0.01, margin=0.005)]).path()
     assert len(first) > 2
     assert_free(scene, robot, first)
     np.testing.assert_array_equal(first[[0, -1]], ends)
     with ThreadPoolExecutor(3) as pool:
-        for again in pool.map(lambda _: TreeSearch(task=task).run([Level(step=0.01, margin=0.005)]), range(3)):
+        for again in pool.map(lambda _: TreeSearch(task, [Level(step=0.01, margin=0.005)]).path(), range(3)):
             np.testing.assert_array_equal(again, first)
-    other = TreeSearch(task=replace(task, seed=1)).run([Level(step=0.01, margin=0.005)])
+    other = TreeSearch(replace(task, seed=1), [Level(step=0.01, margin=0.005)]).path()
     assert other.shape != first.shape or np.abs(other - first).max() > 0.01
 
 
@@ -120,17 +119,17 @@ def test_a_search_ends_after_its_checks(planar):
     blocked = mp.Scene([mp.Cylinder(radius=0.05, length=1.0, position=(0.0, 0.6, 0.0), name="post")])
     task = task_of(planar, blocked, START, GOAL, checks=5000)
     began = work_time()
-    assert TreeSearch(task=task).run([Level(step=0.02, margin=0.0)]) is None
+    assert TreeSearch(task, [Level(step=0.02, margin=0.0)]).path() is None
     assert work_time() - began < 5.0
-    assert TreeSearch(task=replace(task, deadline=began)).run([Level(step=0.02, margin=0.0)]) is None
+    assert TreeSearch(replace(task, deadline=began), [Level(step=0.02, margin=0.0)]).path() is None
 
 
 def test_many_nodes(planar, monkeypatch):
     """The room for nodes grows, which changes nothing."""
     task = task_of(planar, POST, START, GOAL)
-    usual = TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
+    usual = TreeSearch(task, [Level(step=0.02, margin=0.0)]).path()
     monkeypatch.setattr(connect, "TREE_ROOM", 2)
-    np.testing.assert_array_equal(TreeSearch(task=task).run([Level(step=0.02, margin=0.0)]), usual)
+    np.testing.assert_array_equal(TreeSearch(task, [Level(step=0.02, margin=0.0)]).path(), usual)
 
 
 EGGS = """<mujoco><worldbody><body name="a" pos="0 0 0.3"><joint name="i" axis="0 0 1" range="-170 170"/>
@@ -149,7 +148,7 @@ def eggs(tmp_path):
 def test_coal_decides_what_the_kernel_cannot(eggs):
     arm, scene = eggs
     task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
-    way = TreeSearch(task=task).run([Level(step=0.02, margin=0.002)])
+    way = TreeSearch(task, [Level(step=0.02, margin=0.002)]).path()
     assert len(way) > 2
     assert_free(scene, arm, way)
 
@@ -164,7 +163,7 @@ def test_an_error_of_coal_s_answer_is_raised(eggs, monkeypatch, error):
     task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
     monkeypatch.setattr(CollisionModel, "in_collision", fail)
     with pytest.raises(error):
-        TreeSearch(task=task).run([Level(step=0.02, margin=0.0)])
+        TreeSearch(task, [Level(step=0.02, margin=0.0)]).path()
 
 
 @pytest.mark.slow
@@ -233,7 +232,7 @@ def test_without_a_compiler_the_path_is_the_same(tmp_path):
 
 
 def test_with_too_many_joints_ompl_searches(planar, monkeypatch):
-    monkeypatch.setattr(motions, "MOST_JOINTS", 1)
+    monkeypatch.setattr(connect, "MOST_JOINTS", 1)
     assert not can_check(POST.collision_model(planar))
     path = mp.seed_path(planar, START, GOAL, POST)
     np.testing.assert_array_equal(

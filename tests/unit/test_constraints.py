@@ -9,10 +9,9 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.constraints.built_in import tool_frame
-from manipplan.constraints.constraint_file import constraints_from_yaml
-from manipplan.constraints.constraint_set import TOLERANCE, ConstraintSet, prove
-from manipplan.seeds.motions import SearchConstraints
+from manipplan.constraints.constraint import constraints_from_yaml
+from manipplan.constraints.constraint_set import TOLERANCE, ConstraintSet, prove, tool_frame
+from manipplan.seeds.connect import _of_own
 from manipplan.symbolic.backends import chain_of
 
 DOWN = (0.0, 0.0, -1.0)
@@ -209,19 +208,12 @@ def test_a_search_without_machine_code_of_the_tool(panda, level, monkeypatch):
     assert tilt_of(panda, path(path.fine_samples(1e-3))).max() <= limit.angle + TOLERANCE
 
 
-def test_an_error_in_a_users_rows_comes_out_of_the_search(panda, level):
+def test_the_search_is_given_a_users_rows_and_their_gradients(panda, level):
     kept = ConstraintSet.of(panda, [Cylinder(1.0)])
-    calls = []
-
-    def guarded(values):
-        calls.append(values)
-
-    SearchConstraints.of(kept, np.array(level[:2]), guarded)
-    q = np.ascontiguousarray(panda.neutral)
-    out = np.empty(kept.own.count * (panda.n + 1))
-    assert calls[0](q.ctypes.data, out.ctypes.data, 1) == 0
-    assert out[0] == pytest.approx(kept.values(q[None])[0, 0])
-    np.testing.assert_allclose(out[1:], kept.gradients(q[None])[0, 0])
+    q = np.array(level[:2])
+    found = _of_own(kept.own)(q)
+    np.testing.assert_allclose(found[:, : kept.own.count], kept.values(q))
+    np.testing.assert_allclose(found[:, kept.own.count :], kept.gradients(q).reshape(2, -1))
 
 
 def test_held_joints_do_not_move(panda):

@@ -14,10 +14,10 @@ import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import descent
-from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
+from manipplan.optimize.result import SINGLE, measure_optimality
 from manipplan.optimize.rows import ClearanceSearch
 from manipplan.optimize.steps import Derivatives
 from manipplan.paths.basis import find_basis
@@ -62,12 +62,13 @@ def test_derivatives_of_g_are_exact(around_a_post):
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
-    rows = true.rows_of(true.clearance, z)
+    curves = true.length.curves
+    rows = true.clearance.at(curves, z, curves.curve(z), 0.0)
     k = int(np.flatnonzero(rows.is_bottom)[0])
     s, pair = rows.s[k], rows.pairs[k]
 
     def least(at):
-        found = true.rows_of(true.clearance, at).samples
+        found = true.clearance.at(curves, at, curves.curve(at), 0.0).samples
         near = found.distances[(found.pairs == pair) & (np.abs(found.s - s) < 0.03)]
         return min(near) - true.clearance.target
 
@@ -252,7 +253,7 @@ def test_machine_code_gives_the_same_bits_as_the_virtual_machine(panda):
     q, v = panda.random_configuration(rng, size=50), rng.standard_normal((50, panda.n))
     numbers = np.tile([100.0, 1.0, 0.0], (50, 1))
     densities = [
-        Derivatives.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)).coded)
+        Derivatives.of(length_density(PathIntegral(kinematics=panda.kinematics(compiled=compiled), power=1.0)))
         for compiled in (True, False)
     ]
     for name in ("value", "first", "second"):

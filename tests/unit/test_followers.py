@@ -20,7 +20,7 @@ from test_export_c import build, example_in_python, run
 
 import manipplan as mp
 from manipplan.collision.path_clearance import body_motion
-from manipplan.constraints.built_in import tool_frame
+from manipplan.constraints.constraint_set import tool_frame
 from manipplan.goals.solutions import beyond_links
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import energy_density, length_density
+from manipplan.cost.density import energy_density, hessian_of, length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import clearance
@@ -177,18 +177,19 @@ def test_densities_have_exact_derivatives(name, measure, metric, kind, floor, rn
     robot = mp.planar_arm([1.0, 1.0, 1.0]) if name == "planar" else mp.load_robot(name)
     n = robot.n
     W = {None: None, "weights": np.diag(np.arange(1.0, n + 1)), "matrix": np.eye(n) + 0.3}[metric]
-    density = kind(PathIntegral(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W))
+    density, slope, derivatives = kind(
+        PathIntegral(kinematics=robot.kinematics(measure=measure), power=1.5, metric=W)
+    ).functions
     x, numbers = ca.SX.sym("x", 2 * n), [0.7, 1.5, floor]  # g0, exponent and floor
-    value = ca.Function("value", [x], [density.value(x[:n], x[n:], numbers)])
+    value = ca.Function("value", [x], [density(x[:n], x[n:], numbers)])
     eps = 1e-6
     for q in robot.random_configuration(rng, size=5):
         at = np.concatenate([0.7 * q, rng.normal(size=n)])
-        gradient, hessian = (np.asarray(f(at[:n], at[n:], numbers)) for f in (density.gradient, density.hessian))
+        gradient, hessian = (np.asarray(f(at[:n], at[n:], numbers)) for f in (slope, hessian_of(derivatives)))
         steps = eps * np.eye(2 * n)
         first = [float(value(at + step) - value(at - step)) / (2 * eps) for step in steps]
         ahead, behind = (
-            [np.asarray(density.gradient((at + s)[:n], (at + s)[n:], numbers)).ravel() for s in sign * steps]
-            for sign in (1, -1)
+            [np.asarray(slope((at + s)[:n], (at + s)[n:], numbers)).ravel() for s in sign * steps] for sign in (1, -1)
         )
         np.testing.assert_allclose(gradient.ravel(), first, rtol=1e-5, atol=2e-6 * np.abs(first).max())
         second = (np.array(ahead) - behind) / (2 * eps)

@@ -40,10 +40,10 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
     robot = mp.load_robot(name)
     at = points(robot, rng)
     fast, slow = (
-        density(PathIntegral(kinematics=robot.kinematics(compiled=compiled), power=1.0)) for compiled in (True, False)
+        density(PathIntegral(kinematics=robot.kinematics(compiled=compiled), power=1.0)).functions for compiled in (True, False)
     )
-    for part in ("value", "gradient", "derivatives"):  # bit by bit, so that it does not matter when it is built
-        np.testing.assert_array_equal(np.array(getattr(fast, part)(*at)), np.array(getattr(slow, part)(*at)))
+    for one, other in zip(fast, slow, strict=True):  # bit by bit, so that it does not matter when it is built
+        np.testing.assert_array_equal(np.array(one(*at)), np.array(other(*at)))
 
 
 @pytest.mark.compiler
@@ -61,7 +61,7 @@ def test_machine_code_is_built_once_it_pays_off(panda, folder, rng, monkeypatch)
     """With the same numbers before and after, and at once in another process."""
     monkeypatch.setattr(machine_code, "PAYS_OFF", 1e5)
     integral = PathIntegral(kinematics=panda.kinematics(), power=1.0)
-    coded = energy_density(integral).coded
+    coded = energy_density(integral)
     q, v, numbers = (each.T.copy() for each in points(panda, rng, count=8))
     derivatives = coded.batches()[2]
     first = derivatives(q, v, numbers)
@@ -72,7 +72,7 @@ def test_machine_code_is_built_once_it_pays_off(panda, folder, rng, monkeypatch)
     value = coded.batches()[0]
     value(q, v, numbers)
     assert value._pending is None and len(list(folder.glob("*.so"))) == 1
-    assert energy_density(integral).coded.pending is None
+    assert energy_density(integral).pending is None
 
 
 def test_a_compiler_that_fails_later_is_reported_once(panda, folder, rng, monkeypatch):
@@ -101,7 +101,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
 
     robot = planar if name == "planar" else mp.load_robot(name)
     kinematics = robot.kinematics(mp.Task.planar() if name == "planar" else mp.Task.pose(length=0.5), compiled=False)
-    energy = energy_density(PathIntegral(kinematics=kinematics, power=1.0))
+    energy, *_ = energy_density(PathIntegral(kinematics=kinematics, power=1.0)).functions
     rows = np.array([1, 1, 1, 0.5, 0.5, 0.5])
     data = robot.model.createData()
     for q, v in zip(robot.random_configuration(rng, size=20), rng.normal(size=(20, robot.n)), strict=True):
@@ -114,7 +114,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
             jacobian = pin.computeFrameJacobian(robot.model, data, q, robot.model.getFrameId(robot.tool), frame)
             index = np.prod(np.linalg.svd(rows[:, None] * jacobian, compute_uv=False))
         if index > 1e-3:
-            assert float(energy.value(q, v, [1.0, 1.0, 0.0])) == pytest.approx(v @ v / index**2, rel=1e-5)
+            assert float(energy(q, v, [1.0, 1.0, 0.0])) == pytest.approx(v @ v / index**2, rel=1e-5)
 
 
 def test_the_steady_view_has_true_derivatives(panda, rng):

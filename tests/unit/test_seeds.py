@@ -16,8 +16,8 @@ import pytest
 import manipplan as mp
 from manipplan.collision.model import CollisionModel
 from manipplan.optimize.problem import initial_path
-from manipplan.seeds import motions
-from manipplan.seeds.motions import MotionCheck
+from manipplan.seeds import connect
+from manipplan.seeds.connect import MotionCheck
 from manipplan.seeds.ompl import motion_cost, ompl_objective
 from manipplan.seeds.seeding import OPTIMISING, PLANNERS, STAR
 
@@ -127,7 +127,7 @@ def test_the_time_limit_holds_where_checks_are_slow(planar, planner, monkeypatch
 
     mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner="RRTConnect"))  # loads and compiles
     monkeypatch.setattr(CollisionModel, "in_collision", slow)
-    monkeypatch.setattr(motions, "MOST_JOINTS", 1)  # the compiled check does not ask it
+    monkeypatch.setattr(connect, "MOST_JOINTS", 1)  # the compiled check does not ask it
     began = time.monotonic()
     try:
         mp.seed_path(planar, START, GOAL, POST, seeding=mp.Seeding(planner=planner, time_limit=0.6))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.seeds import connect, motions
+from manipplan.seeds import connect
 from manipplan.seeds.ompl import motion_cost
 from manipplan.seeds.seed import LEVELS
 from manipplan.support.deadline import work_time
@@ -71,11 +71,12 @@ def test_a_cost_is_that_of_the_planners_of_ompl(planar, ur5, rng):
     for robot, objective in ((planar, OBJECTIVES["weighted"]), (planar, OBJECTIVES["g"]), (ur5, mp.PathObjective())):
         start, goal = robot.neutral, robot.neutral + 0.5
         task = motions_task(robot, start, goal)
-        lowering = connect._Best(connect.Run(task, LEVELS), task, objective.integral(robot))
+        lowering = connect.StarSearch(task, LEVELS, objective.integral(robot))
+        lowering.prepare()
         for _ in range(5):
             first, second = robot.neutral + rng.uniform(-1, 1, (2, robot.n))
             expected = motion_cost(objective.integral(robot), first, second)
-            assert cost(lowering.at, first.ctypes.data, second.ctypes.data) == pytest.approx(expected, rel=1e-9)
+            assert cost(lowering.star_at, first.ctypes.data, second.ctypes.data) == pytest.approx(expected, rel=1e-9)
 
 
 def motions_task(robot, start, goal):
@@ -91,6 +92,6 @@ def test_too_few_checks_are_told(planar):
 
 
 def test_with_too_many_joints_it_is_refused(planar, monkeypatch):
-    monkeypatch.setattr(motions, "MOST_JOINTS", 1)
+    monkeypatch.setattr(connect, "MOST_JOINTS", 1)
     with pytest.raises(mp.errors.InvalidInputError, match=r"seeding\.planner: got 'connect-star'; allowed: another one"):
         found(planar, POST, (START, GOAL), None, 1000)

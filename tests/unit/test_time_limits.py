@@ -52,11 +52,11 @@ def first(panda):
 @pytest.mark.slow
 def test_the_result_is_checked_and_better_the_later_it_comes(problem, first):
     whole = AfterChecks(at=np.inf)
-    best = solve_local(problem, START, GOAL, first, deadline=whole)
+    best = solve_local(problem, first, deadline=whole)
     assert best.status is mp.Status.OPTIMAL
     g = []
     for share in (0.0, 0.02, 0.1, 0.3, 0.6, 0.9):
-        result = solve_local(problem, START, GOAL, first, deadline=AfterChecks(at=int(share * whole.looks)))
+        result = solve_local(problem, first, deadline=AfterChecks(at=int(share * whole.looks)))
         assert result.certificate.proven_clearance > 0.01
         assert result.g <= result.seed_cost.g
         assert result.status.has_path  # another optimum may have been reached before
@@ -71,17 +71,17 @@ def test_the_result_is_checked_and_better_the_later_it_comes(problem, first):
 def test_the_optimum_of_a_lower_degree_is_not_lost(problem, first, shape):
     """Time ends right after the lower degree is optimised."""
     higher = replace(problem, shape=mp.PathShape(**shape))
-    alone = solve_local(higher.lower(), START, GOAL, first)
+    alone = solve_local(higher.lower(), first)
     looks = AfterChecks(at=np.inf)
-    solve_local(higher, START, GOAL, first, deadline=looks)
-    g = {solve_local(higher, START, GOAL, first, deadline=AfterChecks(at=k)).g for k in range(0, looks.looks, 40)}
+    solve_local(higher, first, deadline=looks)
+    g = {solve_local(higher, first, deadline=AfterChecks(at=k)).g for k in range(0, looks.looks, 40)}
     assert min(g) <= alone.g * (1 + 1e-6)
 
 
 def test_without_a_scene_the_straight_line_is_left(panda, problem):
     free = replace(problem, scene=None, clearance=0.0)
     line = mp.JointPath.line(START, GOAL)
-    result = solve_local(free, START, GOAL, line, deadline=AfterChecks(at=0))
+    result = solve_local(free, line, deadline=AfterChecks(at=0))
     assert result.status is mp.Status.SEED_OUT_OF_TIME
     assert result.certificate.solver == Ending.LATE.value
     assert "time_limit" in result.status.value

@@ -5,7 +5,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.constraints.constraint_file import constraint_data, constraint_of, constraints_from_yaml
+from manipplan.constraints.constraint import constraint_data, constraint_of, constraints_from_yaml
 from manipplan.constraints.constraint_set import ConstraintSet
 
 
