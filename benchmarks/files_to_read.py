@@ -1,7 +1,7 @@
 """Number of the package's files whose functions run in one call of a job, room by room: what a reader of that job has to open.
 
-Only the rooms of the job itself count, as WANTED lists them. Each job runs once before it is counted, so that what is built once
-does not count. Run with `make benchmark`.
+Only the rooms of the job itself count, as WANTED lists them. Each job runs once before it is counted, so that what is built
+once does not count. Run with `make benchmark`.
 """
 
 import argparse
