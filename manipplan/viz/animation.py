@@ -18,10 +18,21 @@ from manipplan.support.errors import InvalidInputError, MissingProgramError
 from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, as_callback
 from manipplan.viz import style
-from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
+from manipplan.viz.arm import (
+    LINES,
+    default_scale,
+    draw_flat_bodies,
+    draw_flat_scene,
+    draw_scene,
+    draw_skeleton,
+    draw_surface,
+    look_at,
+    plot_ellipsoid,
+    points_of,
+)
 from manipplan.viz.figure import finished
 from manipplan.viz.motions import beside, drawn_tools, name_paths, skeleton, tool_ways
-from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
+from manipplan.viz.shapes import arm_surfaces, joined
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan

@@ -15,10 +15,10 @@ from manipplan.support.files import write_bytes
 from manipplan.support.progress import uninterrupted
 from manipplan.support.status import RECORDED
 from manipplan.viz import style
-from manipplan.viz.arm import plot_arm, plot_planar_arm
+from manipplan.viz.arm import draw_surface, plot_arm, plot_planar_arm, write
 from manipplan.viz.curves import POINTS, plot_joints, plot_manipulability
 from manipplan.viz.motions import MovedPart, bare, find_moved_parts, name_paths
-from manipplan.viz.shapes import draw_surface, joined, surface_of, write
+from manipplan.viz.shapes import joined, surface_of
 
 if TYPE_CHECKING:
     from manipplan.jobs.programs.program import Program

@@ -14,11 +14,11 @@ from manipplan.jobs.result import PartialPlan
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.viz import style
-from manipplan.viz.arm import draw_scene
+from manipplan.viz.arm import draw_scene, draw_skeleton, draw_surface, look_at, points_of
 from manipplan.viz.curves import plot_joints
 from manipplan.viz.figure import plan_figure, program_figure
 from manipplan.viz.motions import skeleton
-from manipplan.viz.shapes import arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
+from manipplan.viz.shapes import arm_surfaces, joined
 
 #: Resolution of the pictures [dots per inch], and maximum number of solutions that are drawn.
 RESOLUTION, MOST_SOLUTIONS = 80, 200

@@ -18,7 +18,8 @@ from PIL import Image
 import manipplan as mp
 from manipplan import viz
 from manipplan.search.refine import Refinement
-from manipplan.viz.shapes import arm_surfaces, draw_surface, obstacle_surfaces, plane_patches, surface_of
+from manipplan.viz.arm import draw_surface
+from manipplan.viz.shapes import arm_surfaces, obstacle_surfaces, plane_patches, surface_of
 
 CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 SVG = "{http://www.w3.org/2000/svg}"
@@ -192,7 +193,9 @@ def test_flat_ends_are_closed_and_other_shapes_boxed():
     np.testing.assert_allclose(np.linalg.norm(flat[0][:, :2], axis=1), 0.1)
     ellipsoid = surface_of(coal.Ellipsoid(0.1, 0.2, 0.3)).points / (0.1, 0.2, 0.3)
     np.testing.assert_allclose(np.linalg.norm(ellipsoid, axis=1), 1.0)
-    assert len(np.unique(surface_of(coal.Cone(0.1, 0.4)).points.round(9), axis=0)) == 8
+    assert surface_of(coal.Cone(0.1, 0.4)).points[:, 2].max() == 0.2
+    field = coal.HeightFieldAABB(0.2, 0.4, np.array([[0.1, 0.2], [0.1, 0.3]]), 0.0)
+    assert len(np.unique(surface_of(field).points.round(9), axis=0)) == 8
 
 
 def test_a_flat_mesh_is_drawn_by_its_triangles():

@@ -24,9 +24,10 @@ import manipplan as mp
 from manipplan.cli import main
 from manipplan.support.status import Status
 from manipplan.viz import viewer
+from manipplan.viz.shapes import MOST, triangles_of
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
-from manipplan.viz.viewer.bodies import MOST, appearance_of, capsules, convex_bodies, triangles_of
+from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
 from manipplan.viz.viewer.figures import Chart, ChartLine
 
 FLAGS = (

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+import coal
 import numpy as np
 import pinocchio as pin
 
@@ -18,7 +19,8 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool
-from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies, triangles_of
+from manipplan.viz.shapes import triangles_of
+from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies
 
 #: Opacity of the ghost robot shown for comparison.
 GHOST = 0.45
@@ -63,11 +65,8 @@ class PartFigure:
     def __init__(self, scene: Any, name: str, solid: Solid) -> None:
         self.root: Any = scene.add_frame(name, show_axes=False)
         for k, shape in enumerate(solid.shapes()):
-            triangles = triangles_of(shape)
-            if triangles is not None:
-                scene.add_mesh_simple(
-                    f"{name}/{k}", *triangles, color=style.rgb(style.OPTIMUM), side="double", receive_shadow=False
-                )
+            colour = style.rgb(style.OPTIMUM)
+            scene.add_mesh_simple(f"{name}/{k}", *triangles_of(shape), color=colour, side="double", receive_shadow=False)
         self.place(solid)
 
     def place(self, solid: Solid | None) -> None:
@@ -98,14 +97,10 @@ class EllipsoidFigure:
     """
 
     def __init__(self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float) -> None:
-        from trimesh.creation import icosphere
-
-        ball = icosphere(subdivisions=3)
         self._tool, self._scale = tool, scale
         self.mesh: Any = scene.add_mesh_simple(
             name,
-            np.asarray(ball.vertices),
-            np.asarray(ball.faces),
+            *triangles_of(coal.Sphere(1.0)),
             color=style.rgb(style.ELLIPSOID),
             opacity=opacity,
             cast_shadow=False,

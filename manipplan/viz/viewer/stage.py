@@ -14,8 +14,7 @@ from manipplan.collision.shapes import PointCloud
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
-from manipplan.viz.shapes import evenly_chosen
-from manipplan.viz.viewer.bodies import PLANE, triangles_of
+from manipplan.viz.shapes import PLANE, evenly_chosen, triangles_of
 from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, draw_checked_layers, put
 from manipplan.viz.viewer.motion import ShownMotion
 
@@ -51,20 +50,19 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
             above = (placed.min(axis=0) + placed.max(axis=0)) / 2  # its frame is often that of the camera
             seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
         for i, shape in enumerate(() if isinstance(obstacle, PointCloud) else obstacle.shapes()):
-            triangles = triangles_of(shape)
-            if triangles is None:
-                continue
+            vertices, faces = triangles_of(shape)
             endless = isinstance(shape, coal.Halfspace)
             mesh = scene.add_mesh_simple(
                 f"/obstacles/{k}/{i}",
-                *triangles,
+                vertices,
+                faces,
                 color=style.rgb(style.OBSTACLE),
                 opacity=0.18 if endless else 0.55,
                 side="double",
                 cast_shadow=not endless,
             )
             put(mesh, obstacle.pose)
-            placed = triangles[0] @ obstacle.pose.rotation.T + obstacle.pose.translation
+            placed = vertices @ obstacle.pose.rotation.T + obstacle.pose.translation
             top = max(top, placed[:, 2].max()) if not endless else top
             if not endless:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
