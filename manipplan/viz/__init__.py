@@ -14,11 +14,11 @@ from manipplan.viz.curves import (
     plot_manipulability,
     plot_singular_values,
 )
-from manipplan.viz.figure import plan_figure, program_figure, save_plan, save_program
+from manipplan.viz.figure import draw_figure, save_figure
 
 __all__ = [
     "animate",
-    "plan_figure",
+    "draw_figure",
     "plot_arm",
     "plot_convergence",
     "plot_deviation",
@@ -30,7 +30,5 @@ __all__ = [
     "plot_planar_arm",
     "plot_singular_values",
     "plot_tool_path",
-    "program_figure",
-    "save_plan",
-    "save_program",
+    "save_figure",
 ]

@@ -15,13 +15,12 @@ from manipplan.collision.shapes import Plane
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton, tool_ways
+from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, ellipsoid_scale, joint_path, skeleton, tool_ways
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
 
 #: Direction towards the light.
@@ -131,8 +130,6 @@ def _brightness(faces: tuple[Array, ...]) -> Array:
     return np.asarray(0.72 + 0.28 * facing)
 
 
-#: Default length of the largest radius, as a share of the length of the stretched arm.
-SHARE = 0.08
 #: Number of points of a tool path.
 WAY = 160
 
@@ -215,7 +212,7 @@ def plot_ellipsoids(
     q, fine = (
         curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2, most=style.MOST_PLACES), WAY)
     )
-    scale = default_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
+    scale = ellipsoid_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
     ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
     with style.shared():
         for tool in tools:
@@ -225,14 +222,6 @@ def plot_ellipsoids(
         style.name_axes(ax)
         ax.set_aspect("equal", adjustable="datalim")
     return ax
-
-
-def default_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
-    """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
-    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
-    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
-    largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
-    return float(SHARE * long / max(largest, 1e-9))
 
 
 def _ball() -> Any:
@@ -310,7 +299,9 @@ def _draw_arm(
     m: int,
 ) -> Any:
     """Draw the arm in space, or from above for `m` = 2."""
-    curve, other, world = check_motions(robot, path, scene, seed)
+    curve = joint_path("path", path, instance("robot", robot, Robot))
+    other = None if seed is None else joint_path("seed", seed, robot)
+    world = Scene() if scene is None else instance("scene", scene, Scene)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2, most=style.MOST_PLACES))
     motions = {name: each for name, each in zip(names, (curve, other), strict=True) if each is not None}
     ways = {name: [way[:, :m] for way in tool_ways(robot, each)] for name, each in motions.items()}
@@ -354,15 +345,6 @@ def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
         draw_surface(ax, Surface(faces=(patch,), edges=(np.vstack([patch, patch[:1]]),)), style.FLOOR, alpha=0.35, edges=True)
         write(ax, 0.85 * patch[0] + 0.15 * patch.mean(axis=0), name, style.OBSTACLE_NAME)
     return seen
-
-
-def check_motions(
-    robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None
-) -> tuple[JointPath, JointPath | None, Scene]:
-    """The paths of both motions, and the scene; raises InvalidInputError for a wrong type or another arm's motion."""
-    instance("robot", robot, Robot)
-    world = Scene() if scene is None else instance("scene", scene, Scene)
-    return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot), world
 
 
 def draw_flat_scene(ax: Any, scene: Scene, seen: list[Array]) -> None:

@@ -391,9 +391,9 @@ def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
         (replace(demo_plan, refinement=refinement), "refined", "best of the samples", ["bound"]),
         (replace(demo_plan, result=improved), "improved", "recorded", []),
     ):
-        assert legends(viz.plan_figure(plan)) == [[f"tool, {ours}", f"tool, {first}"], [ours, first, *more]]
+        assert legends(viz.draw_figure(plan)) == [[f"tool, {ours}", f"tool, {first}"], [ours, first, *more]]
     kept = replace(demo_plan, path=demo_plan.result.seed)
-    assert legends(viz.plan_figure(kept)) == [["tool, seed"], ["seed", "straight"]]
+    assert legends(viz.draw_figure(kept)) == [["tool, seed"], ["seed", "straight"]]
 
 
 def test_two_motions_of_one_tool_path_are_one_line(planar):
@@ -406,7 +406,7 @@ def test_two_motions_of_one_tool_path_are_one_line(planar):
 @pytest.mark.slow
 def test_a_figure_is_drawn_as_vectors_alone(demo_plan, planar_plan, tmp_path):
     for plan in (demo_plan, planar_plan):
-        viz.plan_figure(plan).savefig(tmp_path / "plan.svg")
+        viz.draw_figure(plan).savefig(tmp_path / "plan.svg")
         root = ElementTree.parse(tmp_path / "plan.svg").getroot()
         assert not list(root.iter(f"{SVG}image"))
         paths = list(root.iter(f"{SVG}path"))
@@ -562,7 +562,7 @@ def odd_plan(tmp_path):
 @pytest.mark.slow
 def test_names_are_drawn_as_they_are(odd_plan, tmp_path):
     assert (tmp_path / "out" / "plan.png") in odd_plan.save(tmp_path / "out")
-    figure = viz.plan_figure(odd_plan)
+    figure = viz.draw_figure(odd_plan)
     figure.savefig(tmp_path / "plan.svg")
     named = [text for text in figure.findobj(Text) if "x_{" in text.get_text()]
     assert len(named) == 5  # title, obstacle, joints
@@ -573,7 +573,7 @@ def test_the_data_are_written_before_the_picture(odd_plan, tmp_path, monkeypatch
     def fails(plan, file):
         raise RuntimeError("no picture")
 
-    monkeypatch.setattr(viz, "save_plan", fails)
+    monkeypatch.setattr(viz, "save_figure", fails)
     with pytest.raises(RuntimeError, match="no picture"):
         odd_plan.save(tmp_path / "out")
     again = mp.Plan.load(tmp_path / "out")

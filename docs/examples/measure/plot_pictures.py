@@ -25,7 +25,7 @@ from manipplan.jobs.demo import panda_among_boxes
 problem = panda_among_boxes()
 robot, scene = problem.robot, problem.scene
 plan = mp.plan(robot, problem.start, problem.goal, scene)
-_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # The arm among obstacles

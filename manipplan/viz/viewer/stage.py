@@ -1,22 +1,190 @@
-"""The 3D scene of a motion: both robots, tool paths, ellipsoids, obstacles, floor and camera.
+"""The 3D scene of a motion: robots, the bodies they are checked with, carried parts, ellipsoids and tool paths that move.
 
 Static parts of the scene: obstacles with their names, the floor, and the initial camera.
 """
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import coal
 import numpy as np
+import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import PointCloud
+from manipplan.measures.ellipsoid import velocity_ellipsoid
+from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
+from manipplan.viz.motions import DrawnTool, ShownMotion
 from manipplan.viz.shapes import PLANE, evenly_chosen, triangles_of
-from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, draw_checked_layers, put
-from manipplan.viz.viewer.motion import ShownMotion
+from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies
+
+#: Opacity of the ghost robot shown for comparison.
+GHOST = 0.45
+#: Half thickness of a drawn ellipse, as a share of its larger radius.
+THIN = 0.02
+
+
+class RobotFigure:
+    """A robot in the scene under `root`; with a `ghost` colour, only its moving parts, translucent in that colour.
+
+    Attributes:
+        root: viser's handle of the whole robot; its `visible` shows and hides it.
+        frames: viser's handles of the world frame and the joint frames.
+        meshes: viser's handles of the drawn bodies.
+    """
+
+    def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
+        self.robot = robot
+        self._data = robot.model.createData()
+        self.root: Any = scene.add_frame(root, show_axes=False)
+        self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
+        self.meshes: list[Any] = []
+        for k, body in enumerate(appearance_of(robot).bodies):
+            if ghost is not None and not body.joint:
+                continue  # it would coincide with that of the other robot
+            colour = body.colour if ghost is None else (*style.rgb(ghost), GHOST)
+            self.meshes.append(draw_body(scene, f"{root}/{body.joint}/{k}", body, colour, casts=ghost is None))
+        self.place(robot.neutral)
+
+    def place(self, q: Array) -> None:
+        """Move the robot to q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
+            put(frame, placement)
+
+
+class PartFigure:
+    """A part that moves in the scene, at first where it is given."""
+
+    def __init__(self, scene: Any, name: str, solid: Solid) -> None:
+        self.root: Any = scene.add_frame(name, show_axes=False)
+        for k, shape in enumerate(solid.shapes()):
+            colour = style.rgb(style.OPTIMUM)
+            scene.add_mesh_simple(f"{name}/{k}", *triangles_of(shape), color=colour, side="double", receive_shadow=False)
+        self.place(solid)
+
+    def place(self, solid: Solid | None) -> None:
+        """Move the part to where `solid` is; None hides it."""
+        self.root.visible = solid is not None
+        if solid is not None:
+            put(self.root, solid.pose)
+
+
+def draw_body(scene: Any, name: str, body: DrawnBody, colour: tuple[float, ...], *, casts: bool) -> Any:
+    """Draw a body in a colour with opacity (4,); `casts`: whether it casts a shadow. Returns viser's handle."""
+    return scene.add_mesh_simple(
+        name,
+        body.vertices,
+        body.faces,
+        color=tuple(colour[:3]),
+        opacity=colour[3] if colour[3] < 1 else None,
+        side="double",
+        cast_shadow=casts,
+        receive_shadow=False,
+    )
+
+
+class EllipsoidFigure:
+    """The velocity ellipsoid of the tool's position in the scene.
+
+    `scale`: metres drawn per unit of its radii.
+    """
+
+    def __init__(self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float) -> None:
+        self._tool, self._scale = tool, scale
+        self.mesh: Any = scene.add_mesh_simple(
+            name,
+            *triangles_of(coal.Sphere(1.0)),
+            color=style.rgb(style.ELLIPSOID),
+            opacity=opacity,
+            cast_shadow=False,
+            receive_shadow=False,
+        )
+
+    def place(self, q: Array) -> None:
+        """Move the ellipsoid to the tool at q (n,)."""
+        axes, radii = principal(self._tool, q)
+        self.mesh.scale = tuple(float(r) for r in self._scale * radii)
+        put(self.mesh, pin.SE3(axes, np.asarray(self._tool.pose(q))[:3, 3]))
+
+
+def principal(tool: DrawnTool, q: Array) -> tuple[Array, Array]:
+    """Axes, a rotation (3, 3), and radii (3,) of the velocity ellipsoid; an ellipse is thin along z."""
+    ellipsoid = velocity_ellipsoid(tool.jacobian(q))
+    axes, radii = np.eye(3), np.full(3, THIN * ellipsoid.radii[0])
+    m = len(ellipsoid.radii)
+    axes[:m, :m] = ellipsoid.axes
+    radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat ellipsoid stays visible
+    axes[:, 2] *= np.linalg.det(axes)
+    return axes, radii
+
+
+def corners(robot: Robot, q: Array, *, moving: bool) -> Array:
+    """Lower and upper corner (2, 3) [m] of the box around the robot at q (n,), or around its moving parts."""
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    bodies = [body for body in appearance_of(robot).bodies if body.joint or not moving]
+    points = [body.vertices @ data.oMi[body.joint].rotation.T + data.oMi[body.joint].translation for body in bodies]
+    together = np.concatenate([*points, np.zeros((1, 3))])  # the base is always included
+    return np.array([together.min(axis=0), together.max(axis=0)])
+
+
+def put(handle: Any, placement: pin.SE3) -> None:
+    """Set the pose of a scene node."""
+    handle.position = np.asarray(placement.translation)
+    handle.wxyz = pin.Quaternion(placement.rotation).coeffs()[[3, 0, 1, 2]]
+
+
+class CheckedFigure:
+    """Bodies that are checked for collisions, on the joint frames of a figure; made when they are shown for the first time."""
+
+    def __init__(
+        self, scene: Any, figure: RobotFigure, name: str, make: Callable[[Robot], Sequence[DrawnBody]], *, replaces: bool
+    ) -> None:
+        """`name`: in the scene; `make` gives the bodies of a robot; `replaces`: whether its links are hidden meanwhile."""
+        self._scene, self._figure, self._name, self._make, self._replaces = scene, figure, name, make, replaces
+        self._lock = threading.Lock()
+        self._meshes: list[Any] = []
+        self._visible = False
+
+    @property
+    def visible(self) -> bool:
+        """Whether the bodies are shown."""
+        return self._visible
+
+    @visible.setter
+    def visible(self, value: bool) -> None:
+        with self._lock:
+            if value and not self._meshes:
+                self._meshes = [
+                    draw_body(
+                        self._scene, f"{self._figure.root.name}/{body.joint}/{self._name}{k}", body, body.colour, casts=False
+                    )
+                    for k, body in enumerate(self._make(self._figure.robot))
+                ]
+            self._visible = value
+            for mesh in self._meshes:
+                mesh.visible = value
+            for link in self._figure.meshes if self._replaces else ():
+                link.visible = not value
+
+
+def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
+    """The convex bodies that a plan is checked with, and a controller's capsules, by the names of their switches.
+
+    Empty for a robot without collision geometry.
+    """
+    if not figure.robot.geometry.ngeoms:
+        return {}
+    return {
+        "what is checked": CheckedFigure(scene, figure, "checked", convex_bodies, replaces=True),
+        "controller's capsules": CheckedFigure(scene, figure, "capsule", capsules, replaces=False),
+    }
+
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
@@ -161,11 +329,11 @@ class Stage:
         self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
         if self.seed is not None and motion.seed is not None:
             self.layers[motion.seed.name] = self.seed.root
-        for each, node, colour in zip(motion.motions, ("/path", "/seed_path"), (style.OPTIMUM, style.SEED), strict=False):
-            self.layers[f"path, {each.name}"] = draw_path(scene, node, each.tools, colour)
+        for each, node in zip(motion.motions, ("/path", "/seed_path"), strict=False):
+            self.layers[f"path, {each.name}"] = draw_path(scene, node, each.tools, each.colour)
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
-        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
+        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, _box(motion))
         self.layers |= draw_checked_layers(scene, self.robot)
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
@@ -182,6 +350,13 @@ class Stage:
             figure.place(part.at(t, self.motion.robot, q))
         if self.seed is not None and self.motion.seed is not None:
             self.seed.place(self.motion.seed.at(t))
+
+
+def _box(motion: ShownMotion) -> Array:
+    """Corners (2, 3) of the box that the arm and its seed move in [m]."""
+    q = np.concatenate([each.q for each in motion.motions])
+    boxes = np.array([corners(motion.robot, each, moving=True) for each in q[:: max(len(q) // 12, 1)]])
+    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
 
 def draw_path(scene: Any, name: str, ways: Sequence[Array], colour: str) -> Any:
