@@ -5,7 +5,7 @@ imported with the first picture.
 """
 
 from manipplan.viz.animation import animate
-from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm, plot_tool_path
+from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_tool_path
 from manipplan.viz.curves import (
     plot_convergence,
     plot_deviation,
@@ -27,7 +27,6 @@ __all__ = [
     "plot_joints",
     "plot_layers",
     "plot_manipulability",
-    "plot_planar_arm",
     "plot_singular_values",
     "plot_tool_path",
     "save_figure",

@@ -20,7 +20,7 @@ from manipplan.support.checks import Array, ArrayLike, finite_array, instance, n
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, ellipsoid_scale, joint_path, skeleton, tool_ways
+from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, ellipsoid_scale, joint_path, skeleton
 from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
 
 #: Direction towards the light.
@@ -246,10 +246,11 @@ def plot_arm(
     places: int = POSTURES,
     ax: Any = None,
 ) -> Any:
-    """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
+    """The arm along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
 
     Collision bodies are drawn at the start and the goal, the skeleton between them. Obstacles are drawn in their true shape
-    with their names; a plane is a patch as large as the picture. Everything is drawn as vector graphics.
+    with their names; a plane is a patch as large as the picture. A planar arm is seen from above; a plane is then the part of
+    the picture that it fills at z = 0. Everything is drawn as vector graphics.
 
     Args:
         robot: the arm.
@@ -258,55 +259,20 @@ def plot_arm(
         seed: another motion, of which the tool path is drawn.
         names: names of the two motions in the legend.
         places: number of postures drawn, at least 2, evenly spaced in the path's parameter.
-        ax: Matplotlib axes with projection="3d"; None: those of a new figure.
+        ax: Matplotlib axes, with projection="3d" unless the arm is planar and seen from above; None: those of a new figure.
 
     Returns the axes.
     """
-    return _draw_arm(robot, path, scene, seed, names, places, ax, m=3)
-
-
-def plot_planar_arm(
-    robot: Robot,
-    path: Motion,
-    scene: Scene | None = None,
-    *,
-    seed: Motion | None = None,
-    names: tuple[str, str] = ("path", "seed"),
-    places: int = POSTURES,
-    ax: Any = None,
-) -> Any:
-    """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and its tool path.
-
-    Obstacles are seen from above; a plane is drawn as the part of the picture that it fills at z = 0. Arguments are those of
-    `plot_arm`, but with axes without projection="3d".
-
-    Returns the axes. Raises InvalidInputError for an arm that is not planar.
-    """
-    if not instance("robot", robot, Robot).planar:
-        raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
-    return _draw_arm(robot, path, scene, seed, names, places, ax, m=2)
-
-
-def _draw_arm(
-    robot: Robot,
-    path: Motion,
-    scene: Scene | None,
-    seed: Motion | None,
-    names: tuple[str, str],
-    places: int,
-    ax: Any,
-    *,
-    m: int,
-) -> Any:
-    """Draw the arm in space, or from above for `m` = 2."""
     curve = joint_path("path", path, instance("robot", robot, Robot))
     other = None if seed is None else joint_path("seed", seed, robot)
     world = Scene() if scene is None else instance("scene", scene, Scene)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2, most=style.MOST_PLACES))
+    solid = not robot.planar or getattr(ax, "name", "") == "3d"
+    m, ax = 3 if solid else 2, style.axes_for(ax, solid=solid, size=(7.0, 6.0) if solid else (6.0, 6.0))
     motions = {name: each for name, each in zip(names, (curve, other), strict=True) if each is not None}
-    ways = {name: [way[:, :m] for way in tool_ways(robot, each)] for name, each in motions.items()}
+    s = np.linspace(0.0, 1.0, WAY)
+    ways = {name: [tool.pose(each(s))[:, :m, 3] for tool in drawn_tools(robot)] for name, each in motions.items()}
     lines = [skeleton(robot, q)[:, :m] for q in curve(shares)]
-    ax = style.axes_for(ax, solid=m == 3, size=(7.0, 6.0) if m == 3 else (6.0, 6.0))
     with style.shared():
         seen = [*chain(*ways.values()), *lines]
         if m == 3:

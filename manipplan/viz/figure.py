@@ -29,7 +29,6 @@ from manipplan.viz.arm import (
     draw_surface,
     look_at,
     plot_arm,
-    plot_planar_arm,
     points_of,
     write,
 )
@@ -74,8 +73,7 @@ def draw_figure(plan: Plan | Program, figure: Any = None) -> Any:
         top, bottom = right.subplots(2, 1)
         seed = shown.seed.path if shown.seed is not None else None
         names, places = (shown.ours.name, shown.motions[-1].name), PROGRAM_POSTURES if is_program else POSTURES
-        plot = plot_planar_arm if robot.planar else plot_arm
-        plot(robot, shown.ours.path, plan.scene, seed=seed, names=names, places=places, ax=space)
+        plot_arm(robot, shown.ours.path, plan.scene, seed=seed, names=names, places=places, ax=space)
         if isinstance(plan, Program):
             if not robot.planar:
                 _write_blends(space, plan)
@@ -139,7 +137,8 @@ def _write_blends(ax: Any, program: Program) -> None:
 
 def _draw_part(ax: Any, shown: ShownMotion, part: MovedPart) -> None:
     """A part on its way in the hand, and where it is put down."""
-    for k, (begin, end) in enumerate(pairwise([*part.times, shown.trajectory.duration])):
+    times = [since for since, _, _ in part.states]
+    for k, (begin, end) in enumerate(pairwise([*times, shown.trajectory.duration])):
         held = part.is_held(begin)
         for t in np.linspace(begin, end, CARRIED + 2)[1:-1] if held else [begin] if k else []:
             solid = part.at(float(t), shown.robot, shown.trajectory(float(t)))

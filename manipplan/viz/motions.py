@@ -118,51 +118,48 @@ def skeleton(robot: Robot, q: Array) -> Array:
     return np.array(line)
 
 
-def tool_ways(robot: Robot, path: JointPath, count: int = 160) -> list[Array]:
-    """Positions (count, 3) of each tool along a path [m]."""
-    q = path(np.linspace(0.0, 1.0, count))
-    return [tool.pose(q)[:, :3, 3] for tool in drawn_tools(robot)]
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MovedPart:
     """A part that a program takes up or puts down.
 
     Attributes:
         name: of the part.
-        times: when it is taken up or put down, from 0 on [s].
-        solids: for each of these times, the part posed in the frame of the hand or in the world; None while it is nowhere.
-        frames: for each, the tool frame of the hand; "" while no hand carries it.
+        states: since when [s], from 0 on, and the arm with what it carries and the scene from then on.
     """
 
     name: str
-    times: tuple[float, ...]
-    solids: tuple[Solid | None, ...]
-    frames: tuple[str, ...]
+    states: tuple[tuple[float, Robot, Scene], ...]
 
     def at(self, t: float, robot: Robot, q: Array) -> Solid | None:
         """The part at time t [s], posed in the world, with the arm at q (n,); None where it is nowhere."""
-        solid, frame = self.solids[self._since(t)], self.frames[self._since(t)]
-        return solid.at(frame_pose(robot.model, frame, q)) if solid is not None and frame else solid
+        arm, scene = self._state(t)
+        solid, held = self._solid(arm, scene), arm.carried.get(self.name)
+        return solid.at(frame_pose(robot.model, held.frame, q)) if solid is not None and held is not None else solid
 
     def is_held(self, t: float) -> bool:
         """Whether the hand carries it at time t [s]."""
-        return bool(self.frames[self._since(t)])
-
-    def _since(self, t: float) -> int:
-        return int(np.searchsorted(self.times, t, side="right")) - 1
+        return self.name in self._state(t)[0].carried
 
     @property
     def solid(self) -> Solid:
         """The part, wherever it is first."""
-        return next(each for each in self.solids if each is not None)
+        found = (self._solid(arm, scene) for _, arm, scene in self.states)
+        return next(each for each in found if each is not None)
+
+    def _state(self, t: float) -> tuple[Robot, Scene]:
+        return [(arm, scene) for since, arm, scene in self.states if since <= t][-1]
+
+    def _solid(self, arm: Robot, scene: Scene) -> Solid | None:
+        if self.name in arm.carried:
+            return arm.carried[self.name].solid
+        return next((each for each in scene.named if each.name == self.name), None)
 
 
 def find_moved_parts(program: Program) -> tuple[MovedPart, ...]:
     """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
-    return tuple(_follow_part(name, states) for name in names)
+    return tuple(MovedPart(name=name, states=tuple(states)) for name in names)
 
 
 def _states(program: Program) -> list[tuple[float, Robot, Scene]]:
@@ -178,16 +175,6 @@ def _states(program: Program) -> list[tuple[float, Robot, Scene]]:
         if at:
             states.append((min(at), robot, scene))
     return states
-
-
-def _follow_part(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
-    times, solids, frames = [], [], []
-    for since, robot, scene in states:
-        times.append(since)
-        frames.append(robot.carried[name].frame if name in robot.carried else "")
-        standing = next((each for each in scene.named if each.name == name), None)
-        solids.append(robot.carried[name].solid if name in robot.carried else standing)
-    return MovedPart(name=name, times=tuple(times), solids=tuple(solids), frames=tuple(frames))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -115,7 +115,6 @@ ELSEWHERE = [
     "viz.plot_convergence",
     "viz.plot_deviation",
     "viz.plot_ellipsoid",
-    "viz.plot_arm",
     "viz.plot_singular_values",
     "planar.Arc.__call__",
 ]

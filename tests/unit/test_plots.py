@@ -253,7 +253,7 @@ def test_the_arm_stands_among_named_obstacles(demo_plan, space):
 
 def test_a_way_that_returns_is_named_once(planar, flat):
     there = np.array([[0.2, 0.7, 0.6], [1.0, 1.2, -0.9], [0.2, 0.7, 0.6]])
-    viz.plot_planar_arm(planar, mp.JointPath.through(there), ax=flat)
+    viz.plot_arm(planar, mp.JointPath.through(there), ax=flat)
     assert [text.get_text() for text in flat.texts] == ["start and goal"]
 
 
@@ -269,7 +269,7 @@ def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     wall = mp.Plane(name="wall", position=(-2.2, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
     turned = mp.Box(size=(0.4, 0.2, 1.0), position=(2.0, 2.0, 0.0), rotation=(0.0, 0.0, 0.5), name="block")
     scene = mp.Scene([*planar_plan.scene.obstacles, wall, turned])
-    viz.plot_planar_arm(planar_plan.robot, planar_plan.path, scene, ax=flat)
+    viz.plot_arm(planar_plan.robot, planar_plan.path, scene, ax=flat)
     assert {"start", "goal", "ball", "wall", "block"} == {text.get_text() for text in flat.texts}
     ball, block = (patch.get_path().vertices[:-1] for patch in flat.patches[:2])
     assert np.linalg.norm(ball - (0.5, -0.9), axis=1).max() == pytest.approx(0.2)
@@ -279,8 +279,8 @@ def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     assert side.get_path().vertices[:, 0].max() == pytest.approx(-2.2)
     flat.figure.draw_without_rendering()
     assert flat.get_xlim()[0] < -2.2
-    with pytest.raises(mp.errors.InvalidInputError, match="planar arm"):
-        viz.plot_planar_arm(mp.load_robot("panda"), mp.JointPath.line(np.zeros(7), np.ones(7)))
+    with pytest.raises(mp.errors.InvalidInputError, match="3d"):
+        viz.plot_arm(mp.load_robot("panda"), mp.JointPath.line(np.zeros(7), np.ones(7)), ax=flat)
 
 
 def test_tool_path_beside_what_it_follows(tracked, planar, demo_plan, space, flat):
@@ -399,7 +399,7 @@ def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
 def test_two_motions_of_one_tool_path_are_one_line(planar):
     path = mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])
     same = mp.JointPath.through(path(np.linspace(0, 1, 9)))
-    ax = viz.plot_planar_arm(planar, path, seed=same, names=("refined", "sampled"))
+    ax = viz.plot_arm(planar, path, seed=same, names=("refined", "sampled"))
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["tool, refined and sampled"]
 
 

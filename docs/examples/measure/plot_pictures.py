@@ -70,7 +70,7 @@ flat = mp.plan(
     mp.Scene([wall, ball]),
     objective=mp.PathObjective(power=2.0),
 )
-ax = viz.plot_planar_arm(
+ax = viz.plot_arm(
     planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed")
 )
 

@@ -53,6 +53,7 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
 
 log = logging.getLogger("manipplan")
 
+Colour = tuple[float, float, float, float]
 #: Maximum number of triangles of a mesh that does not move, such as the legs of a humanoid.
 STILL = 1000
 #: Colour of geometry without a colour of its own.
@@ -67,7 +68,7 @@ class DrawnBody:
     joint: int
     vertices: Array
     faces: Faces
-    colour: tuple[float, float, float, float]
+    colour: Colour
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -110,12 +111,7 @@ def _bodies(geometry: pin.GeometryModel) -> tuple[DrawnBody, ...]:
 
 
 def _drawn(
-    name: str,
-    joint: int,
-    place: pin.SE3,
-    shape: coal.CollisionGeometry,
-    colour: tuple[float, float, float, float],
-    most: int = MOST,
+    name: str, joint: int, place: pin.SE3, shape: coal.CollisionGeometry, colour: Colour, most: int = MOST
 ) -> list[DrawnBody]:
     """The body, or nothing for a mesh without triangles."""
     vertices, faces = triangles_of(shape, most)
@@ -129,16 +125,21 @@ def _rods(robot: Robot) -> tuple[DrawnBody, ...]:
     tools = [model.frames[frame_index(model, tool)] for tool in robot.tools]
     ends = [(model.parents[i], model.jointPlacements[i].translation) for i in range(1, model.njoints)]
     ends += [(tool.parentJoint, tool.placement.translation) for tool in tools]
-    lengths = [float(np.linalg.norm(end)) for _, end in ends]
-    radius = 0.03 * max(sum(lengths), 1e-3)
+    radius = 0.03 * max(sum(float(np.linalg.norm(end)) for _, end in ends), 1e-3)
     made: list[DrawnBody] = []
-    for k, ((joint, end), length) in enumerate(zip(ends, lengths, strict=True)):
-        if length < 1e-6:
-            continue
-        turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), np.asarray(end) / length).toRotationMatrix()
-        rod = coal.Capsule(min(radius, 0.3 * length), length)
-        made += _drawn(f"rod{k}", joint, pin.SE3(turn, np.asarray(end) / 2), rod, GREY)
+    for k, (joint, end) in enumerate(ends):
+        length = float(np.linalg.norm(end))
+        if length >= 1e-6:
+            made += _capsule(f"rod{k}", joint, np.zeros(3), np.asarray(end), min(radius, 0.3 * length), GREY)
     return tuple(made)
+
+
+def _capsule(name: str, joint: int, start: Array, end: Array, radius: float, colour: Colour) -> list[DrawnBody]:
+    """A capsule about the line between two points (3,), or a ball where they are one."""
+    length = float(np.linalg.norm(end - start))
+    turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), end - start).matrix() if length > 0 else np.eye(3)
+    shape = coal.Capsule(radius, length) if length > 0 else coal.Sphere(radius)
+    return _drawn(name, joint, pin.SE3(turn, (start + end) / 2), shape, colour)
 
 
 #: Opacity of capsules, which are drawn around the links.
@@ -157,12 +158,6 @@ def convex_bodies(robot: Robot) -> list[DrawnBody]:
 
 def capsules(robot: Robot) -> list[DrawnBody]:
     """The capsules and balls that a controller keeps apart."""
-    found: list[DrawnBody] = []
-    for body in CapsuleBodies.of(robot).items:
-        along = body.end - body.start
-        length = float(np.linalg.norm(along))
-        turn = pin.Quaternion.FromTwoVectors(np.array([0.0, 0.0, 1.0]), along).matrix() if length > 0 else np.eye(3)
-        shape = coal.Capsule(body.radius, length) if length > 0 else coal.Sphere(body.radius)
-        place = pin.SE3(turn, (body.start + body.end) / 2)
-        found += _drawn(body.name, body.joint, place, shape, (*style.rgb(style.ELLIPSOID), AROUND))
-    return found
+    colour = (*style.rgb(style.ELLIPSOID), AROUND)
+    items = CapsuleBodies.of(robot).items
+    return [each for body in items for each in _capsule(body.name, body.joint, body.start, body.end, body.radius, colour)]

@@ -330,7 +330,9 @@ class Stage:
         if self.seed is not None and motion.seed is not None:
             self.layers[motion.seed.name] = self.seed.root
         for each, node in zip(motion.motions, ("/path", "/seed_path"), strict=False):
-            self.layers[f"path, {each.name}"] = draw_path(scene, node, each.tools, each.colour)
+            pieces = np.concatenate([np.stack([way[:-1], way[1:]], axis=1) for way in each.tools])
+            lines = scene.add_line_segments(node, pieces, style.rgb(each.colour), thickness=LINE, thickness_units="screen")
+            self.layers[f"path, {each.name}"] = lines
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
         self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, _box(motion))
@@ -357,9 +359,3 @@ def _box(motion: ShownMotion) -> Array:
     q = np.concatenate([each.q for each in motion.motions])
     boxes = np.array([corners(motion.robot, each, moving=True) for each in q[:: max(len(q) // 12, 1)]])
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
-
-
-def draw_path(scene: Any, name: str, ways: Sequence[Array], colour: str) -> Any:
-    """Lines through the points (k, 3) of each way [m]; returns viser's handle."""
-    pieces = np.concatenate([np.stack([points[:-1], points[1:]], axis=1) for points in ways])
-    return scene.add_line_segments(name, pieces, style.rgb(colour), thickness=LINE, thickness_units="screen")
