@@ -27,6 +27,7 @@ from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
 from manipplan.viz.motions import Motion, ShownMotion, joint_path, length_shares
+from manipplan.viz.shapes import evenly_chosen
 
 if TYPE_CHECKING:
     from manipplan.jobs.result import Plan
@@ -213,7 +214,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
     count = len(layers.m)
     if result is not None and len(result.manipulability) not in (0, count):
         raise InvalidInputError("result", f"{len(result.manipulability)} positions", f"a result of these {count} layers")
-    shown = [_evenly(m) for m in layers.m]
+    shown = [evenly_chosen(np.sort(m), CANDIDATES) for m in layers.m]  # with the smallest and the largest
     place = np.repeat(np.arange(count), [len(each) for each in shown])
     ax = style.axes_for(ax)
     with style.shared():
@@ -277,13 +278,6 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
         ax.set_title(f"{len(history)} solves")
         ax.legend(loc="best")
     return ax
-
-
-def _evenly(m: Any) -> Any:
-    """At most CANDIDATES of the values (k,), evenly by rank, including the smallest and the largest."""
-    if len(m) <= CANDIDATES:
-        return np.sort(m)
-    return np.sort(m)[np.linspace(0, len(m) - 1, CANDIDATES).round().astype(int)]
 
 
 def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = None, ax: Any = None) -> Any:

@@ -34,7 +34,7 @@ from manipplan.viz.arm import (
 )
 from manipplan.viz.curves import POINTS, draw_least, draw_measure, plot_joints, plot_manipulability
 from manipplan.viz.motions import MovedPart, ShownMotion, skeleton
-from manipplan.viz.shapes import arm_surfaces, joined, surface_of
+from manipplan.viz.shapes import arm_surfaces, evenly_chosen, joined, surface_of
 
 #: Number of postures of the arm that are drawn of a program, and of places of a part while it is carried.
 PROGRAM_POSTURES, CARRIED = 9, 4
@@ -63,16 +63,21 @@ def draw_figure(plan: Plan | Program, figure: Any = None) -> Any:
     from matplotlib.figure import Figure
 
     shown = ShownMotion.of(plan, POINTS)
-    robot, is_program = shown.robot, isinstance(plan, Program)
+    robot = shown.robot
     with style.shared():
         figure = figure if figure is not None else Figure(figsize=(11.5, 6.0))
         figure.set_layout_engine("constrained")
         left, right = figure.subfigures(1, 2, width_ratios=(1.15, 1))
-        left.suptitle(_title(shown), fontsize=11, x=0.02, ha="left")
+        title = f"{shown.trajectory.duration:.2f} s"
+        if isinstance(plan, Program):
+            title = f"{len(plan.marks)} steps, {title}, minimum m {plan.min_manipulability:.3g}"
+        elif plan.report.counts:
+            title += f", minimum manipulability {plan.report.min_manipulability:.3g}"
+        left.suptitle(f"{robot.name}: {title}", fontsize=11, x=0.02, ha="left")
         space = left.subplots() if robot.planar else left.add_subplot(projection="3d")
         top, bottom = right.subplots(2, 1)
         seed = shown.seed.path if shown.seed is not None else None
-        names, places = (shown.ours.name, shown.motions[-1].name), PROGRAM_POSTURES if is_program else POSTURES
+        names, places = (shown.ours.name, shown.motions[-1].name), PROGRAM_POSTURES if shown.marks else POSTURES
         plot_arm(robot, shown.ours.path, plan.scene, seed=seed, names=names, places=places, ax=space)
         if isinstance(plan, Program):
             if not robot.planar:
@@ -96,14 +101,6 @@ def draw_figure(plan: Plan | Program, figure: Any = None) -> Any:
             bottom.axvspan(begin, end, color=style.ARM, alpha=0.12, linewidth=0)
             _annotate(bottom, begin, "off the path", xytext=(3, 3), fontsize=8)
     return figure
-
-
-def _title(shown: ShownMotion) -> str:
-    plan, duration = shown.plan, f"{shown.trajectory.duration:.2f} s"
-    if isinstance(plan, Program):
-        return f"{shown.robot.name}: {len(plan.marks)} steps, {duration}, minimum m {plan.min_manipulability:.3g}"
-    least = f", minimum manipulability {plan.report.min_manipulability:.3g}" if plan.report.counts else ""
-    return f"{shown.robot.name}: {duration}{least}"
 
 
 def _annotate(ax: Any, t: float, text: str, **options: Any) -> None:
@@ -206,7 +203,7 @@ def _draw_robot(ax: Any, robot: Robot) -> None:
 
 def _draw_solutions(ax: Any, solutions: SolutionSet) -> None:
     """Each solution as a line over the joints."""
-    shown = solutions.q[np.linspace(0, len(solutions) - 1, min(len(solutions), MOST_SOLUTIONS)).round().astype(int)]
+    shown = evenly_chosen(solutions.q, MOST_SOLUTIONS)
     joints = np.arange(1, shown.shape[1] + 1)
     ax.plot(joints, shown.T, "o-", color=style.OPTIMUM, alpha=max(0.15, 1 / len(shown)), markersize=2.5)
     ax.set_xticks(joints)

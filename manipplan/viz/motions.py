@@ -28,8 +28,6 @@ from manipplan.viz import style
 
 #: Number of times at which curves are sampled.
 SAMPLES = 201
-#: Number of places at which ellipsoids are drawn.
-ELLIPSOIDS = 7
 #: Default length of the largest radius of an ellipsoid, as a share of the length of the stretched arm.
 SHARE = 0.08
 
@@ -284,11 +282,6 @@ class ShownMotion:
     def seed(self) -> MotionSamples | None:
         """The initial path; None where there is no other path."""
         return self.motions[1] if len(self.motions) > 1 else None
-
-    @property
-    def places(self) -> Array:
-        """Configurations (ELLIPSOIDS, n) at which ellipsoids are drawn."""
-        return np.asarray(self.ours.q[np.linspace(0, len(self.t) - 1, ELLIPSOIDS).round().astype(int)])
 
     def least(self) -> list[tuple[str, str]]:
         """Names and values of the minimum manipulability of the motion and of the seed."""

@@ -97,7 +97,11 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
         triangles = mesh_triangles(shape)
     else:
         polygons = surface_of(shape, FINE).faces
-        triangles = np.array([face[[0, k, k + 1]] for face in polygons for k in range(1, len(face) - 1)])
+        fans = [
+            np.array([face for face in polygons if len(face) == n])[:, [[0, k, k + 1] for k in range(1, n - 1)]]
+            for n in {len(face) for face in polygons}
+        ]
+        triangles = np.concatenate([fan.reshape(-1, 3, 3) for fan in fans])
     vertices, faces = merge_corners(triangles)
     if isinstance(shape, coal.BVHModelBase) and len(faces) > most:
         import fast_simplification
@@ -122,7 +126,7 @@ def obstacle_surfaces(scene: Scene) -> Iterator[tuple[str, Surface]]:
 
 
 def evenly_chosen(points: Array, most: int) -> Array:
-    """At most `most` of points (k, 3), at equal steps through them."""
+    """At most `most` of points (k, ...), at equal steps through them, with the first and the last."""
     return points if len(points) <= most else points[np.linspace(0, len(points) - 1, most).astype(int)]
 
 
@@ -189,7 +193,7 @@ def _revolve(radius: Array, height: Array, around: int, *, rings: tuple[int, ...
         if height[i] == height[i + 1]:  # a flat end is one polygon
             faces.append(grid[i, :-1] if radius[i] > radius[i + 1] else grid[i + 1, -1:0:-1])
         else:
-            faces += [np.array([grid[i, j], grid[i, j + 1], grid[i + 1, j + 1], grid[i + 1, j]]) for j in range(around)]
+            faces += list(np.stack([grid[i, :-1], grid[i, 1:], grid[i + 1, 1:], grid[i + 1, :-1]], axis=1))
     return Surface(faces=tuple(faces), edges=tuple(grid[ring] for ring in rings))
 
 

@@ -5,6 +5,7 @@ Static parts of the scene: obstacles with their names, the floor, and the initia
 
 import threading
 from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any
 
 import coal
@@ -19,7 +20,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
 from manipplan.viz.motions import DrawnTool, ShownMotion
-from manipplan.viz.shapes import PLANE, evenly_chosen, triangles_of
+from manipplan.viz.shapes import PLANE, Faces, evenly_chosen, triangles_of
 from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies
 
 #: Opacity of the ghost robot shown for comparison.
@@ -88,6 +89,11 @@ def draw_body(scene: Any, name: str, body: DrawnBody, colour: tuple[float, ...],
     )
 
 
+@cache
+def _ball() -> tuple[Array, Faces]:
+    return triangles_of(coal.Sphere(1.0))
+
+
 class EllipsoidFigure:
     """The velocity ellipsoid of the tool's position in the scene.
 
@@ -98,7 +104,7 @@ class EllipsoidFigure:
         self._tool, self._scale = tool, scale
         self.mesh: Any = scene.add_mesh_simple(
             name,
-            *triangles_of(coal.Sphere(1.0)),
+            *_ball(),
             color=style.rgb(style.ELLIPSOID),
             opacity=opacity,
             cast_shadow=False,
@@ -300,8 +306,8 @@ def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) 
     return layers
 
 
-#: Thickness of a drawn path [px].
-LINE = 3.0
+#: Thickness of a drawn path [px], and number of places along it at which ellipsoids are drawn.
+LINE, ELLIPSOIDS = 3.0, 7
 
 
 class Stage:
@@ -324,7 +330,7 @@ class Stage:
         self.ellipsoids: list[EllipsoidFigure] = []
         for i, tool in enumerate(motion.tools):
             self.ellipsoids.append(EllipsoidFigure(scene, f"/ellipsoid/{i}", tool, motion.scale, opacity=0.5))
-            for k, q in enumerate(motion.places):
+            for k, q in enumerate(evenly_chosen(motion.ours.q, ELLIPSOIDS)):
                 EllipsoidFigure(scene, f"/ellipsoids/{i}_{k}", tool, motion.scale, opacity=0.18).place(q)
         self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
         if self.seed is not None and motion.seed is not None:
@@ -335,7 +341,10 @@ class Stage:
             self.layers[f"path, {each.name}"] = lines
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
-        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, _box(motion))
+        some = (q for each in motion.motions for q in each.q[:: len(motion.motions) * len(motion.t) // 12])
+        boxes = np.array([corners(motion.robot, q, moving=True) for q in some])
+        box = np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, box)
         self.layers |= draw_checked_layers(scene, self.robot)
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
@@ -352,10 +361,3 @@ class Stage:
             figure.place(part.at(t, self.motion.robot, q))
         if self.seed is not None and self.motion.seed is not None:
             self.seed.place(self.motion.seed.at(t))
-
-
-def _box(motion: ShownMotion) -> Array:
-    """Corners (2, 3) of the box that the arm and its seed move in [m]."""
-    q = np.concatenate([each.q for each in motion.motions])
-    boxes = np.array([corners(motion.robot, each, moving=True) for each in q[:: max(len(q) // 12, 1)]])
-    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
