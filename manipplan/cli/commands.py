@@ -382,6 +382,7 @@ def demo(out: Path = Path("demo"), seed: int = 0) -> int:
         with terminal.progress() as notify:
             notify(0.0, "loading the robot")
             problem = make()
+        with terminal.progress() as notify:
             made = plan_job(
                 problem.robot,
                 problem.start,
