@@ -16,7 +16,7 @@ plan = mp.plan(
     objective=mp.PathObjective(power=problem.power),
     clearance=problem.clearance,
 )
-viz.save_plan(plan, FOLDER / "demo.png")
+viz.save_figure(plan, FOLDER / "demo.png")
 viz.animate(plan, FOLDER / "demo.gif", fps=12.5, speed=0.75, size=(8.0, 4.0), dpi=80, colours=64)
 for file in (FOLDER / "demo.png", FOLDER / "demo.gif"):
     print(f"{file}: {file.stat().st_size // 1000} kB")

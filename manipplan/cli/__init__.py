@@ -12,30 +12,13 @@ from importlib.metadata import version
 import tyro
 from rich.console import Console
 
-from manipplan.cli.check import check
-from manipplan.cli.demo import demo
-from manipplan.cli.follow import follow
-from manipplan.cli.improve import improve
-from manipplan.cli.plan import plan
-from manipplan.cli.robots import robots
-from manipplan.cli.run import run as run_program
-from manipplan.cli.study import study
+from manipplan.cli import commands
 from manipplan.cli.terminal import show_line
-from manipplan.cli.view import view
 from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, OutOfReachError
 from manipplan.support.untrusted import printable
 
-COMMANDS: dict[str, Callable[..., int | None]] = {
-    "demo": demo,
-    "plan": plan,
-    "run": run_program,
-    "follow": follow,
-    "improve": improve,
-    "check": check,
-    "view": view,
-    "study": study,
-    "robots": robots,
-}
+NAMES = ("demo", "plan", "run", "follow", "improve", "check", "view", "study", "robots")
+COMMANDS: dict[str, Callable[..., int | None]] = {name: getattr(commands, name) for name in NAMES}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -121,7 +121,7 @@ class PartialPlan(Pictured):
         Raises InvalidInputError when the folder cannot be written and PlanningError when there is no trajectory.
         """
         from manipplan.plans import archive
-        from manipplan.viz import save_plan
+        from manipplan.viz import save_figure
 
         plan = self._complete("save")
         with replacing(folder) as (to, new):
@@ -131,7 +131,7 @@ class PartialPlan(Pictured):
             plan.trajectory.to_ros(new / "trajectory.yaml")
             plan.report.to_json(new / "report.json")
             write_text(new / "report.txt", f"{plan.report}\n")
-        save_plan(plan, to / "plan.png")  # last: the data are on disk even if the picture fails
+        save_figure(plan, to / "plan.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.json", "report.txt", "plan.png", archive.NAME)
         return [to / name for name in names]
 

@@ -167,7 +167,7 @@ class Program(Pictured):
         program.json and one file for each part. All files of a plan or program that was saved there before are replaced in one
         step. Raises InvalidInputError when the folder cannot be written.
         """
-        from manipplan.viz import save_program
+        from manipplan.viz import save_figure
 
         with replacing(folder) as (to, new):
             self.trajectory.to_csv(new / "trajectory.csv")
@@ -176,7 +176,7 @@ class Program(Pictured):
             write_text(new / "report.txt", f"{self}\n")
             write_text(new / "marks.csv", "\n".join([",".join(COLUMNS), *(each.row for each in self.marks)]) + "\n")
             written = [to / each.name for each in write_program(self, new, home=to)]
-        save_program(self, to / "program.png")  # last: the data are on disk even if the picture fails
+        save_figure(self, to / "program.png")  # last: the data are on disk even if the picture fails
         names = ("trajectory.csv", "trajectory.json", "trajectory.yaml", "report.txt", "marks.csv")
         return [*(to / name for name in names), *written, to / "program.png"]
 

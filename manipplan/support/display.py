@@ -28,7 +28,7 @@ class Pictured:
 
     def _repr_html_(self) -> str:
         """HTML with the value's text and picture."""
-        from manipplan.viz.notebook import html_of
+        from manipplan.viz.figure import html_of
 
         return html_of(self)
 

@@ -6,7 +6,7 @@ imported with the first picture.
 
 from manipplan.viz import style
 from manipplan.viz.animation import animate
-from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_planar_arm, plot_tool_path
+from manipplan.viz.arm import plot_arm, plot_ellipsoid, plot_ellipsoids, plot_tool_path
 from manipplan.viz.curves import (
     plot_convergence,
     plot_deviation,
@@ -15,11 +15,11 @@ from manipplan.viz.curves import (
     plot_manipulability,
     plot_singular_values,
 )
-from manipplan.viz.figure import plan_figure, program_figure, save_plan, save_program
+from manipplan.viz.figure import draw_figure, save_figure
 
 __all__ = [
     "animate",
-    "plan_figure",
+    "draw_figure",
     "plot_arm",
     "plot_convergence",
     "plot_deviation",
@@ -28,11 +28,8 @@ __all__ = [
     "plot_joints",
     "plot_layers",
     "plot_manipulability",
-    "plot_planar_arm",
     "plot_singular_values",
     "plot_tool_path",
-    "program_figure",
-    "save_plan",
-    "save_program",
+    "save_figure",
     "style",
 ]

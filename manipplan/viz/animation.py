@@ -4,89 +4,72 @@ An animated figure, written as the frames of a GIF or an MP4 file.
 """
 
 import tempfile
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from itertools import chain
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, Any
 
 import numpy as np
 
 from manipplan.measures.ellipsoid import velocity_ellipsoid
-from manipplan.support.checks import Array, finite_array, number, whole_number
+from manipplan.plans.result import PartialPlan, Plan
+from manipplan.support.checks import finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, MissingProgramError
 from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, as_callback
 from manipplan.viz import style
-from manipplan.viz.arm import default_scale, draw_flat_bodies, draw_flat_scene, draw_scene, plot_ellipsoid
-from manipplan.viz.figure import finished
-from manipplan.viz.motions import beside, drawn_tools, name_paths, skeleton, tool_ways
-from manipplan.viz.shapes import LINES, arm_surfaces, draw_skeleton, draw_surface, joined, look_at, points_of
-
-if TYPE_CHECKING:
-    from manipplan.plans.result import Plan
+from manipplan.viz.arm import (
+    LINES,
+    draw_flat_bodies,
+    draw_flat_scene,
+    draw_scene,
+    draw_skeleton,
+    draw_surface,
+    look_at,
+    plot_ellipsoid,
+    points_of,
+)
+from manipplan.viz.curves import draw_measure
+from manipplan.viz.motions import ShownMotion, skeleton
+from manipplan.viz.shapes import arm_surfaces, joined
 
 #: Time for which a GIF shows its last frame before it repeats [s].
 HOLD = 1.0
 
 
-@dataclass(frozen=True, kw_only=True)
-class Film:
-    """An animated figure and its frames.
+def _write_gif(stream: IO[bytes], figure: Any, some: Iterable[None], frames: Iterable[None], fps: float, colours: int) -> None:
+    """Write frames as a GIF, with durations in hundredths of a second and `HOLD` for the last one.
 
-    Attributes:
-        figure: a Matplotlib figure.
-        show: updates the figure to a time [s].
-        times: (k,) times of the frames [s].
-        fps: frames per second.
-        colours: number of colours of a GIF.
-        tell: progress callback.
+    Both `some` and `frames` show one frame after the other; the colours are chosen from `some`.
     """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
 
-    figure: Any
-    show: Callable[[float], None]
-    times: Array
-    fps: float
-    colours: int
-    notify: Progress
+    canvas: Any = FigureCanvasAgg(figure)
 
-    def write_gif(self, stream: IO[bytes]) -> None:
-        """Write the frames as a GIF, with durations in hundredths of a second and `HOLD` for the last frame."""
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from PIL import Image
+    def picture() -> Any:
+        canvas.draw()
+        return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
-        canvas: Any = FigureCanvasAgg(self.figure)
+    palette = _palette([picture() for _ in some], colours)
+    pictures = [picture().quantize(palette=palette, dither=Image.Dither.NONE) for _ in frames]
+    ends = np.round(100 * np.arange(len(pictures)) / fps).astype(int)
+    durations = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
+    pictures[0].save(stream, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
 
-        def picture(time: float) -> Any:
-            self.show(time)
-            canvas.draw()
-            return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
-        palette = _palette([picture(time) for time in self.times[[0, len(self.times) // 2, -1]]], self.colours)
-        frames = [picture(time).quantize(palette=palette, dither=Image.Dither.NONE) for time in self._time_frames()]
-        ends = np.round(100 * np.arange(len(frames)) / self.fps).astype(int)
-        shown = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
-        frames[0].save(stream, format="GIF", save_all=True, append_images=frames[1:], duration=shown, loop=0)
+def _write_mp4(stream: IO[bytes], figure: Any, frames: Iterable[None], fps: float) -> None:
+    """Write frames, shown one after the other, as an MP4 with ffmpeg."""
+    from matplotlib.animation import FFMpegWriter
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-    def write_mp4(self, stream: IO[bytes]) -> None:
-        """Write the frames as an MP4 with ffmpeg."""
-        from matplotlib.animation import FFMpegWriter
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-        FigureCanvasAgg(self.figure)
-        writer: Any = FFMpegWriter(fps=self.fps)  # type: ignore[arg-type]  # ffmpeg takes any rate
-        with tempfile.TemporaryDirectory() as folder:  # ffmpeg seeks to the start of its file, which a stream may not allow
-            file = Path(folder) / "film.mp4"
-            with writer.saving(self.figure, str(file), self.figure.dpi):
-                for time in self._time_frames():
-                    self.show(time)
-                    writer.grab_frame()
-            stream.write(file.read_bytes())
-
-    def _time_frames(self) -> Iterator[float]:
-        for k, time in enumerate(self.times.tolist()):
-            self.notify(k / len(self.times), f"frame {k + 1} of {len(self.times)}")
-            yield time
+    FigureCanvasAgg(figure)
+    writer: Any = FFMpegWriter(fps=fps)  # type: ignore[arg-type]  # ffmpeg takes any rate
+    with tempfile.TemporaryDirectory() as folder:  # ffmpeg seeks to the start of its file, which a stream may not allow
+        file = Path(folder) / "film.mp4"
+        with writer.saving(figure, str(file), figure.dpi):
+            for _ in frames:
+                writer.grab_frame()
+        stream.write(file.read_bytes())
 
 
 def _palette(frames: list[Any], colours: int) -> Any:
@@ -112,14 +95,14 @@ def _palette(frames: list[Any], colours: int) -> Any:
 MOST_GIF_FPS = 50.0
 #: Minimum and maximum side length [pixels]: smaller pictures are illegible, larger ones exceed any screen.
 PIXELS = (50, 8192)
-#: Number of points of the motion from which the axis limits are taken.
-POSTURES = 40
+#: Number of points of the motion from which the axis limits are taken, and of each curve.
+POSTURES, SAMPLES = 40, 400
 #: Factor by which the single ellipsoid is drawn larger than the several of a still picture.
 LARGER = 1.8
 
 
 def animate(
-    plan: "Plan",
+    plan: Plan,
     file: str | Path,
     *,
     fps: float = 20,
@@ -159,72 +142,69 @@ def animate(
     if not ((pixels >= PIXELS[0]) & (pixels <= PIXELS[1])).all():
         allowed = f"width and height [inches] that make {PIXELS[0]} to {PIXELS[1]} pixels at {dpi:g} per inch"
         raise InvalidInputError("size", size, allowed)
-    finished(plan)
+    shown = ShownMotion.of(instance("plan", plan, PartialPlan), SAMPLES)
     if kind == ".mp4":
         from matplotlib.animation import FFMpegWriter
 
         if not FFMpegWriter.isAvailable():
             raise MissingProgramError("ffmpeg", "sudo apt-get install ffmpeg", "or write a .gif file, which needs no program")
-    duration = plan.trajectory.duration
+    duration = shown.trajectory.duration
     times = np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
     def write(stream: IO[bytes]) -> None:
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=size, dpi=dpi)
-        film = Film(figure=figure, show=_stage(plan, figure), times=times, fps=fps, colours=colours, notify=notify)
-        (film.write_gif if kind == ".gif" else film.write_mp4)(stream)
+        show = _stage(shown, figure)
+
+        def frames() -> Iterator[None]:
+            for k, time in enumerate(times.tolist()):
+                notify(k / len(times), f"frame {k + 1} of {len(times)}")
+                show(time)
+                yield
+
+        if kind == ".gif":
+            some = (show(time) for time in times[[0, len(times) // 2, -1]])
+            _write_gif(stream, figure, some, frames(), fps, colours)
+        else:
+            _write_mp4(stream, figure, frames(), fps)
 
     with style.shared():
         write_bytes(file, write)
     notify(1.0, "done")
 
 
-def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
+def _stage(shown: ShownMotion, figure: Any) -> Callable[[float], None]:
     """Draw the static parts; returns the function that shows the plan at a time [s]."""
-    robot, trajectory, ours = plan.robot, plan.trajectory, plan.path
-    paths = name_paths(plan)
+    robot, trajectory, scene = shown.robot, shown.trajectory, shown.scene
     m = 2 if robot.planar else 3
     figure.set_layout_engine("constrained")
     grid = figure.add_gridspec(1, 2, width_ratios=(1.25, 1))
     space = figure.add_subplot(grid[0], **({} if robot.planar else {"projection": "3d"}))
     over_time = figure.add_subplot(grid[1])
 
-    colours = {name: style.OPTIMUM if path is ours else style.SEED for name, path in paths.items()}
-    motions = {name: trajectory if path is ours else beside(trajectory, path) for name, path in paths.items()}
-    ways = {name: [way[:, :m] for way in tool_ways(robot, path)] for name, path in paths.items()}
     postures = trajectory(np.linspace(0.0, trajectory.duration, POSTURES))
-    seen = [*chain(*ways.values()), *(skeleton(robot, q)[:, :m] for q in postures)]
+    seen = [way[:, :m] for each in shown.motions for way in each.tools] + [skeleton(robot, q)[:, :m] for q in postures]
     if robot.planar:
-        draw_flat_scene(space, plan.scene, seen)
+        draw_flat_scene(space, scene, seen)
         style.name_axes(space)
     else:
         ends = [joined(arm_surfaces(robot, q)) for q in (postures[0], postures[-1])]
-        look_at(space, draw_scene(space, plan.scene, [*seen, *points_of(ends)]), zoom=1.2)
+        look_at(space, draw_scene(space, scene, [*seen, *points_of(ends)]), zoom=1.2)
         space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # arm over obstacles, ellipsoid over both: moving parts are always visible
-    for name, tools in ways.items():
-        label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"
-        for k, way in enumerate(tools):
-            line = {"color": colours[name], "linewidth": 1.3, "alpha": 0.7, "zorder": LINES}
-            space.plot(*way.T, label=None if k else label, **line)
+    for each in shown.motions:
+        label = f"{'tools' if len(each.tools) > 1 else 'tool'}, {each.name}"
+        for k, way in enumerate(each.tools):
+            line = {"color": each.colour, "linewidth": 1.3, "alpha": 0.7, "zorder": LINES}
+            space.plot(*way[:, :m].T, label=None if k else label, **line)
     space.legend(loc="upper right")
-
-    kinematics = robot.kinematics(plan.result.task, measure=plan.result.measure)
-    t = np.linspace(0.0, trajectory.duration, 400)
-    for name, at in motions.items():
-        over_time.plot(t, kinematics.manipulability(at(t)), color=colours[name], label=name)
-    over_time.set(xlabel="time [s]", xlim=(0, trajectory.duration))
-    if over_time.dataLim.ymin >= 0:
-        over_time.set_ylim(0, None)
-    over_time.set_ylabel(style.measure_label(kinematics))
+    draw_measure(shown, over_time)
     over_time.legend(loc="best")
     figure.draw_without_rendering()  # the layout is computed once, so that nothing jitters
     figure.set_layout_engine("none")
     space.autoscale(False)
 
-    drawn = drawn_tools(robot)
-    scale = LARGER * default_scale(robot, drawn, postures)
     moving: list[Any] = []
 
     def show(time: float) -> None:
@@ -237,13 +217,14 @@ def _stage(plan: "Plan", figure: Any) -> Callable[[float], None]:
         else:
             draw_surface(space, joined(arm_surfaces(robot, q)), style.BODY_LAST, alpha=0.95)
         draw_skeleton(space, skeleton(robot, q)[:, :m])
-        for tool in drawn:
+        for tool in shown.tools:
             ellipsoid, centre = velocity_ellipsoid(tool.jacobian(q)), tool.pose(q)[:m, 3]
-            plot_ellipsoid(ellipsoid, centre, ax=space, scale=scale, alpha=0.55)
-        for name, at in motions.items():
-            over_time.plot(time, kinematics.manipulability(at(time)), "o", color=colours[name], clip_on=False)
-            if at is not trajectory:
-                draw_skeleton(space, skeleton(robot, at(time))[:, :m], colour=colours[name], alpha=0.6)
+            plot_ellipsoid(ellipsoid, centre, ax=space, scale=LARGER * shown.scale, alpha=0.55)
+        for each in shown.motions:
+            m_now = shown.kinematics.manipulability(each.at(time))
+            over_time.plot(time, m_now, "o", color=each.colour, clip_on=False)
+        if shown.seed is not None:
+            draw_skeleton(space, skeleton(robot, shown.seed.at(time))[:, :m], colour=shown.seed.colour, alpha=0.6)
         moving.extend(each for axes in (space, over_time) for each in axes.get_children() if each not in before)
 
     return show

@@ -3,7 +3,7 @@
 Ellipsoids of velocity, force and acceleration, in the plane and in space, alone and along a path.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Any
@@ -15,33 +15,121 @@ from manipplan.collision.shapes import Plane
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.ellipsoid import Ellipsoid, velocity_ellipsoid
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.joint import JointPath
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, joint_path, skeleton, tool_ways
-from manipplan.viz.shapes import (
-    LINES,
-    Surface,
-    arm_surfaces,
-    box_around,
-    draw_skeleton,
-    draw_surface,
-    draw_ways,
-    feet_on_planes,
-    joined,
-    look_at,
-    obstacle_surfaces,
-    plane_patches,
-    points_of,
-    write,
-    write_ends,
-)
+from manipplan.viz.motions import DrawnTool, Motion, drawn_tools, ellipsoid_scale, joint_path, skeleton
+from manipplan.viz.shapes import Surface, arm_surfaces, feet_on_planes, joined, obstacle_surfaces, plane_patches
 
-#: Default length of the largest radius, as a share of the length of the stretched arm.
-SHARE = 0.08
+#: Direction towards the light.
+LIGHT = np.array([0.35, -0.5, 0.8])
+#: Margin of the axes around their contents, and minimum side of the axes, as shares of the longest side.
+MARGIN, LEAST = 0.04, 0.3
+#: Drawing order of lines and names, above surfaces.
+LINES, NAMES = 60, 70
+#: Maximum distance between the ends of a closed tool path, as a share of its extent.
+CLOSED = 0.05
+#: Maximum difference of two tool paths that are drawn as one, as a share of their size.
+EQUAL_PATHS = 1e-2
+
+
+def draw_surface(ax: Any, surface: Surface, colour: str, *, alpha: float, edges: bool = False) -> None:
+    """Draw a surface, lit from one side, on 3D axes, optionally with its edges."""
+    from matplotlib.colors import to_rgb
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+
+    if not surface.faces:
+        return
+    shades = _brightness(surface.faces)[:, None] * to_rgb(colour)
+    lit = np.concatenate([np.clip(shades, 0, 1), np.full((len(shades), 1), alpha)], axis=1)
+    ax.add_collection3d(Poly3DCollection(_equal(surface.faces), facecolors=lit, edgecolors="none", linewidths=0))
+    if edges and surface.edges:  # a cloud has none
+        ax.add_collection3d(Line3DCollection(surface.edges, colors=colour, linewidths=0.8))
+
+
+def draw_skeleton(ax: Any, points: Array, *, alpha: float = 1.0, colour: str = style.ARM) -> None:
+    """Draw the lines between joints (k, 2) or (k, 3), and dots at all but the last."""
+    ax.plot(*points.T, color=colour, linewidth=1.4, alpha=alpha, solid_capstyle="round", zorder=LINES)
+    ax.plot(*points[:-1].T, "o", color=colour, markersize=2.5, alpha=alpha, zorder=LINES)
+
+
+def draw_ways(ax: Any, ways: Mapping[str, Sequence[Array]]) -> None:
+    """Draw the paths (k, 2) or (k, 3) of all tools in one or two motions by name; the second is the first's initial path.
+
+    If both are the same, as along a workspace path that is followed, one line gets both names.
+    """
+    first, *others = (np.concatenate(each) for each in ways.values())
+    if others and np.abs(others[0] - first).max() < EQUAL_PATHS * np.ptp(first, axis=0).max():
+        ways = {" and ".join(ways): next(iter(ways.values()))}
+    for (name, tools), colour, width in zip(ways.items(), (style.OPTIMUM, style.SEED), (2.0, 1.3), strict=False):
+        label = f"{'tools' if len(tools) > 1 else 'tool'}, {name}"
+        for k, way in enumerate(tools):
+            ax.plot(*way.T, color=colour, linewidth=width, label=None if k else label, zorder=LINES)
+
+
+def write(ax: Any, at: Array, text: str, colour: str) -> None:
+    """Write a name at a point (2,) or (3,), with a white outline so that it is legible over the object it names."""
+    from matplotlib.patheffects import withStroke
+
+    rim = [withStroke(linewidth=2, foreground="white")]
+    ax.text(*at, text, color=colour, fontsize=8, ha="center", va="bottom", zorder=NAMES, path_effects=rim)
+
+
+def write_ends(ax: Any, way: Array) -> None:
+    """Write "start" and "goal" at the ends of a tool path (k, 2) or (k, 3), or both in one label for a closed path."""
+    if np.linalg.norm(way[-1] - way[0]) > CLOSED * np.ptp(way, axis=0).max():
+        write(ax, way[0], "start", style.ARM)
+        write(ax, way[-1], "goal", style.ARM)
+    else:
+        write(ax, way[0], "start and goal", style.ARM)
+
+
+def look_at(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:
+    """Set the limits of 3D axes around points, with the same scale along all three."""
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = box_around(seen)
+    for axis, side in zip((ax.xaxis, ax.yaxis, ax.zaxis), high - low, strict=True):
+        axis.set_major_locator(MaxNLocator(max(3, round(7 * side / (high - low).max())), steps=[1, 2, 5, 10], prune="both"))
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set_box_aspect(high - low, zoom=zoom)
+    ax.view_init(elev=22, azim=-55)
+    style.name_axes(ax)
+
+
+def points_of(surfaces: Iterable[Surface]) -> list[Array]:
+    """Corners of the surfaces that have faces."""
+    return [surface.points for surface in surfaces if surface.faces]
+
+
+def box_around(seen: Iterable[Array]) -> tuple[Array, Array]:
+    """Lower and upper corner of the axes that show all points (k, 3)."""
+    points = np.concatenate(list(seen))
+    low, high = points.min(axis=0), points.max(axis=0)
+    longest = (high - low).max()
+    spare = MARGIN * longest + np.maximum(LEAST * longest - (high - low), 0.0) / 2
+    return low - spare, high + spare
+
+
+def _equal(faces: tuple[Array, ...]) -> Array:
+    """Polygons as one array (f, k, 3); polygons with fewer corners repeat some of them.
+
+    From polygons of different sizes Matplotlib makes an array with uninitialised memory, and takes axis limits from it.
+    """
+    most = max(map(len, faces))
+    return np.array([face[np.arange(most) * len(face) // most] for face in faces])
+
+
+def _brightness(faces: tuple[Array, ...]) -> Array:
+    """Brightness of each polygon, (k,), from the angle of its normal to the light, for either side."""
+    normals = np.array([np.cross(face[1] - face[0], face[2] - face[1]) for face in faces])
+    long = np.linalg.norm(normals, axis=1)
+    facing = np.abs(normals @ LIGHT) / np.maximum(long * np.linalg.norm(LIGHT), 1e-15)
+    return np.asarray(0.72 + 0.28 * facing)
+
+
 #: Number of points of a tool path.
 WAY = 160
 
@@ -124,7 +212,7 @@ def plot_ellipsoids(
     q, fine = (
         curve(np.linspace(0.0, 1.0, count)) for count in (whole_number("places", places, least=2, most=style.MOST_PLACES), WAY)
     )
-    scale = default_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
+    scale = ellipsoid_scale(robot, tools, q) if scale is None else number("scale", scale, above=0.0)
     ax = style.axes_for(ax, solid=m == 3, size=(5.5, 5.0))
     with style.shared():
         for tool in tools:
@@ -134,14 +222,6 @@ def plot_ellipsoids(
         style.name_axes(ax)
         ax.set_aspect("equal", adjustable="datalim")
     return ax
-
-
-def default_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
-    """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
-    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
-    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
-    largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
-    return float(SHARE * long / max(largest, 1e-9))
 
 
 def _ball() -> Any:
@@ -166,10 +246,11 @@ def plot_arm(
     places: int = POSTURES,
     ax: Any = None,
 ) -> Any:
-    """The arm in 3D along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
+    """The arm along a motion, from light to dark, with velocity ellipsoids, obstacles and its tool path.
 
     Collision bodies are drawn at the start and the goal, the skeleton between them. Obstacles are drawn in their true shape
-    with their names; a plane is a patch as large as the picture. Everything is drawn as vector graphics.
+    with their names; a plane is a patch as large as the picture. A planar arm is seen from above; a plane is then the part of
+    the picture that it fills at z = 0. Everything is drawn as vector graphics.
 
     Args:
         robot: the arm.
@@ -178,53 +259,20 @@ def plot_arm(
         seed: another motion, of which the tool path is drawn.
         names: names of the two motions in the legend.
         places: number of postures drawn, at least 2, evenly spaced in the path's parameter.
-        ax: Matplotlib axes with projection="3d"; None: those of a new figure.
+        ax: Matplotlib axes, with projection="3d" unless the arm is planar and seen from above; None: those of a new figure.
 
     Returns the axes.
     """
-    return _draw_arm(robot, path, scene, seed, names, places, ax, m=3)
-
-
-def plot_planar_arm(
-    robot: Robot,
-    path: Motion,
-    scene: Scene | None = None,
-    *,
-    seed: Motion | None = None,
-    names: tuple[str, str] = ("path", "seed"),
-    places: int = POSTURES,
-    ax: Any = None,
-) -> Any:
-    """The planar arm along a motion, from light to dark, with velocity ellipses, obstacles and its tool path.
-
-    Obstacles are seen from above; a plane is drawn as the part of the picture that it fills at z = 0. Arguments are those of
-    `plot_arm`, but with axes without projection="3d".
-
-    Returns the axes. Raises InvalidInputError for an arm that is not planar.
-    """
-    if not instance("robot", robot, Robot).planar:
-        raise InvalidInputError("robot", robot.name, "a planar arm; plot_arm draws any other")
-    return _draw_arm(robot, path, scene, seed, names, places, ax, m=2)
-
-
-def _draw_arm(
-    robot: Robot,
-    path: Motion,
-    scene: Scene | None,
-    seed: Motion | None,
-    names: tuple[str, str],
-    places: int,
-    ax: Any,
-    *,
-    m: int,
-) -> Any:
-    """Draw the arm in space, or from above for `m` = 2."""
-    curve, other, world = check_motions(robot, path, scene, seed)
+    curve = joint_path("path", path, instance("robot", robot, Robot))
+    other = None if seed is None else joint_path("seed", seed, robot)
+    world = Scene() if scene is None else instance("scene", scene, Scene)
     shares = np.linspace(0.0, 1.0, whole_number("places", places, least=2, most=style.MOST_PLACES))
+    solid = not robot.planar or getattr(ax, "name", "") == "3d"
+    m, ax = 3 if solid else 2, style.axes_for(ax, solid=solid, size=(7.0, 6.0) if solid else (6.0, 6.0))
     motions = {name: each for name, each in zip(names, (curve, other), strict=True) if each is not None}
-    ways = {name: [way[:, :m] for way in tool_ways(robot, each)] for name, each in motions.items()}
+    s = np.linspace(0.0, 1.0, WAY)
+    ways = {name: [tool.pose(each(s))[:, :m, 3] for tool in drawn_tools(robot)] for name, each in motions.items()}
     lines = [skeleton(robot, q)[:, :m] for q in curve(shares)]
-    ax = style.axes_for(ax, solid=m == 3, size=(7.0, 6.0) if m == 3 else (6.0, 6.0))
     with style.shared():
         seen = [*chain(*ways.values()), *lines]
         if m == 3:
@@ -263,15 +311,6 @@ def draw_scene(ax: Any, scene: Scene, seen: list[Array]) -> list[Array]:
         draw_surface(ax, Surface(faces=(patch,), edges=(np.vstack([patch, patch[:1]]),)), style.FLOOR, alpha=0.35, edges=True)
         write(ax, 0.85 * patch[0] + 0.15 * patch.mean(axis=0), name, style.OBSTACLE_NAME)
     return seen
-
-
-def check_motions(
-    robot: Robot, path: Motion, scene: Scene | None, seed: Motion | None
-) -> tuple[JointPath, JointPath | None, Scene]:
-    """The paths of both motions, and the scene; raises InvalidInputError for a wrong type or another arm's motion."""
-    instance("robot", robot, Robot)
-    world = Scene() if scene is None else instance("scene", scene, Scene)
-    return joint_path("path", path, robot), None if seed is None else joint_path("seed", seed, robot), world
 
 
 def draw_flat_scene(ax: Any, scene: Scene, seen: list[Array]) -> None:

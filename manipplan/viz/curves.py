@@ -26,7 +26,8 @@ from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style
-from manipplan.viz.motions import Motion, joint_path, length_shares
+from manipplan.viz.motions import Motion, ShownMotion, joint_path, length_shares
+from manipplan.viz.shapes import evenly_chosen
 
 if TYPE_CHECKING:
     from manipplan.plans.result import Plan
@@ -136,7 +137,7 @@ def plot_manipulability(
                 continue
             colour = colours.get(name, style.STRAIGHT)
             [line] = ax.plot(shares, m, color=colour, label=name, linestyle=":" if name == "straight" else "-")
-            ax.plot(shares[m.argmin()], m.min(), "o", color=colour, markersize=4, clip_on=False)
+            draw_least(ax, shares, m, colour)
             drawn.append((m, line))
         if bound is not None:
             ax.axhline(bound, color=style.LIMIT, linestyle=(0, (1, 1)), linewidth=1.2, label="bound")
@@ -147,6 +148,21 @@ def plot_manipulability(
         ax.set_title("measure along the path; dots: minimum")
         ax.legend(loc="best")
     return ax
+
+
+def draw_least(ax: Any, x: Array, values: Array, colour: str) -> None:
+    """Draw a dot at the minimum of a curve."""
+    ax.plot(x[values.argmin()], values.min(), "o", color=colour, markersize=4, clip_on=False)
+
+
+def draw_measure(shown: ShownMotion, ax: Any) -> None:
+    """Draw the measure of a motion, and of its initial path beside it, over time."""
+    for each in shown.motions:
+        ax.plot(shown.t, each.manipulability, color=each.colour, label=each.name)
+    ax.set(xlabel="time [s]", xlim=(0, shown.trajectory.duration))
+    if ax.dataLim.ymin >= 0:
+        ax.set_ylim(0, None)
+    ax.set_ylabel(style.measure_label(shown.kinematics))
 
 
 def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None) -> Any:
@@ -168,7 +184,7 @@ def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None
         for k, value in enumerate(values.T):
             label = f"σ{str(k + 1).translate(style.SUBSCRIPTS)}" + (" (smallest)" if k == len(values.T) - 1 else "")
             [line] = ax.plot(shares, value, color=style.JOINTS[k % len(style.JOINTS)], label=label)
-            ax.plot(shares[value.argmin()], value.min(), "o", color=line.get_color(), markersize=4, clip_on=False)
+            draw_least(ax, shares, value, line.get_color())
         unit = "m" if kinematics.task.metres == kinematics.task.rows else "1"
         ax.set(xlabel="share of the path's length", xlim=(0, 1), ylim=(0, None))
         ax.set_ylabel(style.with_unit("singular value", unit))
@@ -198,7 +214,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
     count = len(layers.m)
     if result is not None and len(result.manipulability) not in (0, count):
         raise InvalidInputError("result", f"{len(result.manipulability)} positions", f"a result of these {count} layers")
-    shown = [_evenly(m) for m in layers.m]
+    shown = [evenly_chosen(np.sort(m), CANDIDATES) for m in layers.m]  # with the smallest and the largest
     place = np.repeat(np.arange(count), [len(each) for each in shown])
     ax = style.axes_for(ax)
     with style.shared():
@@ -262,13 +278,6 @@ def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
         ax.set_title(f"{len(history)} solves")
         ax.legend(loc="best")
     return ax
-
-
-def _evenly(m: Any) -> Any:
-    """At most CANDIDATES of the values (k,), evenly by rank, including the smallest and the largest."""
-    if len(m) <= CANDIDATES:
-        return np.sort(m)
-    return np.sort(m)[np.linspace(0, len(m) - 1, CANDIDATES).round().astype(int)]
 
 
 def plot_deviation(motion: "Tracking | Plan", *, tolerance: Tolerance | None = None, ax: Any = None) -> Any:

@@ -1,11 +1,11 @@
-"""Data of a motion for the pictures: its joint path and initial path, shares of length, skeleton and tool path.
+"""The description of a motion that pictures and viewer draw: ShownMotion, of a plan or a program.
 
-MovedPart: a part that a program takes up or puts down, with where it is over time.
+Its parts: joint path and initial path, samples over time, skeleton and tools, and MovedPart, a part that a program takes up or
+puts down, with where it is over time.
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import pinocchio as pin
@@ -14,18 +14,22 @@ from manipplan.collision.scene import Scene
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.result import PartialPlan, Plan
+from manipplan.programs.program import Mark, Program
 from manipplan.robots.attached import Solid
 from manipplan.robots.model_tree import frame_index, frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.checks import Array, ArrayLike, instance
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.status import RECORDED
 from manipplan.symbolic.task import Task
 from manipplan.tracking.track import Tracking
+from manipplan.viz import style
 
-if TYPE_CHECKING:
-    from manipplan.plans.result import Plan
-    from manipplan.programs.program import Program
+#: Number of times at which curves are sampled.
+SAMPLES = 201
+#: Default length of the largest radius of an ellipsoid, as a share of the length of the stretched arm.
+SHARE = 0.08
 
 Motion = JointPath | Trajectory | Tracking
 
@@ -41,7 +45,7 @@ def joint_path(argument: str, motion: Motion, robot: Robot) -> JointPath:
     return motion
 
 
-def name_paths(plan: "Plan") -> dict[str, JointPath]:
+def name_paths(plan: Plan) -> dict[str, JointPath]:
     """A plan's path and its initial path, under the names that fit the plan's job; one entry if they are the same."""
     if plan.refinement is not None:
         ours, first = "refined", "best of the samples"
@@ -92,6 +96,14 @@ def drawn_tools(robot: Robot, task: Task | None = None) -> tuple[DrawnTool, ...]
     return tuple(DrawnTool(kinematics=robot.arm(tool).kinematics(task), joints=robot.joints_of(tool)) for tool in robot.tools)
 
 
+def ellipsoid_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
+    """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
+    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
+    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
+    largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
+    return float(SHARE * long / max(largest, 1e-9))
+
+
 def skeleton(robot: Robot, q: Array) -> Array:
     """Origins of base, joints and tool at q (n,), (k, 3) [m]; of several arms along each, and back between them."""
     data = robot.model.createData()
@@ -104,69 +116,51 @@ def skeleton(robot: Robot, q: Array) -> Array:
     return np.array(line)
 
 
-def tool_ways(robot: Robot, path: JointPath, count: int = 160) -> list[Array]:
-    """Positions (count, 3) of each tool along a path [m]."""
-    q = path(np.linspace(0.0, 1.0, count))
-    return [tool.pose(q)[:, :3, 3] for tool in drawn_tools(robot)]
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MovedPart:
     """A part that a program takes up or puts down.
 
     Attributes:
         name: of the part.
-        times: when it is taken up or put down, from 0 on [s].
-        held: for each of these times, whether the hand carries it from then on.
-        solids: for each, the part posed in the frame of the hand or in the world; None while it is nowhere.
-        frames: for each, the tool frame of the hand; "" while no hand carries it.
+        states: since when [s], from 0 on, and the arm with what it carries and the scene from then on.
     """
 
     name: str
-    times: tuple[float, ...]
-    held: tuple[bool, ...]
-    solids: tuple[Solid | None, ...]
-    frames: tuple[str, ...]
+    states: tuple[tuple[float, Robot, Scene], ...]
 
     def at(self, t: float, robot: Robot, q: Array) -> Solid | None:
         """The part at time t [s], posed in the world, with the arm at q (n,); None where it is nowhere."""
-        solid, frame = self.solids[self._since(t)], self.frames[self._since(t)]
-        return solid.at(frame_pose(robot.model, frame, q)) if solid is not None and frame else solid
+        arm, scene = self._state(t)
+        solid, held = self._solid(arm, scene), arm.carried.get(self.name)
+        return solid.at(frame_pose(robot.model, held.frame, q)) if solid is not None and held is not None else solid
 
     def is_held(self, t: float) -> bool:
         """Whether the hand carries it at time t [s]."""
-        return self.held[self._since(t)]
-
-    def _since(self, t: float) -> int:
-        return int(np.searchsorted(self.times, t, side="right")) - 1
+        return self.name in self._state(t)[0].carried
 
     @property
     def solid(self) -> Solid:
         """The part, wherever it is first."""
-        return next(each for each in self.solids if each is not None)
+        found = (self._solid(arm, scene) for _, arm, scene in self.states)
+        return next(each for each in found if each is not None)
+
+    def _state(self, t: float) -> tuple[Robot, Scene]:
+        return [(arm, scene) for since, arm, scene in self.states if since <= t][-1]
+
+    def _solid(self, arm: Robot, scene: Scene) -> Solid | None:
+        if self.name in arm.carried:
+            return arm.carried[self.name].solid
+        return next((each for each in scene.named if each.name == self.name), None)
 
 
-def find_moved_parts(program: "Program") -> tuple[MovedPart, ...]:
+def find_moved_parts(program: Program) -> tuple[MovedPart, ...]:
     """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
-    return tuple(_follow_part(name, states) for name in names)
+    return tuple(MovedPart(name=name, states=tuple(states)) for name in names)
 
 
-def bare(robot: Robot) -> Robot:
-    """The arm without what it carries."""
-    for name in robot.carried:
-        robot = robot.detach(name)
-    return robot
-
-
-def fixed(scene: Scene, moved: Sequence[MovedPart]) -> Scene:
-    """The obstacles that stay where they are."""
-    names = {each.name for each in moved}
-    return Scene([each for each in scene.named if each.name not in names])
-
-
-def _states(program: "Program") -> list[tuple[float, Robot, Scene]]:
+def _states(program: Program) -> list[tuple[float, Robot, Scene]]:
     """Arm and scene, and since when they are so: parts change hands at the marks between two motions."""
     changes = [mark.begin for mark in program.marks if mark.name in ("Attach", "Detach")]
     states = [(0.0, program.robot, program.scene)]
@@ -181,12 +175,152 @@ def _states(program: "Program") -> list[tuple[float, Robot, Scene]]:
     return states
 
 
-def _follow_part(name: str, states: Sequence[tuple[float, Robot, Scene]]) -> MovedPart:
-    times, held, solids, frames = [], [], [], []
-    for since, robot, scene in states:
-        times.append(since)
-        held.append(name in robot.carried)
-        frames.append(robot.carried[name].frame if name in robot.carried else "")
-        standing = next((each for each in scene.named if each.name == name), None)
-        solids.append(robot.carried[name].solid if name in robot.carried else standing)
-    return MovedPart(name=name, times=tuple(times), held=tuple(held), solids=tuple(solids), frames=tuple(frames))
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MotionSamples:
+    """The motion, or the seed beside it, at the times of a `ShownMotion`.
+
+    Attributes:
+        name, colour: in legends.
+        path: the path, or the trajectory of a program.
+        at: function from times (...) [s] to configurations (..., n).
+        q: (k, n) configurations.
+        manipulability: (k,) values of the measure.
+        tools: (k, 3) positions of each tool [m].
+    """
+
+    name: str
+    colour: str
+    path: Motion
+    at: Callable[[ArrayLike], Array]
+    q: Array
+    manipulability: Array
+    tools: tuple[Array, ...]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ShownMotion:
+    """The data behind the pictures of a plan or program, at evenly spaced times.
+
+    Attributes:
+        plan: the plan or program.
+        robot: the arm; for a program without what it carries.
+        scene: the obstacles that stay where they are.
+        moved: the parts that a program moves.
+        marks: when the steps of a program begin.
+        status: what the motion is.
+        trajectory: its motion.
+        kinematics: kinematics with the measure that is drawn.
+        tools: the tools whose ways and ellipsoids are drawn.
+        t: (k,) times [s].
+        motions: the motion, and the initial path at the same share of its length where it is another path.
+        scale: metres drawn per unit of an ellipsoid's radii.
+    """
+
+    plan: Plan | Program
+    robot: Robot
+    scene: Scene
+    moved: tuple[MovedPart, ...]
+    marks: tuple[Mark, ...]
+    status: str
+    trajectory: Trajectory
+    kinematics: Kinematics
+    tools: tuple[DrawnTool, ...]
+    t: Array
+    motions: tuple[MotionSamples, ...]
+    scale: float
+
+    @classmethod
+    def of(cls, plan: PartialPlan | Program, samples: int = SAMPLES) -> "ShownMotion":
+        """The motion of a plan or program at a number of times; raises PlanningError when it has none."""
+        paths: dict[str, Motion]
+        if isinstance(plan, Program):
+            robot, moved, marks, result = plan.robot, find_moved_parts(plan), plan.marks, plan.parts[0].result
+            for name in robot.carried:
+                robot = robot.detach(name)
+            names = {each.name for each in moved}
+            scene = Scene([each for each in plan.scene.named if each.name not in names])
+            paths, status = {"motion": plan.trajectory}, "A program of moves"
+        else:
+            instance("plan", plan, PartialPlan)
+            if not isinstance(plan, Plan):
+                raise PlanningError(f"there is no trajectory to show: {plan.message or plan.status.value}", plan)
+            robot, moved, marks, result, scene = plan.robot, (), (), plan.result, plan.scene
+            paths, status = {**name_paths(plan)}, plan.status.value[0].upper() + plan.status.value[1:]
+        trajectory, tools = plan.trajectory, drawn_tools(robot)
+        if trajectory.n != robot.n:
+            raise InvalidInputError("plan.trajectory", f"a motion of {trajectory.n} joints", f"one of the robot's {robot.n}")
+        kinematics = robot.kinematics(result.task, measure=result.measure)
+        t = np.linspace(0.0, trajectory.duration, samples)
+        motions: list[MotionSamples] = []
+        for (name, path), colour in zip(paths.items(), (style.OPTIMUM, style.SEED), strict=False):
+            at = beside(trajectory, path) if motions and isinstance(path, JointPath) else trajectory
+            q = at(t)
+            ways = tuple(tool.pose(q)[:, :3, 3] for tool in tools)
+            m = kinematics.manipulability(q)
+            motions.append(MotionSamples(name=name, colour=colour, path=path, at=at, q=q, manipulability=m, tools=ways))
+        return cls(
+            plan=plan,
+            robot=robot,
+            scene=scene,
+            moved=moved,
+            marks=marks,
+            status=status,
+            trajectory=trajectory,
+            kinematics=kinematics,
+            tools=tools,
+            t=t,
+            motions=tuple(motions),
+            scale=ellipsoid_scale(robot, tools, motions[0].q[:: samples // 20]),
+        )
+
+    @property
+    def ours(self) -> MotionSamples:
+        """The motion."""
+        return self.motions[0]
+
+    @property
+    def seed(self) -> MotionSamples | None:
+        """The initial path; None where there is no other path."""
+        return self.motions[1] if len(self.motions) > 1 else None
+
+    def least(self) -> list[tuple[str, str]]:
+        """Names and values of the minimum manipulability of the motion and of the seed."""
+        k = int(self.ours.manipulability.argmin())
+        rows = [("minimum m", f"{self._with_unit(self.ours.manipulability[k])} at {self.t[k]:.2f} s")]
+        if self.seed is not None:
+            rows.append((f"minimum m, {self.seed.name}", self._with_unit(self.seed.manipulability.min())))
+        return rows
+
+    def values(self, t: float) -> list[tuple[str, str]]:
+        """Names and values of the panel at time t [s]."""
+        q, qd = self.trajectory(t), self.trajectory(t, order=1)
+        now = self._with_unit(float(self.kinematics.manipulability(q)))
+        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), *self._step(t), ("measure now", now)]
+        return rows + self.least() + limits_now(self.robot, q, qd)
+
+    def _step(self, t: float) -> list[tuple[str, str]]:
+        """The step of a program and what is carried at time t [s]."""
+        if not self.marks:
+            return []
+        mark = [each for each in self.marks if each.begin <= t + 1e-9][-1]
+        carried = [part.name for part in self.moved if part.is_held(t)]
+        return [("step", f"{mark.step} {mark.name}"), ("carries", ", ".join(carried) or "nothing")]
+
+    def _with_unit(self, value: float) -> str:
+        unit = style.raised(self.kinematics.measure.unit(self.kinematics.task))
+        return f"{value:.4g} {unit}".rstrip()
+
+
+def limits_now(robot: Robot, q: Array, qd: Array) -> list[tuple[str, str]]:
+    """The joint nearest to a position limit, and the joint with the largest share of its velocity limit, at q and qd (n,)."""
+    rows = []
+    room = np.minimum(q - robot.limits.lower, robot.limits.upper - q)
+    if np.isfinite(room).any():
+        i = int(room.argmin())
+        unit = "m" if robot.joint_types[i] == "prismatic" else "rad"
+        rows.append(("nearest joint limit", f"{robot.joint_names[i]}, {room[i]:.3f} {unit} away"))
+    if np.isfinite(robot.limits.velocity).any():
+        use = np.abs(qd) / robot.limits.velocity
+        i = int(use.argmax())
+        rows.append(("fastest joint", f"{robot.joint_names[i]}, {100 * use[i]:.0f} % of its limit"))
+    return rows

@@ -748,7 +748,7 @@ def calls(folder: Path) -> dict[str, Call]:
             },
             heavy=True,
         ),
-        "viz.plot_planar_arm": C(viz.plot_planar_arm, {"robot": arm, "path": path, "scene": scene, "places": 3}, heavy=True),
+        "viz.plot_arm": C(viz.plot_arm, {"robot": arm, "path": path, "scene": scene, "places": 3}, heavy=True),
         "viz.plot_joints": C(
             viz.plot_joints, {"trajectory": motion, "limits": arm.limits, "order": 1, "share": False}, heavy=True
         ),

@@ -35,10 +35,10 @@ def test_pictures_and_the_planar_arm_are_imported_when_used():
     code = (
         "import sys, manipplan as mp\n"
         "assert not {'manipplan.planar', 'manipplan.viz'} & set(sys.modules)\n"
-        "print(mp.planar.PlanarArm.__name__, mp.viz.plan_figure.__name__)"
+        "print(mp.planar.PlanarArm.__name__, mp.viz.draw_figure.__name__)"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    assert out.split() == ["PlanarArm", "plan_figure"]
+    assert out.split() == ["PlanarArm", "draw_figure"]
 
 
 def test_import_brings_no_heavy_or_optional_package():

@@ -11,7 +11,7 @@ import manipplan as mp
 from manipplan.paths.deviation import deviation_from
 from manipplan.plans.report import PathPart
 from manipplan.search.layers import choose_positions
-from manipplan.viz.figure import plan_figure
+from manipplan.viz.figure import draw_figure
 
 #: Retreat of the tool [m].
 AWAY = 0.04
@@ -98,7 +98,7 @@ def test_check_judges_the_parts(panda, circle, table, plan, tmp_path):
     again = mp.Plan.load(tmp_path)
     assert again.report.along == plan.report.along and again.off_path == plan.off_path
     assert "parts        2" in str(again.report) and "lead-in" in str(again.report)
-    assert isinstance(plan_figure(plan), Figure)
+    assert isinstance(draw_figure(plan), Figure)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cli import main
+from manipplan.cli import commands, main
 from manipplan.ik.form import closed_form
 from manipplan.robots import collections
 from manipplan.robots.catalog import CATALOG
@@ -469,7 +469,7 @@ def test_a_plan_of_an_fr3_within_its_data_sheet_gives_a_table(fr3, tmp_path):
 
 def test_the_command_lists_what_can_be_had_at_once(capsys, monkeypatch, descriptions, menagerie):
     descriptions(b_description="raise OSError", a_description="")
-    monkeypatch.setattr(sys.modules["manipplan.cli.robots"], "load_robot", None)
+    monkeypatch.setattr(commands, "load_robot", None)
     assert main(["robots"]) == 0
     shown = capsys.readouterr().out
     assert all(name in shown for name in CATALOG)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import manipplan as mp
 from manipplan.collision.own_shapes import EXCESS
 from manipplan.jobs.plan_many import scene_key
-from manipplan.viz.viewer.bodies import triangles_of
+from manipplan.viz.shapes import triangles_of
 
 CORNERS = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T / 2
 PANDA = mp.load_robot("panda")

@@ -18,7 +18,8 @@ from PIL import Image
 import manipplan as mp
 from manipplan import viz
 from manipplan.search.refine import Refinement
-from manipplan.viz.shapes import arm_surfaces, draw_surface, obstacle_surfaces, plane_patches, surface_of
+from manipplan.viz.arm import draw_surface
+from manipplan.viz.shapes import arm_surfaces, obstacle_surfaces, plane_patches, surface_of
 
 CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 SVG = "{http://www.w3.org/2000/svg}"
@@ -192,7 +193,9 @@ def test_flat_ends_are_closed_and_other_shapes_boxed():
     np.testing.assert_allclose(np.linalg.norm(flat[0][:, :2], axis=1), 0.1)
     ellipsoid = surface_of(coal.Ellipsoid(0.1, 0.2, 0.3)).points / (0.1, 0.2, 0.3)
     np.testing.assert_allclose(np.linalg.norm(ellipsoid, axis=1), 1.0)
-    assert len(np.unique(surface_of(coal.Cone(0.1, 0.4)).points.round(9), axis=0)) == 8
+    assert surface_of(coal.Cone(0.1, 0.4)).points[:, 2].max() == 0.2
+    field = coal.HeightFieldAABB(0.2, 0.4, np.array([[0.1, 0.2], [0.1, 0.3]]), 0.0)
+    assert len(np.unique(surface_of(field).points.round(9), axis=0)) == 8
 
 
 def test_a_flat_mesh_is_drawn_by_its_triangles():
@@ -250,7 +253,7 @@ def test_the_arm_stands_among_named_obstacles(demo_plan, space):
 
 def test_a_way_that_returns_is_named_once(planar, flat):
     there = np.array([[0.2, 0.7, 0.6], [1.0, 1.2, -0.9], [0.2, 0.7, 0.6]])
-    viz.plot_planar_arm(planar, mp.JointPath.through(there), ax=flat)
+    viz.plot_arm(planar, mp.JointPath.through(there), ax=flat)
     assert [text.get_text() for text in flat.texts] == ["start and goal"]
 
 
@@ -266,7 +269,7 @@ def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     wall = mp.Plane(name="wall", position=(-2.2, 0.0, 0.0), rotation=(0.0, np.pi / 2, 0.0))
     turned = mp.Box(size=(0.4, 0.2, 1.0), position=(2.0, 2.0, 0.0), rotation=(0.0, 0.0, 0.5), name="block")
     scene = mp.Scene([*planar_plan.scene.obstacles, wall, turned])
-    viz.plot_planar_arm(planar_plan.robot, planar_plan.path, scene, ax=flat)
+    viz.plot_arm(planar_plan.robot, planar_plan.path, scene, ax=flat)
     assert {"start", "goal", "ball", "wall", "block"} == {text.get_text() for text in flat.texts}
     ball, block = (patch.get_path().vertices[:-1] for patch in flat.patches[:2])
     assert np.linalg.norm(ball - (0.5, -0.9), axis=1).max() == pytest.approx(0.2)
@@ -276,8 +279,8 @@ def test_the_planar_arm_among_what_is_around_it(planar_plan, flat):
     assert side.get_path().vertices[:, 0].max() == pytest.approx(-2.2)
     flat.figure.draw_without_rendering()
     assert flat.get_xlim()[0] < -2.2
-    with pytest.raises(mp.errors.InvalidInputError, match="planar arm"):
-        viz.plot_planar_arm(mp.load_robot("panda"), mp.JointPath.line(np.zeros(7), np.ones(7)))
+    with pytest.raises(mp.errors.InvalidInputError, match="3d"):
+        viz.plot_arm(mp.load_robot("panda"), mp.JointPath.line(np.zeros(7), np.ones(7)), ax=flat)
 
 
 def test_tool_path_beside_what_it_follows(tracked, planar, demo_plan, space, flat):
@@ -388,22 +391,22 @@ def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
         (replace(demo_plan, refinement=refinement), "refined", "best of the samples", ["bound"]),
         (replace(demo_plan, result=improved), "improved", "recorded", []),
     ):
-        assert legends(viz.plan_figure(plan)) == [[f"tool, {ours}", f"tool, {first}"], [ours, first, *more]]
+        assert legends(viz.draw_figure(plan)) == [[f"tool, {ours}", f"tool, {first}"], [ours, first, *more]]
     kept = replace(demo_plan, path=demo_plan.result.seed)
-    assert legends(viz.plan_figure(kept)) == [["tool, seed"], ["seed", "straight"]]
+    assert legends(viz.draw_figure(kept)) == [["tool, seed"], ["seed", "straight"]]
 
 
 def test_two_motions_of_one_tool_path_are_one_line(planar):
     path = mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4])
     same = mp.JointPath.through(path(np.linspace(0, 1, 9)))
-    ax = viz.plot_planar_arm(planar, path, seed=same, names=("refined", "sampled"))
+    ax = viz.plot_arm(planar, path, seed=same, names=("refined", "sampled"))
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["tool, refined and sampled"]
 
 
 @pytest.mark.slow
 def test_a_figure_is_drawn_as_vectors_alone(demo_plan, planar_plan, tmp_path):
     for plan in (demo_plan, planar_plan):
-        viz.plan_figure(plan).savefig(tmp_path / "plan.svg")
+        viz.draw_figure(plan).savefig(tmp_path / "plan.svg")
         root = ElementTree.parse(tmp_path / "plan.svg").getroot()
         assert not list(root.iter(f"{SVG}image"))
         paths = list(root.iter(f"{SVG}path"))
@@ -559,7 +562,7 @@ def odd_plan(tmp_path):
 @pytest.mark.slow
 def test_names_are_drawn_as_they_are(odd_plan, tmp_path):
     assert (tmp_path / "out" / "plan.png") in odd_plan.save(tmp_path / "out")
-    figure = viz.plan_figure(odd_plan)
+    figure = viz.draw_figure(odd_plan)
     figure.savefig(tmp_path / "plan.svg")
     named = [text for text in figure.findobj(Text) if "x_{" in text.get_text()]
     assert len(named) == 5  # title, obstacle, joints
@@ -570,7 +573,7 @@ def test_the_data_are_written_before_the_picture(odd_plan, tmp_path, monkeypatch
     def fails(plan, file):
         raise RuntimeError("no picture")
 
-    monkeypatch.setattr(viz, "save_plan", fails)
+    monkeypatch.setattr(viz, "save_figure", fails)
     with pytest.raises(RuntimeError, match="no picture"):
         odd_plan.save(tmp_path / "out")
     again = mp.Plan.load(tmp_path / "out")

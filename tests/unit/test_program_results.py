@@ -7,7 +7,7 @@ from program_cell import part_pose, placed_part
 
 import manipplan as mp
 from manipplan.cli import main
-from manipplan.viz.figure import program_figure
+from manipplan.viz.figure import draw_figure
 from manipplan.viz.motions import find_moved_parts
 from manipplan.viz.viewer import plan_viewer
 
@@ -58,13 +58,13 @@ def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
 def test_pictures_of_a_program(program, planar, tmp_path):
     assert "\n" not in repr(program) and len(repr(program)) <= 200
     assert '<img alt="Program(' in program._repr_html_()
-    left, right = program_figure(program).subfigs
+    left, right = draw_figure(program).subfigs
     labels = [text.get_text() for text in left.axes[0].texts]
     assert {"table", "post", "part", "part, put down"} <= set(labels)
     told = ", ".join(text.get_text() for text in right.axes[0].texts)
     assert all(f"{mark.step} {mark.name}" in told for mark in program.marks)
     flat_one = mp.sequence(planar, [0.4, 0.6, 0.8], [mp.MoveTo([1.0, -0.3, 0.25])])
-    assert len(program_figure(flat_one).subfigs) == 2
+    assert len(draw_figure(flat_one).subfigs) == 2
     program.save(tmp_path / "made")
     assert main(["view", str(tmp_path / "made"), "--record", str(tmp_path / "motion.html")]) == 0
     assert (tmp_path / "motion.html").stat().st_size > 1e6

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 import manipplan as mp
 from manipplan.viz.animation import _stage
 from manipplan.viz.arm import plot_arm, plot_ellipsoids
-from manipplan.viz.figure import plan_figure
+from manipplan.viz.figure import draw_figure
+from manipplan.viz.motions import ShownMotion
 from manipplan.viz.viewer.bodies import _rods
-from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.plan_viewer import about
 
 
@@ -37,7 +37,7 @@ def test_the_way_of_each_tool_is_drawn(plan):
     for ax in (
         plot_arm(plan.robot, plan.path),
         plot_ellipsoids(plan.robot.kinematics(), plan.path),
-        plan_figure(plan).axes[0],
+        draw_figure(plan).axes[0],
     ):
         for place in places(plan.robot, plan.path.goal):
             assert np.abs(ends(ax) - place).max(axis=1).min() < 1e-9
@@ -47,7 +47,7 @@ def test_the_way_of_each_tool_is_drawn(plan):
 def test_ellipsoids_of_an_animation_are_at_their_tools(plan, monkeypatch):
     centres = []
     monkeypatch.setattr("manipplan.viz.animation.plot_ellipsoid", lambda _, centre, **__: centres.append(centre))
-    _stage(plan, Figure())(plan.trajectory.duration)
+    _stage(ShownMotion.of(plan), Figure())(plan.trajectory.duration)
     np.testing.assert_allclose(centres, places(plan.robot, plan.path.goal), atol=1e-9)
 
 

@@ -284,7 +284,7 @@ def straight_plan(robot, scene):
 
 @pytest.mark.parametrize("kind", ["a script", "the end of a string"])
 def test_pages_show_names_as_text(kind, tmp_path):
-    from manipplan.viz.viewer.motion import ShownMotion
+    from manipplan.viz.motions import ShownMotion
     from manipplan.viz.viewer.plan_viewer import about
 
     robot, mark = loaded(urdf, HOSTILE[kind], tmp_path)

@@ -24,10 +24,11 @@ import manipplan as mp
 from manipplan.cli import main
 from manipplan.support.status import Status
 from manipplan.viz import viewer
+from manipplan.viz.shapes import MOST, triangles_of
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
-from manipplan.viz.viewer.bodies import MOST, appearance_of, capsules, convex_bodies, triangles_of
-from manipplan.viz.viewer.figures import Chart, ChartLine
+from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
+from manipplan.viz.viewer.plan_viewer import Chart, ChartLine
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -540,8 +541,8 @@ def test_a_plan_without_a_motion_is_an_error(plan):
     for work, show in (
         ("no trajectory to show", lambda: failed.show(port=0)),
         ("no trajectory to record", lambda: failed.record("x.html")),
-        ("no motion to show", lambda: viewer.show(failed, port=0)),
-        ("no motion to show", lambda: viewer.record(failed, "x.html")),
+        ("no trajectory to show", lambda: viewer.show(failed, port=0)),
+        ("no trajectory to show", lambda: viewer.record(failed, "x.html")),
     ):
         with pytest.raises(mp.errors.PlanningError, match=f"{work}: the goal is in the wall") as caught:
             show()

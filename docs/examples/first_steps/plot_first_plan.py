@@ -41,7 +41,7 @@ print(plan.report)
 # %%
 # The straight line in joint space passes close to a singularity, and the planner's seed
 # path is not much better. The optimised path stays far from singularities.
-_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # The trajectory is a cubic spline in time. It gives positions, velocities and

@@ -125,7 +125,7 @@ scene = mp.Scene(
 plan = mp.plan(robot, start, goal, scene, clearance=0.01)
 print(plan.report)
 assert plan.report.passed
-_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # The most common errors. Each message names the argument, the value that was given, and

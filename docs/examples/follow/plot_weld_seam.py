@@ -84,7 +84,7 @@ plan = mp.follow(
 print(plan.report)
 print(plan.deviation)
 assert plan.report.passed and plan.deviation.position < 1e-4
-_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 # sphinx_gallery_thumbnail_number = 2
 
 # %%

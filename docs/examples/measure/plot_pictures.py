@@ -24,7 +24,7 @@ from manipplan import viz
 problem = mp.demo.panda_among_boxes()
 robot, scene = problem.robot, problem.scene
 plan = mp.plan(robot, problem.start, problem.goal, scene)
-_ = viz.plan_figure(plan, plt.figure(figsize=(11.5, 6.0)))
+_ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
 # The arm among obstacles
@@ -69,7 +69,7 @@ flat = mp.plan(
     mp.Scene([wall, ball]),
     objective=mp.PathObjective(power=2.0),
 )
-ax = viz.plot_planar_arm(
+ax = viz.plot_arm(
     planar, flat.path, flat.scene, seed=flat.result.seed, names=("optimised", "seed")
 )
 

@@ -80,7 +80,7 @@ assert program.goals[1] % 2 == 0
 # The arm with the part where it was, on its way and in the tray; manipulability and
 # joints over time, with the beginnings of the steps.
 
-viz.program_figure(program, plt.figure(figsize=(11.5, 6.0)))
+viz.draw_figure(program, plt.figure(figsize=(11.5, 6.0)))
 plt.show()
 
 # %%

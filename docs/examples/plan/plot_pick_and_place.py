@@ -62,7 +62,7 @@ assert np.abs(stands - place).max() < 1e-5
 # The whole program: the part where it was, on its way in the hand, and put down. The
 # vertical lines are where steps begin; the hand closes and opens at the solid ones.
 
-viz.program_figure(program, plt.figure(figsize=(11.5, 6.0)))
+viz.draw_figure(program, plt.figure(figsize=(11.5, 6.0)))
 plt.show()
 
 # %%

@@ -17,21 +17,10 @@ from manipplan.tracking.controller import Controller
 from manipplan.tracking.formulations import Formulation, LogDrive
 from manipplan.tracking.step import StepStatus
 from manipplan.viz import style
-from manipplan.viz.motions import drawn_tools
-from manipplan.viz.viewer.figures import (
-    Chart,
-    ChartLine,
-    EllipsoidFigure,
-    RobotFigure,
-    corners,
-    draw_checked_layers,
-    ellipsoid_scale,
-    put,
-)
-from manipplan.viz.viewer.motion import limits_now
-from manipplan.viz.viewer.plan_viewer import switches, table
+from manipplan.viz.motions import drawn_tools, ellipsoid_scale, limits_now
+from manipplan.viz.viewer.plan_viewer import Chart, ChartLine, switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
-from manipplan.viz.viewer.stage import surround
+from manipplan.viz.viewer.stage import EllipsoidFigure, RobotFigure, corners, draw_checked_layers, put, surround
 
 #: Pictures per second, and number of pictures per update of the chart and the values.
 RATE, EVERY = 25.0, 3
@@ -154,7 +143,7 @@ class LiveViewer(Page):
         robot = self.controller.robot
         box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
-        scale = ellipsoid_scale([self._position], self._first[None], box)
+        scale = ellipsoid_scale(robot, [self._position], self._first[None])
         box[:, :2] += [[-ROOM * size], [ROOM * size]]
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)

@@ -1,30 +1,28 @@
 """A plan or program in the browser, with a time slider, playback at real speed, and a switch per layer; or recorded as HTML.
 
-Parts of the panel that all viewers share.
+Parts of the panel that all viewers share, such as the measure over time as SVG, which a browser draws without scripts.
 """
 
 import threading
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from manipplan.support.checks import flag, number
+from manipplan.plans.result import Plan
+from manipplan.programs.program import Program
+from manipplan.support.checks import Array, flag, number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import write_text
 from manipplan.viz import style
+from manipplan.viz.motions import ShownMotion
 from manipplan.viz.viewer.bodies import appearance_of
-from manipplan.viz.viewer.figures import Chart, ChartLine
-from manipplan.viz.viewer.motion import ShownMotion
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
 from manipplan.viz.viewer.stage import Stage
-
-if TYPE_CHECKING:
-    from manipplan.plans.result import Plan
-    from manipplan.programs.program import Program
 
 
 def switches(gui: Any, layers: Mapping[str, Any]) -> None:
@@ -49,13 +47,103 @@ def table(rows: Sequence[tuple[str, str]]) -> str:
     return f'<table style="margin:0.2em 0.75em;font:12px sans-serif;color:#222;border-collapse:collapse">{cells}</table>'
 
 
+#: Size of the drawing and its margins: left, right, top, bottom [px].
+WIDTH, HEIGHT = 300, 170
+LEFT, RIGHT, TOP, BOTTOM = 42, 8, 10, 30
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ChartLine:
+    """One curve: its name in the legend, its colour, and its values at the chart's times."""
+
+    name: str
+    colour: str
+    values: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Chart:
+    """Curves over the same times t (k,) [s], on an axis that includes zero; `label` gives quantity and unit.
+
+    `marks`: times [s] with names, drawn as dotted lines that show their name under the mouse.
+    """
+
+    t: Array
+    curves: Sequence[ChartLine]
+    label: str
+    marks: Sequence[tuple[float, str]] = ()
+
+    def svg(self, now: float | None = None) -> str:
+        """The picture; a line and a dot on each curve mark the time `now` [s]."""
+        end, start = float(self.t[-1]), float(self.t[0])
+        highest = max([float(np.max(c.values, initial=0.0)) for c in self.curves])
+        lowest = min([float(np.min(c.values, initial=0.0)) for c in self.curves])
+        highest = highest if highest > lowest else 1.0
+        step = _round_step((highest - lowest) / 3)
+        top, bottom = float(step * np.ceil(highest * 1.02 / step)), float(step * np.floor(lowest * 1.02 / step))
+
+        across = LEFT + (WIDTH - LEFT - RIGHT) * (self.t - start) / max(end - start, 1e-9)
+
+        def x(t: float) -> float:
+            return float(np.interp(t, self.t, across))
+
+        def y(value: float) -> float:
+            return float(HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * (value - bottom) / (top - bottom))
+
+        parts = []
+        for value in np.arange(bottom, top + step / 2, step):
+            at = f"{y(value):.1f}"
+            parts.append(f'<line x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{at}" y2="{at}" stroke="#e4e4e4"/>')
+            parts.append(f'<text x="{LEFT - 5}" y="{at}" dy="3.5" text-anchor="end">{value:.6g}</text>')
+        time_step = _round_step((end - start) / 4)
+        for t in np.arange(np.ceil(start / time_step) * time_step, end + 1e-9, time_step):
+            parts.append(f'<text x="{x(t):.1f}" y="{HEIGHT - BOTTOM + 13}" text-anchor="middle">{t:.6g}</text>')
+        parts.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 3}" text-anchor="middle">time [s]</text>')
+        for begin, name in self.marks:
+            ends = f'x1="{x(begin):.1f}" x2="{x(begin):.1f}" y1="{TOP}" y2="{HEIGHT - BOTTOM}"'
+            lines = f'<line {ends} stroke="#999" stroke-dasharray="2 2"/><line {ends} stroke="transparent" stroke-width="6"/>'
+            parts.append(f'<g class="mark"><title>{escape(name)}</title>{lines}</g>')
+        for curve in reversed(self.curves):
+            points = " ".join(f"{place:.1f},{y(value):.1f}" for place, value in zip(across, curve.values, strict=True))
+            parts.append(f'<polyline points="{points}" fill="none" stroke="{curve.colour}" stroke-width="2"/>')
+        if now is not None:
+            here, foot = f"{x(now):.1f}", HEIGHT - BOTTOM
+            parts.append(f'<line class="now" x1="{here}" x2="{here}" y1="{TOP}" y2="{foot}" stroke="#333"/>')
+            for curve in reversed(self.curves):
+                height = f"{y(float(np.interp(now, self.t, curve.values))):.1f}"
+                parts.append(f'<circle cx="{here}" cy="{height}" r="4" fill="{curve.colour}" stroke="#fff"/>')
+        return (
+            f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" width="100%" role="img" aria-label="{escape(self.label)} over time" '
+            f'font-family="sans-serif" font-size="10.5" fill="#444">{"".join(parts)}</svg>'
+        )
+
+    def html(self, now: float | None = None) -> str:
+        """Legend and picture."""
+        keys = " ".join(
+            f'<span style="white-space:nowrap;margin-right:0.8em"><span style="color:{curve.colour}">&#9644;</span> '
+            f"{escape(curve.name)}</span>"
+            for curve in self.curves
+        )
+        keys = f"<br>{keys}" if len(self.curves) > 1 else ""
+        return (
+            f'<div style="padding:0 0.75em;font:12px sans-serif;color:#333"><div style="margin:0.3em 0">'
+            f"{escape(self.label)}{keys}</div>{self.svg(now)}</div>"
+        )
+
+
+def _round_step(rough: float) -> float:
+    """1, 2 or 5 times a power of ten, at least `rough`."""
+    power = 10.0 ** np.floor(np.log10(max(rough, 1e-12)))
+    return float(next(k * power for k in (1, 2, 5, 10) if k * power >= rough * (1 - 1e-9)))
+
+
 #: Pictures per second during playback.
 RATE = 25.0
 #: Playback speeds by label.
 SPEEDS = {"0.1 x": 0.1, "0.25 x": 0.25, "0.5 x": 0.5, "real speed": 1.0, "2 x": 2.0}
 
 
-def show(plan: "Plan | Program", *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
+def show(plan: Plan | Program, *, port: int = PORT, host: str = HOST, open_browser: bool = True) -> "PlanViewer":
     """Show a plan in the browser; the page stays open until `stop`, or until Python exits: use `show(plan).wait()` in a script.
 
     Args:
@@ -188,8 +276,8 @@ class PlanViewer(Page):
 def chart_of(motion: ShownMotion) -> Chart:
     """The measure over time, of the motion and of the seed."""
     curves = [
-        ChartLine(name=each.name, colour=colour, values=np.nan_to_num(each.manipulability, posinf=0.0))
-        for each, colour in zip(motion.motions, (style.OPTIMUM, style.SEED), strict=False)
+        ChartLine(name=each.name, colour=each.colour, values=np.nan_to_num(each.manipulability, posinf=0.0))
+        for each in motion.motions
     ]
     marks = [(mark.begin, f"{mark.step} {mark.name}") for mark in motion.marks]
     return Chart(t=motion.t, curves=curves, label=style.measure_label(motion.kinematics), marks=marks)
@@ -219,7 +307,7 @@ FOLD = "<script>if (innerWidth < 700) document.getElementById('figures').open = 
 END = "</body>"
 
 
-def record(plan: "Plan | Program", file: str | Path, *, rate: float = 25.0) -> Path:
+def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Path:
     """Write the motion of a plan as a self-contained HTML file, with legend, measure over time and values; returns the file.
 
     The page of one to two megabytes plays the motion at real speed; the bar at its bottom selects the time.

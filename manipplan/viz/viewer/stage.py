@@ -1,23 +1,196 @@
-"""The 3D scene of a motion: both robots, tool paths, ellipsoids, obstacles, floor and camera.
+"""The 3D scene of a motion: robots, the bodies they are checked with, carried parts, ellipsoids and tool paths that move.
 
 Static parts of the scene: obstacles with their names, the floor, and the initial camera.
 """
 
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any
 
 import coal
 import numpy as np
+import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import PointCloud
+from manipplan.measures.ellipsoid import velocity_ellipsoid
+from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
-from manipplan.viz.shapes import evenly_chosen
-from manipplan.viz.viewer.bodies import PLANE, triangles_of
-from manipplan.viz.viewer.figures import EllipsoidFigure, PartFigure, RobotFigure, corners, draw_checked_layers, put
-from manipplan.viz.viewer.motion import ShownMotion
+from manipplan.viz.motions import DrawnTool, ShownMotion
+from manipplan.viz.shapes import PLANE, Faces, evenly_chosen, triangles_of
+from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies
+
+#: Opacity of the ghost robot shown for comparison.
+GHOST = 0.45
+#: Half thickness of a drawn ellipse, as a share of its larger radius.
+THIN = 0.02
+
+
+class RobotFigure:
+    """A robot in the scene under `root`; with a `ghost` colour, only its moving parts, translucent in that colour.
+
+    Attributes:
+        root: viser's handle of the whole robot; its `visible` shows and hides it.
+        frames: viser's handles of the world frame and the joint frames.
+        meshes: viser's handles of the drawn bodies.
+    """
+
+    def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
+        self.robot = robot
+        self._data = robot.model.createData()
+        self.root: Any = scene.add_frame(root, show_axes=False)
+        self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
+        self.meshes: list[Any] = []
+        for k, body in enumerate(appearance_of(robot).bodies):
+            if ghost is not None and not body.joint:
+                continue  # it would coincide with that of the other robot
+            colour = body.colour if ghost is None else (*style.rgb(ghost), GHOST)
+            self.meshes.append(draw_body(scene, f"{root}/{body.joint}/{k}", body, colour, casts=ghost is None))
+        self.place(robot.neutral)
+
+    def place(self, q: Array) -> None:
+        """Move the robot to q (n,)."""
+        pin.forwardKinematics(self.robot.model, self._data, q)
+        for frame, placement in zip(self.frames[1:], list(self._data.oMi)[1:], strict=True):
+            put(frame, placement)
+
+
+class PartFigure:
+    """A part that moves in the scene, at first where it is given."""
+
+    def __init__(self, scene: Any, name: str, solid: Solid) -> None:
+        self.root: Any = scene.add_frame(name, show_axes=False)
+        for k, shape in enumerate(solid.shapes()):
+            colour = style.rgb(style.OPTIMUM)
+            scene.add_mesh_simple(f"{name}/{k}", *triangles_of(shape), color=colour, side="double", receive_shadow=False)
+        self.place(solid)
+
+    def place(self, solid: Solid | None) -> None:
+        """Move the part to where `solid` is; None hides it."""
+        self.root.visible = solid is not None
+        if solid is not None:
+            put(self.root, solid.pose)
+
+
+def draw_body(scene: Any, name: str, body: DrawnBody, colour: tuple[float, ...], *, casts: bool) -> Any:
+    """Draw a body in a colour with opacity (4,); `casts`: whether it casts a shadow. Returns viser's handle."""
+    return scene.add_mesh_simple(
+        name,
+        body.vertices,
+        body.faces,
+        color=tuple(colour[:3]),
+        opacity=colour[3] if colour[3] < 1 else None,
+        side="double",
+        cast_shadow=casts,
+        receive_shadow=False,
+    )
+
+
+@cache
+def _ball() -> tuple[Array, Faces]:
+    return triangles_of(coal.Sphere(1.0))
+
+
+class EllipsoidFigure:
+    """The velocity ellipsoid of the tool's position in the scene.
+
+    `scale`: metres drawn per unit of its radii.
+    """
+
+    def __init__(self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float) -> None:
+        self._tool, self._scale = tool, scale
+        self.mesh: Any = scene.add_mesh_simple(
+            name,
+            *_ball(),
+            color=style.rgb(style.ELLIPSOID),
+            opacity=opacity,
+            cast_shadow=False,
+            receive_shadow=False,
+        )
+
+    def place(self, q: Array) -> None:
+        """Move the ellipsoid to the tool at q (n,)."""
+        axes, radii = principal(self._tool, q)
+        self.mesh.scale = tuple(float(r) for r in self._scale * radii)
+        put(self.mesh, pin.SE3(axes, np.asarray(self._tool.pose(q))[:3, 3]))
+
+
+def principal(tool: DrawnTool, q: Array) -> tuple[Array, Array]:
+    """Axes, a rotation (3, 3), and radii (3,) of the velocity ellipsoid; an ellipse is thin along z."""
+    ellipsoid = velocity_ellipsoid(tool.jacobian(q))
+    axes, radii = np.eye(3), np.full(3, THIN * ellipsoid.radii[0])
+    m = len(ellipsoid.radii)
+    axes[:m, :m] = ellipsoid.axes
+    radii[:m] = np.maximum(ellipsoid.radii, 0.2 * THIN * ellipsoid.radii[0])  # a flat ellipsoid stays visible
+    axes[:, 2] *= np.linalg.det(axes)
+    return axes, radii
+
+
+def corners(robot: Robot, q: Array, *, moving: bool) -> Array:
+    """Lower and upper corner (2, 3) [m] of the box around the robot at q (n,), or around its moving parts."""
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    bodies = [body for body in appearance_of(robot).bodies if body.joint or not moving]
+    points = [body.vertices @ data.oMi[body.joint].rotation.T + data.oMi[body.joint].translation for body in bodies]
+    together = np.concatenate([*points, np.zeros((1, 3))])  # the base is always included
+    return np.array([together.min(axis=0), together.max(axis=0)])
+
+
+def put(handle: Any, placement: pin.SE3) -> None:
+    """Set the pose of a scene node."""
+    handle.position = np.asarray(placement.translation)
+    handle.wxyz = pin.Quaternion(placement.rotation).coeffs()[[3, 0, 1, 2]]
+
+
+class CheckedFigure:
+    """Bodies that are checked for collisions, on the joint frames of a figure; made when they are shown for the first time."""
+
+    def __init__(
+        self, scene: Any, figure: RobotFigure, name: str, make: Callable[[Robot], Sequence[DrawnBody]], *, replaces: bool
+    ) -> None:
+        """`name`: in the scene; `make` gives the bodies of a robot; `replaces`: whether its links are hidden meanwhile."""
+        self._scene, self._figure, self._name, self._make, self._replaces = scene, figure, name, make, replaces
+        self._lock = threading.Lock()
+        self._meshes: list[Any] = []
+        self._visible = False
+
+    @property
+    def visible(self) -> bool:
+        """Whether the bodies are shown."""
+        return self._visible
+
+    @visible.setter
+    def visible(self, value: bool) -> None:
+        with self._lock:
+            if value and not self._meshes:
+                self._meshes = [
+                    draw_body(
+                        self._scene, f"{self._figure.root.name}/{body.joint}/{self._name}{k}", body, body.colour, casts=False
+                    )
+                    for k, body in enumerate(self._make(self._figure.robot))
+                ]
+            self._visible = value
+            for mesh in self._meshes:
+                mesh.visible = value
+            for link in self._figure.meshes if self._replaces else ():
+                link.visible = not value
+
+
+def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFigure]:
+    """The convex bodies that a plan is checked with, and a controller's capsules, by the names of their switches.
+
+    Empty for a robot without collision geometry.
+    """
+    if not figure.robot.geometry.ngeoms:
+        return {}
+    return {
+        "what is checked": CheckedFigure(scene, figure, "checked", convex_bodies, replaces=True),
+        "controller's capsules": CheckedFigure(scene, figure, "capsule", capsules, replaces=False),
+    }
+
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
@@ -51,20 +224,19 @@ def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
             above = (placed.min(axis=0) + placed.max(axis=0)) / 2  # its frame is often that of the camera
             seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
         for i, shape in enumerate(() if isinstance(obstacle, PointCloud) else obstacle.shapes()):
-            triangles = triangles_of(shape)
-            if triangles is None:
-                continue
+            vertices, faces = triangles_of(shape)
             endless = isinstance(shape, coal.Halfspace)
             mesh = scene.add_mesh_simple(
                 f"/obstacles/{k}/{i}",
-                *triangles,
+                vertices,
+                faces,
                 color=style.rgb(style.OBSTACLE),
                 opacity=0.18 if endless else 0.55,
                 side="double",
                 cast_shadow=not endless,
             )
             put(mesh, obstacle.pose)
-            placed = triangles[0] @ obstacle.pose.rotation.T + obstacle.pose.translation
+            placed = vertices @ obstacle.pose.rotation.T + obstacle.pose.translation
             top = max(top, placed[:, 2].max()) if not endless else top
             if not endless:
                 seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
@@ -134,8 +306,8 @@ def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) 
     return layers
 
 
-#: Thickness of a drawn path [px].
-LINE = 3.0
+#: Thickness of a drawn path [px], and number of places along it at which ellipsoids are drawn.
+LINE, ELLIPSOIDS = 3.0, 7
 
 
 class Stage:
@@ -158,16 +330,21 @@ class Stage:
         self.ellipsoids: list[EllipsoidFigure] = []
         for i, tool in enumerate(motion.tools):
             self.ellipsoids.append(EllipsoidFigure(scene, f"/ellipsoid/{i}", tool, motion.scale, opacity=0.5))
-            for k, q in enumerate(motion.places):
+            for k, q in enumerate(evenly_chosen(motion.ours.q, ELLIPSOIDS)):
                 EllipsoidFigure(scene, f"/ellipsoids/{i}_{k}", tool, motion.scale, opacity=0.18).place(q)
         self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
         if self.seed is not None and motion.seed is not None:
             self.layers[motion.seed.name] = self.seed.root
-        for each, node, colour in zip(motion.motions, ("/path", "/seed_path"), (style.OPTIMUM, style.SEED), strict=False):
-            self.layers[f"path, {each.name}"] = draw_path(scene, node, each.tools, colour)
+        for each, node in zip(motion.motions, ("/path", "/seed_path"), strict=False):
+            pieces = np.concatenate([np.stack([way[:-1], way[1:]], axis=1) for way in each.tools])
+            lines = scene.add_line_segments(node, pieces, style.rgb(each.colour), thickness=LINE, thickness_units="screen")
+            self.layers[f"path, {each.name}"] = lines
         self.layers["ellipsoid, tool"] = moving
         self.layers["ellipsoids, path"] = fixed
-        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, motion.box)
+        some = (q for each in motion.motions for q in each.q[:: len(motion.motions) * len(motion.t) // 12])
+        boxes = np.array([corners(motion.robot, q, moving=True) for q in some])
+        box = np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, box)
         self.layers |= draw_checked_layers(scene, self.robot)
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
@@ -184,9 +361,3 @@ class Stage:
             figure.place(part.at(t, self.motion.robot, q))
         if self.seed is not None and self.motion.seed is not None:
             self.seed.place(self.motion.seed.at(t))
-
-
-def draw_path(scene: Any, name: str, ways: Sequence[Array], colour: str) -> Any:
-    """Lines through the points (k, 3) of each way [m]; returns viser's handle."""
-    pieces = np.concatenate([np.stack([points[:-1], points[1:]], axis=1) for points in ways])
-    return scene.add_line_segments(name, pieces, style.rgb(colour), thickness=LINE, thickness_units="screen")
