@@ -14,7 +14,7 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import RobotOptions, WithRobotOptions, columns_of, configuration_of, task_of
-from manipplan.constraints.constraint_file import constraints_from_yaml
+from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import Goal
 from manipplan.goals.read import goals_from_yaml, pose_of_numbers
