@@ -21,7 +21,7 @@ from manipplan.support.checks import Array, ArrayLike, configurations
 from manipplan.support.compiling.compiler import NATIVE, load_library, load_stored
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import CompilerError, InvalidInputError
-from manipplan.symbolic.machine_code import do_without, wants_machine_code
+from manipplan.symbolic.machine_code import PendingCode, do_without, wants_machine_code
 
 
 class Evaluator:
@@ -31,17 +31,23 @@ class Evaluator:
     Evaluator.
     """
 
-    def __init__(self, function: ca.Function, shapes: list[tuple[int, ...]]) -> None:
-        """`function` takes q and returns the quantities (dense), then the sum of q, which reveals NaN and inf."""
-        self._n = function.nnz_in(0)
+    def __init__(self, function: ca.Function, shapes: list[tuple[int, ...]], pending: PendingCode | None = None) -> None:
+        """`function` takes q and returns the quantities (dense), then the sum of q, which reveals NaN and inf.
+
+        `pending`: its machine code, where this is still to be built.
+        """
+        self._n, self._shapes, self._pending = function.nnz_in(0), shapes, pending
         self._q: Any = np.zeros(self._n).data
+        self._take(function)
+
+    def _take(self, function: ca.Function) -> None:
         flat = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
         self._buffer, self._run = function.buffer()
         self._buffer.set_arg(0, self._q)
         for i, out in enumerate(flat):
             self._buffer.set_res(i, out.data)
         self._sum = flat[-1].data
-        views = (out.reshape(shape, order="F") for out, shape in zip(flat[:-1], shapes, strict=True))
+        views = (out.reshape(shape, order="F") for out, shape in zip(flat[:-1], self._shapes, strict=True))
         self._views: tuple[Array, ...] = tuple(views)
 
     def __call__(self, q: ArrayLike) -> tuple[Array, ...]:
@@ -53,6 +59,9 @@ class Evaluator:
             if q.ndim != 1:
                 raise InvalidInputError("q", q, f"one configuration of shape ({self._n},)") from None
             np.asarray(self._q)[:] = q
+        if self._pending is not None and (made := self._pending.after(1)) is not None:
+            self._pending = None
+            self._take(made[0])
         self._run()
         total = self._sum[0]
         if total - total != 0.0:  # NaN for NaN and inf

@@ -30,7 +30,7 @@ from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
-from manipplan.symbolic.machine_code import compiled, do_without, wants_machine_code
+from manipplan.symbolic.machine_code import as_asked, compiled, do_without, wants_machine_code
 from manipplan.symbolic.motion import LedMotion, Motion
 from manipplan.symbolic.relative import Seen, task_rows
 from manipplan.symbolic.spanned import usual_task
@@ -376,7 +376,7 @@ class Kinematics:
         if q.ndim == 1:
             evaluators = self._own.__dict__  # each thread has its own
             if quantity not in evaluators:
-                evaluators[quantity] = self.evaluator(quantity)
+                evaluators[quantity] = self._evaluator(quantity)
             value: Array = evaluators[quantity](q)[0].copy()
             return value
         if q.size == 0:
@@ -390,6 +390,13 @@ class Kinematics:
         if len(shape) == 2:  # CasADi stores matrices column by column
             return np.ascontiguousarray(values.reshape(*q.shape[:-1], *shape[::-1]).swapaxes(-1, -2))
         return values.reshape(*q.shape[:-1], *shape)
+
+    @building()
+    def _evaluator(self, quantity: str) -> Evaluator:
+        """Of single configurations; machine code is built once it pays off."""
+        function = self.symbolic.function(quantity, with_sum=True)
+        coded = as_asked([function], self.compiled, f"{function.name()} of {self.robot.name}")
+        return Evaluator(coded.functions[0], [self._shape(quantity)], coded.pending)
 
     def _kernel(self, quantity: str) -> BatchKernel | None:
         """None: CasADi's virtual machine."""
