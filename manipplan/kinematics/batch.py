@@ -76,8 +76,9 @@ SHARE = 16384
 
 #: `run` of csrc/batch.h: int (const void *program, const double *q, double *out, long count); 0 if all of q was finite.
 BATCH = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
-#: Number of instructions, each at one configuration, after which machine code is built: half a second of work.
-PAYS_OFF = 2e9
+#: Number of instructions, each at one configuration, after which machine code is built: about a tenth of a second of work.
+#: To build it takes longer, but it serves later processes, too.
+PAYS_OFF = 3e8
 
 
 class BatchKernel:

@@ -181,6 +181,8 @@ def _express_at(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca
     return ca.sparsify(jacobian_of(tree.alone(), [frames[i] for i in range(1, n + 1)], point)), end.rotation
 
 
+#: Number of single configurations that CasADi's virtual machine evaluates before machine code is built.
+FEW = 100
 QUANTITIES = ("pose", "jacobian", "manipulability", "gradient", "hessian")
 
 
@@ -393,9 +395,9 @@ class Kinematics:
 
     @building()
     def _evaluator(self, quantity: str) -> Evaluator:
-        """Of single configurations; machine code is built once it pays off."""
+        """Of single configurations; machine code is built after the first few, which a job or a script may be content with."""
         function = self.symbolic.function(quantity, with_sum=True)
-        coded = as_asked([function], self.compiled, f"{function.name()} of {self.robot.name}")
+        coded = as_asked([function], self.compiled, f"{function.name()} of {self.robot.name}", count=FEW)
         return Evaluator(coded.functions[0], [self._shape(quantity)], coded.pending)
 
     def _kernel(self, quantity: str) -> BatchKernel | None:

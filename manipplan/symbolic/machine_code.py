@@ -78,9 +78,10 @@ class PendingCode:
     CasADi's virtual machine gives the same numbers to the last bit, so that it does not matter when. Threads may share it.
     """
 
-    def __init__(self, functions: Sequence[ca.Function], subject: str) -> None:
+    def __init__(self, functions: Sequence[ca.Function], subject: str, count: float | None = None) -> None:
+        """`count`: number of evaluations after which it is built; None: when these cost PAYS_OFF."""
         self._functions, self._subject, self._lock = functions, subject, threading.Lock()
-        self._left = float(PAYS_OFF / sum(function.n_instructions() for function in functions))
+        self._left = PAYS_OFF / sum(function.n_instructions() for function in functions) if count is None else count
         self._made: tuple[ca.Function, ...] | None = None
 
     def after(self, count: int) -> tuple[ca.Function, ...] | None:
@@ -108,11 +109,13 @@ class CodedFunctions:
         return tuple(BatchFunction(each, self.pending, k) for k, each in enumerate(self.functions))
 
 
-def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: str, *, at_once: bool = False) -> CodedFunctions:
+def as_asked(
+    functions: Sequence[ca.Function], compiled: bool | str, subject: str, *, at_once: bool = False, count: float | None = None
+) -> CodedFunctions:
     """The functions as machine code where `compiled` (True, False or "auto") selects it, otherwise unchanged.
 
-    "auto" builds it only when they are evaluated often, or `at_once`. It leaves functions of more than SOON_DONE instructions
-    unchanged.
+    "auto" builds it only when they are evaluated often, see `PendingCode`, or `at_once`. It leaves functions of more than
+    SOON_DONE instructions unchanged.
 
     Raises CompilerError when `compiled` is True and there is no compiler, or it fails.
     """
@@ -122,7 +125,7 @@ def as_asked(functions: Sequence[ca.Function], compiled: bool | str, subject: st
             return CodedFunctions(functions=compile_together(functions, subject))
         if soon and wants_machine_code(compiled):
             stored = _stored_together(functions, subject)
-            pending = None if stored is not None else PendingCode(functions, subject)
+            pending = None if stored is not None else PendingCode(functions, subject, count)
             return CodedFunctions(functions=stored or tuple(functions), pending=pending)
     except CompilerError as error:
         do_without(error, compiled)
