@@ -84,6 +84,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/kinematics.py
 	$(BIN)/python benchmarks/import_time.py
 	$(BIN)/python benchmarks/cold_start.py
+	$(BIN)/python benchmarks/files_to_read.py
 	$(BIN)/python benchmarks/first_models.py
 	$(BIN)/python benchmarks/first_plans.py
 	$(BIN)/python benchmarks/threads.py

@@ -405,3 +405,8 @@ def test_first_and_second_plan_end_alike():
 @pytest.mark.slow
 def test_plans_in_threads_are_those_one_by_one():
     assert threads.compare(4, 6) == (6, 6)
+
+
+def test_files_that_run_in_a_job(tmp_path):
+    found = files_to_read.main(["--out", str(tmp_path / "table.md")])
+    assert all(0 < found[name] <= wanted for name, (_, wanted) in files_to_read.WANTED.items()), found
