@@ -20,6 +20,7 @@ import closed_meshes
 import cold_start
 import control_step
 import demo_timing
+import files_to_read
 import first_models
 import first_paths
 import first_plans
@@ -293,11 +294,11 @@ def test_rows_of_the_demo_s_timing(panda):
     assert "| 2, 3 |" in text and "takes 1.00 times as long as toppra" in text
 
 
-def test_first_calls_compile_once_and_then_load(tmp_path):
+def test_first_calls_build_no_machine_code(tmp_path):
     name = "inverse_kinematics, ur5"
     found = cold_start.main(["--runs", "1", "--jobs", name, "--out", str(tmp_path / "table.md")])[name]
     (_, ever), (_, later), (_, again) = (samples[0] for samples in found.values())
-    assert ever > 3 * later > 3 * again > 0, "processor times"
+    assert 3 * later > ever > 3 * again > 0, "processor times"
     assert (tmp_path / "table.md").read_text().count("inverse_kinematics, ur5") == 3
 
 
@@ -407,6 +408,7 @@ def test_plans_in_threads_are_those_one_by_one():
     assert threads.compare(4, 6) == (6, 6)
 
 
+@pytest.mark.slow
 def test_files_that_run_in_a_job(tmp_path):
     found = files_to_read.main(["--out", str(tmp_path / "table.md")])
     assert all(0 < found[name] <= wanted for name, (_, wanted) in files_to_read.WANTED.items()), found
