@@ -71,7 +71,7 @@ kernels: $(READY)
 	  level="-O2 -fno-unroll-loops"; [ $$kernel != distances ] || level=-O3; \
 	  clang-16 $$level -fno-vectorize -fno-slp-vectorize -ffp-contract=off -fno-math-errno -fno-trapping-math \
 	    -S -emit-llvm -o - $$kernel.c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
-	    -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope) ![0-9]+//g'; \
+	    -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope|prof) ![0-9]+//g'; \
 	  done | xz -9e > kernels.ll.xz
 
 # Edited files for every loader, 10,000 each: half an hour. Files at fault are kept in .faults.

@@ -42,22 +42,10 @@ INLINE vec root(vec a) {
 #endif
 }
 
-INLINE vec inverse(vec a) {
-#if defined(__AVX512F__)
-    /* two steps of Newton from 14 bits take less time than a division; 0 and infinity keep the first guess */
-    const vec guess = (vec)_mm512_rcp14_pd((__m512d)a);
-    vec r = guess + guess * (1.0 - a * guess);
-    r = r + r * (1.0 - a * r);
-    return choose(r == r, r, guess);
-#else
-    return 1.0 / a;
-#endif
-}
-
 /* Each operation: CasADi's name of it, and its value for a and b. The numbers of the instructions of `batch.c` are their order. */
 #define OPERATIONS(X) \
     X(assign, a) X(add, a + b) X(sub, a - b) X(mul, a * b) X(div, a / b) X(neg, -a) X(sq, a * a) X(twice, a + a) \
-    X(inv, inverse(a)) X(sqrt, root(a)) X(fabs, choose(a < 0.0, -a, a)) X(fmin, choose(a < b, a, b)) X(fmax, choose(a > b, a, b)) \
+    X(inv, 1.0 / a) X(sqrt, root(a)) X(fabs, choose(a < 0.0, -a, a)) X(fmin, choose(a < b, a, b)) X(fmax, choose(a > b, a, b)) \
     X(lt, truth(a < b)) X(le, truth(a <= b)) X(eq, truth(a == b)) X(ne, truth(a != b)) X(not, truth(a == 0.0)) \
     X(and, truth((a != 0.0) & (b != 0.0))) X(or, truth((a != 0.0) | (b != 0.0))) X(if_else_zero, choose(a != 0.0, b, zero)) \
     X(sign, choose(a > 0.0, zero + 1.0, choose(a < 0.0, zero - 1.0, a))) X(floor, LANES(floor, a)) X(ceil, LANES(ceil, a)) \

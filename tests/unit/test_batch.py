@@ -7,9 +7,10 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics import batch
-from manipplan.kinematics.batch import BatchKernel
+from manipplan.kinematics.batch import BATCH, BatchKernel
 from manipplan.kinematics.instructions import operations
 from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiling.kernels import kernel_by_llvm
 
 COMPILED = [pytest.param(True, marks=pytest.mark.compiler), False]
 QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]
@@ -139,13 +140,18 @@ def test_every_operation_of_the_kernels(every_operation):
 
 @pytest.mark.compiler
 def test_machine_code_gives_the_same_bits(every_operation, rng):
-    """Also for angles far from zero, whatever stands in the rows beside them, and for every count up to a few blocks."""
-    slow, fast = (BatchKernel(every_operation, compiled, "a test") for compiled in (False, True))
+    """Also the interpreter of machines without a compiler, whose vectors are shorter.
+
+    Also for angles far from zero, whatever stands in the rows beside them, and for every count up to a few blocks.
+    """
+    slow, fast, by_llvm = (BatchKernel(every_operation, compiled, "a test") for compiled in (False, True, False))
+    code = kernel_by_llvm("batch")
+    by_llvm._run = BATCH(code.address("batch"))
     outputs = every_operation.nnz_out(0)
     q = rng.normal(size=(150, 2)) * 10.0 ** rng.integers(-3, 9, size=(150, 2))
     whole, _ = values_of(slow, q, outputs)
     for count in (1, 2, 7, 8, 9, 31, 32, 33, 64, 100, 150):
-        for kernel in (slow, fast):
+        for kernel in (slow, fast, by_llvm):
             found, is_finite = values_of(kernel, q[:count], outputs)
             assert is_finite and found.tobytes() == whole[:count].tobytes()
     mixed = values_of(slow, q[::-1], outputs)[0][::-1]

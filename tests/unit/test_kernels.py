@@ -193,3 +193,9 @@ def test_a_build_hook_makes_wheels_with_and_without_the_library(tmp_path):
         names += [each.name for each in out.iterdir()]
     pure = [name.endswith("py3-none-any.whl") for name in names]
     assert pure == [True, True, compiler.find_compiler() is None]
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_llvm_compiles_each_kernel(name):
+    """The functions are there by the same names."""
+    assert kernel_by_llvm(name).functions().keys() == load_kernel(name).functions().keys()
