@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.robots.formats.xml_files import DEEPEST, read_bounded_xml
-from manipplan.robots.meshes.files import numbers
-from manipplan.robots.meshes.polygons import move_triangles, split_polygons
+from manipplan.robots.meshes.polygons import move_triangles, numbers, split_polygons
 from manipplan.support.checks import Array
 
 Indices = NDArray[np.int64]

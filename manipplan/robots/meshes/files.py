@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.robots.meshes.ply import read_ply
-from manipplan.robots.meshes.polygons import split_polygons
+from manipplan.robots.meshes.polygons import MOST_TRIANGLES, check_count, numbers, split_polygons
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, MissingExtraError
 
@@ -29,8 +29,8 @@ PASSED = (
     *("lod", "shadow_obj", "trace_obj"),
 )
 
-#: Maximum size of a file [bytes], and maximum number of triangles.
-LARGEST, MOST_TRIANGLES = 100_000_000, 500_000
+#: Maximum size of a file [bytes].
+LARGEST = 100_000_000
 
 Faces = NDArray[np.int64]
 
@@ -86,20 +86,6 @@ def read_mesh(argument: str, file: Path) -> MeshFile:
     if not len(mesh.triangles):
         raise FileFormatError(argument, str(file), "a mesh with at least one triangle")
     return mesh
-
-
-def check_count(triangles: int) -> None:
-    """Raise ValueError for more triangles, or polygons, than are read, before they are made."""
-    if triangles > MOST_TRIANGLES:
-        raise ValueError(f"it has {triangles:,} triangles, of at most {MOST_TRIANGLES:,}")
-
-
-def numbers(text: str, kind: type = float) -> NDArray[Any]:
-    """The numbers of a text, (k,), whole ones if `kind` is int. Raises ValueError with the first word that is none."""
-    words = text.split()
-    if not text.isascii() or "_" in text:  # Python reads ١ and 1_0
-        raise ValueError(f"numbers are needed, not {next(word for word in words if not word.isascii() or '_' in word)[:40]!r}")
-    return np.array(words, dtype=kind)
 
 
 def first_of_rows(rows: NDArray[Any]) -> tuple[Faces, Faces]:

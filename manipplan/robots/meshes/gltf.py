@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.robots.meshes.files import check_count
-from manipplan.robots.meshes.polygons import move_triangles
+from manipplan.robots.meshes.polygons import check_count, move_triangles
 from manipplan.support.checks import Array
 from manipplan.support.errors import MissingExtraError
 from manipplan.support.json_data import parsed

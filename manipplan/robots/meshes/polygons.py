@@ -1,4 +1,4 @@
-"""Polygons of mesh files, split into triangles; concave ones without covering what is outside them."""
+"""What readers of mesh files share: numbers of a text, counts, and polygons split into triangles."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -14,6 +14,22 @@ MOST_SEARCHES = 20_000
 MOST_CORNERS = 10_000
 #: Maximum number of corners of all concave polygons of one size: each takes some 25 µs.
 MOST_CONCAVE = 100_000
+#: Maximum number of triangles that are read.
+MOST_TRIANGLES = 500_000
+
+
+def check_count(triangles: int) -> None:
+    """Raise ValueError for more triangles, or polygons, than are read, before they are made."""
+    if triangles > MOST_TRIANGLES:
+        raise ValueError(f"it has {triangles:,} triangles, of at most {MOST_TRIANGLES:,}")
+
+
+def numbers(text: str, kind: type = float) -> NDArray[Any]:
+    """The numbers of a text, (k,), whole ones if `kind` is int. Raises ValueError with the first word that is none."""
+    words = text.split()
+    if not text.isascii() or "_" in text:  # Python reads ١ and 1_0
+        raise ValueError(f"numbers are needed, not {next(word for word in words if not word.isascii() or '_' in word)[:40]!r}")
+    return np.array(words, dtype=kind)
 
 
 def split_polygons(vertices: Array, polygons: Sequence[Sequence[int] | NDArray[Any]]) -> Array:
