@@ -47,18 +47,16 @@ class GoalChoice:
         return f"no path to any of the {len(self.failures)} candidates tried; the first: {first}"
 
 
-def choose(
-    candidates: Sequence[GoalCandidate], planner: Planner, seconds: float, deadline: Deadline, notify: Progress
-) -> GoalChoice:
+def choose(candidates: Sequence[GoalCandidate], planner: Planner, deadline: Deadline, notify: Progress) -> GoalChoice:
     """The motion of the largest minimum manipulability and, of those that tie, of the smallest g.
 
     Candidates are tried in their order. After the first path only those are tried whose bound is above its minimum
     manipulability: first the one nearest to it, then the others, at most PATHS paths in all. Each candidate gets SHARE of
-    the time that is left, the last one all of it, and one alone `seconds`.
+    the time that is left, the last one all of it.
     """
     search = _Search(rows=list(candidates), tried=[], paths={}, failures={})
     if len(candidates) == 1:
-        search.take(0, planner(candidates[0].q, seconds, notify))
+        search.take(0, planner(candidates[0].q, deadline.left, notify))
         return search.choice()
     while (k := search.following()) is not None and not (search.tried and deadline.passed):
         only = sum(each.is_free for each in candidates) == 1 or len(search.paths) == PATHS - 1

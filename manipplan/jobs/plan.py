@@ -171,9 +171,9 @@ def plan(
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
 
     def path_to(q: Array, seconds: float, notify: Progress) -> PathResult | NoPath:
-        """The path to a configuration, which may be singular."""
+        """The path to a configuration, which may be singular, within a time for all its first paths [s]."""
         shifts = seeding.shifts if all(each.q is not None for each in targets) else AS_GIVEN
-        goals = len(shift_goals(robot, q_start, q, shifts))
+        paths = len(shift_goals(robot, q_start, q, shifts)) * seeding.count
         found = optimize_path(
             robot,
             q_start,
@@ -182,7 +182,7 @@ def plan(
             constraints=kept.constraints,
             objective=objective,
             shape=shape,
-            seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(goals, 1), SHORTEST_TIME)),
+            seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(paths, 1), SHORTEST_TIME)),
             clearance=clearance,
             executor=executor,
             throw=False,
@@ -209,7 +209,7 @@ def plan(
         model = scene.collision_model(robot)
         model.free_configuration("start", q_start, number("clearance", clearance, least=0.0))
         candidates = find_candidates(targets, q_start, model, integral, clearance, kept)
-    choice = choose(candidates, path_to, limit - reserve, deadline, part(notify, 0.0, 0.6))
+    choice = choose(candidates, path_to, deadline, part(notify, 0.0, 0.6))
     draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
     if choice.result is None:
         return failed(draft, throw, choice.failure)

@@ -237,7 +237,7 @@ def chosen(candidates, results):
         tried.append(int(q[0]))
         return results[int(q[0])]
 
-    return choose(candidates, planner, 10.0, Deadline.within(10.0), lambda share, text: None), tried
+    return choose(candidates, planner, Deadline.within(10.0), lambda share, text: None), tried
 
 
 def test_no_path_is_planned_that_cannot_win(planar):
@@ -274,7 +274,7 @@ def test_candidates_share_the_time(planar):
         given.append(seconds)
         return made(planar, 0.1)
 
-    choose(rows(0.9, 0.91, 0.92, 0.93, 0.94), planner, 10.0, Deadline.within(10.0), lambda share, text: None)
+    choose(rows(0.9, 0.91, 0.92, 0.93, 0.94), planner, Deadline.within(10.0), lambda share, text: None)
     assert len(given) == PATHS
     assert all(0 < each <= 0.76 * 10.0 for each in given[:-1])
     assert given == sorted(given, reverse=True) or given[-1] > given[-2]  # the last one gets what is left

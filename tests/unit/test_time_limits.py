@@ -217,3 +217,17 @@ def test_the_time_limit_is_named_as_the_cause(panda):
     else:
         assert plan.status in (mp.Status.SEED_OUT_OF_TIME, mp.Status.OUT_OF_TIME)
         assert "time limit" in plan.status.value and "Seeding.time_limit" in str(plan.report)
+
+
+def test_candidates_share_the_time_of_all_first_paths(panda):
+    """A slow planner: the call takes at most `time_limit` for each first path, however many candidates a pose has."""
+    pose, line = panda.kinematics(compiled=False).pose(GOAL), np.linspace(0.0, 1.0, 60)
+
+    def planner(problem):
+        time.sleep(0.8 * problem.time_left)
+        return mp.seed_path(panda, problem.start, problem.goal, POST)(line)
+
+    mp.plan(panda, START, pose, POST)  # what is built once does not count
+    began = time.monotonic()
+    mp.plan(panda, START, pose, POST, seeding=mp.Seeding(planner=planner, count=4, time_limit=0.5), throw=False)
+    assert time.monotonic() - began < 4 * 0.5 + 1.0
