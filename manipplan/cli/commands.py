@@ -93,14 +93,14 @@ def plan(
         arm, world = options.load(robot, jerk=jerk)
         begin = configuration_of("start", start, arm)
         end = _goal(arm, goal, goal_pose, goals)
-        kept = constraints_from_yaml(constraints) if constraints is not None else ()
+        found = constraints_from_yaml(constraints) if constraints is not None else ()
         objective = PathObjective(power=power, measure=measure)
         made = plan_job(
             arm,
             begin,
             end,
             world,
-            constraints=kept,
+            constraints=found,
             objective=objective,
             shape=PathShape(degree=degree),
             seeding=Seeding(seed=seed, count=seeds, time_limit=time_limit, shifts=shifts),

@@ -331,12 +331,12 @@ class PointCloud(Obstacle):
             object.__setattr__(self, "file", existing_file(argument, self.file))
             points = read_points(argument, Path(self.file))
         try:
-            kept = clouds.thinned(argument, clouds.near_points(argument, points), self.spacing)
+            thinned = clouds.thinned(argument, clouds.near_points(argument, points), self.spacing)
         except InvalidInputError as error:
             if self.file is None:
                 raise
             raise FileFormatError(argument, f"{self.file}: {error.value}", error.allowed) from error
-        object.__setattr__(self, "built", clouds.Points(kept))
+        object.__setattr__(self, "built", clouds.Points(thinned))
 
     @classmethod
     def from_file(cls, file: str | Path, *, radius: float, spacing: float = 0.0, **options: Any) -> Self:

@@ -266,9 +266,9 @@ class PathIntegral:
                     break
                 rough[1:] |= rough[:-1].copy()
                 rough[:-1] |= rough[1:].copy()
-                kept = np.stack([np.ones_like(rough), rough], axis=1)
+                columns = np.stack([np.ones_like(rough), rough], axis=1)
                 old = zip((first, last, parts), (begin, end, whole), strict=True)
-                begin, end, whole = (np.where(rough[:, None], halves, each[:, None])[kept] for halves, each in old)
+                begin, end, whole = (np.where(rough[:, None], halves, each[:, None])[columns] for halves, each in old)
             else:
                 settled += float(both[~rough].sum())
                 begin, end, whole = first[rough].ravel(), last[rough].ravel(), parts[rough].ravel()

@@ -140,12 +140,12 @@ class _Search:
             return row
         if best is None:
             return replace(row, status="left out: the time or the number of tries was used up")
-        kept = self.paths[best].min_manipulability
+        minimum = self.paths[best].min_manipulability
         if row.least_crossings and not self.rows[best].least_crossings:
             return replace(row, status="left out: in another aspect than the start")
-        if row.bound > kept * (1 + TIE):
+        if row.bound > minimum * (1 + TIE):
             return replace(row, status=f"left out: bound {row.bound:.4g}, but enough were tried, or it is near one of those")
-        return replace(row, status=f"left out: bound {row.bound:.4g} is not above {kept:.4g}, which the motion keeps")
+        return replace(row, status=f"left out: bound {row.bound:.4g} is not above {minimum:.4g}, which the motion keeps")
 
 
 def _is_better(path: PathResult, other: PathResult) -> bool:

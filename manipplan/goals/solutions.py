@@ -164,11 +164,11 @@ class PoseResidual:
 
 def _different(q: Array) -> Array:
     """Configurations (k, n) without those that are nearly the same as one before."""
-    kept: list[Array] = []
+    different: list[Array] = []
     for each in q:
-        if all(np.abs(each - other).max() > DUPLICATE_DISTANCE for other in kept):
-            kept.append(each)
-    return np.array(kept).reshape(-1, q.shape[1])
+        if all(np.abs(each - other).max() > DUPLICATE_DISTANCE for other in different):
+            different.append(each)
+    return np.array(different).reshape(-1, q.shape[1])
 
 
 def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:
@@ -218,14 +218,14 @@ class Reaching:
     values: tuple[Array, ...]
     families: tuple[tuple[Solver, Array], ...]
 
-    def rows(self, kept: NDArray[np.int64]) -> "Reaching":
+    def rows(self, indices: NDArray[np.int64]) -> "Reaching":
         """These rows only, in this order."""
-        values = tuple(self.values[k] for k in kept)
+        values = tuple(self.values[k] for k in indices)
         return Reaching(
-            q=self.q[kept],
-            goals=self.goals[kept],
-            solvers=self.solvers[kept],
-            poses=self.poses[kept],
+            q=self.q[indices],
+            goals=self.goals[indices],
+            solvers=self.solvers[indices],
+            poses=self.poses[indices],
             values=values,
             families=self.families,
         )
@@ -255,10 +255,10 @@ def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:
         samples, sources = np.tile(values, (len(poses), 1)), np.repeat(np.arange(len(poses)), len(values))
         solved = solver.solve_once(poses, sources, samples)
         q = nearest_turns(robot, solved.q, near)
-        kept = distinct(q, sources[solved.source])
-        pose = sources[solved.source[kept]]
-        family = np.full(len(kept), len(families))
-        found.append((q[kept], owners[pose], family, poses[pose], samples[solved.source[kept]]))
+        unique = distinct(q, sources[solved.source])
+        pose = sources[solved.source[unique]]
+        family = np.full(len(unique), len(families))
+        found.append((q[unique], owners[pose], family, poses[pose], samples[solved.source[unique]]))
         families.append((solver, widths))
     whole = np.zeros(0, dtype=np.int64)
     return Reaching(

@@ -61,9 +61,9 @@ class OfTool:
     q: Array
     torso: NDArray[np.int64]
 
-    def rows(self, kept: NDArray[np.int64] | NDArray[np.bool_]) -> "OfTool":
+    def rows(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> "OfTool":
         """These rows only."""
-        return OfTool(q=self.q[kept], torso=self.torso[kept])
+        return OfTool(q=self.q[rows], torso=self.torso[rows])
 
     def with_more(self, other: "OfTool") -> "OfTool":
         """These rows, then those of another set."""
@@ -207,11 +207,11 @@ def meeting(
     begins = np.vstack([start, robot.neutral, random, *_between(robot, torsos, found)])
     q = _reaching(robot, goals, np.where(held, start, begins), held)
     _, width = _ranges(robot, shared)
-    kept: list[Array] = []
+    different: list[Array] = []
     for each in q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]:
-        if all((np.abs((each - other)[shared]) > SAME * width).any() for other in kept):
-            kept.append(each)
-    return np.array(kept).reshape(-1, robot.n)
+        if all((np.abs((each - other)[shared]) > SAME * width).any() for other in different):
+            different.append(each)
+    return np.array(different).reshape(-1, robot.n)
 
 
 def _between(robot: Robot, torsos: Array, found: Mapping[str, OfTool]) -> list[Array]:

@@ -143,8 +143,8 @@ class _Boxes:
     change: Array
     levers: Array
 
-    def rows(self, kept: NDArray[np.bool_] | NDArray[np.intp]) -> "_Boxes":
-        return _Boxes(**{name: each[kept] for name, each in vars(self).items()})
+    def rows(self, indices: NDArray[np.bool_] | NDArray[np.intp]) -> "_Boxes":
+        return _Boxes(**{name: each[indices] for name, each in vars(self).items()})
 
 
 class Bridge:

@@ -448,10 +448,12 @@ class Solver:
             blocks.append(Found(q=in_turn(robot, q[good]), source=source[good], residual=residual[good]))
             begin += TOGETHER
         found = _join(blocks, robot.n)
-        kept, hits = merged(found.q, found.source)
+        unique, hits = merged(found.q, found.source)
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0
         solved = min(begin / max(len(samples), 1), 1.0)
-        return Found(q=found.q[kept], source=found.source[kept], residual=found.residual[kept], missing=missing, solved=solved)
+        return Found(
+            q=found.q[unique], source=found.source[unique], residual=found.residual[unique], missing=missing, solved=solved
+        )
 
     def _by_own(
         self, own: OwnInverseKinematics, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline

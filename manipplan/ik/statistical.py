@@ -102,15 +102,15 @@ def random_answers(
 
 def merged(q: Array, source: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """The first of equal rows of q (k, n) with equal source (k,), ascending: their indices, and how often each was found."""
-    kept, hits = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    firsts, hits = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
     edges = np.flatnonzero(np.diff(source, prepend=-1, append=-1))
     for begin, end in pairwise(edges.tolist()):
         some = q[begin:end]
         same = np.abs(some[:, None] - some).max(axis=2) < ALIKE
         first = np.flatnonzero(same.argmax(axis=1) == np.arange(len(some)))
-        kept.append(begin + first)
+        firsts.append(begin + first)
         hits.append(same[first].sum(axis=1))
-    return np.concatenate(kept), np.concatenate(hits)
+    return np.concatenate(firsts), np.concatenate(hits)
 
 
 def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:

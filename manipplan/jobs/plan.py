@@ -165,10 +165,10 @@ def plan(
         targets = tuple(replace(each, turns=True) for each in targets)
     if seeding.shifts == NEAREST:
         targets = tuple(each.nearest(robot, q_start) for each in targets)
-    kept = ConstraintSet.of(robot, constraints)
-    check_start(kept, q_start)
+    constraint_set = ConstraintSet.of(robot, constraints)
+    check_start(constraint_set, q_start)
     check_timing_limits(robot.limits)
-    draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=kept.constraints)
+    draft = PartialPlan(robot=robot, scene=scene, status=Status.NO_PATH, constraints=constraint_set.constraints)
 
     def path_to(q: Array, seconds: float, notify: Progress) -> PathResult | NoPath:
         """The path to a configuration, which may be singular, within a time for all its first paths [s]."""
@@ -179,7 +179,7 @@ def plan(
             q_start,
             q,
             scene,
-            constraints=kept.constraints,
+            constraints=constraint_set.constraints,
             objective=objective,
             shape=shape,
             seeding=replace(seeding, shifts=shifts, time_limit=max(seconds / max(paths, 1), SHORTEST_TIME)),
@@ -208,7 +208,7 @@ def plan(
         notify(0.0, "preparing collision shapes")
         model = scene.collision_model(robot)
         model.free_configuration("start", q_start, number("clearance", clearance, least=0.0))
-        candidates = find_candidates(targets, q_start, model, integral, clearance, kept)
+        candidates = find_candidates(targets, q_start, model, integral, clearance, constraint_set)
     choice = choose(candidates, path_to, deadline, part(notify, 0.0, 0.6))
     draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
     if choice.result is None:
@@ -229,7 +229,7 @@ def plan(
             scene,
             objective=objective,
             shape=other,
-            constraints=kept.constraints,
+            constraints=constraint_set.constraints,
             clearance=clearance,
             deadline=deadline,
         )

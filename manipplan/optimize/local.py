@@ -189,7 +189,7 @@ class LocalSearch:
             off < FIT_TOLERANCE
         )  # then a margin wider than the path's own would first lead away from it, such as from an optimum
         found = self.descend(
-            "path", coefficients if same else self._followed(first)[1], kept=first if same else None, softens=not same
+            "path", coefficients if same else self._followed(first)[1], start_path=first if same else None, softens=not same
         )
         return [] if found is None else [found]
 
@@ -410,13 +410,19 @@ class LocalSearch:
         return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
 
     def descend(
-        self, name: str, coefficients: Array, *, kept: JointPath | None = None, softens: bool = True, below: float = np.inf
+        self,
+        name: str,
+        coefficients: Array,
+        *,
+        start_path: JointPath | None = None,
+        softens: bool = True,
+        below: float = np.inf,
     ) -> Candidate | None:
         """The path at which descents from coefficients (n, size) end; None when it is not free or leaves the limits.
 
         Descents are repeated until the path is proven free, the quadrature panels resolve its g, and the descent has
         converged, or as `until` says. Each starts with the panels of the one before it, and also watches the place where the
-        proof failed. Before the final margin only those are taken that the path `kept` has, if it is given.
+        proof failed. Before the final margin only those are taken that `start_path` has, if it is given.
         With `softens` a path near a singularity is first moved with larger floors. Elsewhere a floor counts only with the final
         margin, so that it changes the path little. None as well when g is not below `below` with a wider margin than the final
         one. After the deadline, what the last descent reached is accepted if it is proven free, and OutOfTimeError is raised.
@@ -436,7 +442,7 @@ class LocalSearch:
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
         unresolved = 0  # number of paths whose g the panels did not resolve
-        *wide, final = self.margins(kept)
+        *wide, final = self.margins(start_path)
         moving = self.nearly_singular(first_cost)
         usual = integral.floor if moving else 0.0
         waiting = [*((margin, usual) for margin in wide), *[(final, integral.floor)] * DESCENTS]
@@ -538,7 +544,7 @@ class LocalSearch:
         self.accepted.append(Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=solver))
         return self.accepted[-1]
 
-    def margins(self, kept: JointPath | None) -> list[float]:
+    def margins(self, start_path: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
 
         Wide ones come before the final one, with `kept` only those that this path has. One of them is enough for a path that
@@ -546,7 +552,7 @@ class LocalSearch:
         """
         wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []
         wide = wide[: self.until.wide_margins]
-        wide = [margin for margin in wide if kept is None or self.keeps(kept, margin)]
+        wide = [margin for margin in wide if start_path is None or self.keeps(start_path, margin)]
         return [*wide, max(min(MARGIN, self.room), 0.0)]
 
     @cached_property

@@ -355,14 +355,14 @@ def best_and_rivals(results: Sequence[PathResult]) -> PathResult:
     Of results whose g tie the earlier one comes first, so that rounding does not decide. The estimate of what is missing is
     that of Good and Turing [good1953].
     """
-    kept: list[PathResult] = []
+    classes: list[PathResult] = []
     for result in _best_first(results):
-        same = next((k for k, other in enumerate(kept) if _coincide(result.path, other.path)), None)
-        if same is None:
-            kept.append(result)
+        known = next((k for k, other in enumerate(classes) if _coincide(result.path, other.path)), None)
+        if known is None:
+            classes.append(result)
         else:
-            kept[same] = replace(kept[same], first_paths=kept[same].first_paths + result.first_paths)
-    best = replace(kept[0], rivals=tuple(kept[1:]), missing=_missing(kept))
+            classes[known] = replace(classes[known], first_paths=classes[known].first_paths + result.first_paths)
+    best = replace(classes[0], rivals=tuple(classes[1:]), missing=_missing(classes))
     if any(result.status is Status.INTERRUPTED for result in results):
         best = replace(best, status=Status.INTERRUPTED)
     return best

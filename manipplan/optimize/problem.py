@@ -364,9 +364,9 @@ def check_initial(problem: PathProblem, initial: JointPath, start: Array, goal: 
     if model is None:
         return
     if problem.constraint_set is not None:
-        kept = prove(problem.constraint_set, initial)
-        if not kept.kept:
-            worst = min(figures(problem.constraint_set, kept), key=lambda each: each.least)
+        constraint_proof = prove(problem.constraint_set, initial)
+        if not constraint_proof.kept:
+            worst = min(figures(problem.constraint_set, constraint_proof), key=lambda each: each.least)
             raise InvalidInputError(
                 "initial", f"a path with {worst} at s = {worst.at:.4f}", "a path that keeps the constraints"
             )

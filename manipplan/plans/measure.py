@@ -144,8 +144,8 @@ def measure(
     clear = _Clearance.of(path, model, clearance)
     if not clear.free:
         faults.append(clear.fault(clearance, trajectory.duration))
-    kept = ConstraintSet.of(robot, constraints)
-    constraint_figures = figures(kept, prove(kept, path))
+    constraint_set = ConstraintSet.of(robot, constraints)
+    constraint_figures = figures(constraint_set, prove(constraint_set, path))
     faults += [
         f"constraint: {each.name}: {each.figure}, at {each.at * trajectory.duration:.3f} s"
         for each in constraint_figures

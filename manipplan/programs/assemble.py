@@ -230,9 +230,9 @@ def _blends(
         if not asked:
             made.append(None)
             continue
-        kept = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
+        constraints = tuple(legs[each.step].constraints for each in (one, other) if each.workspace_path is None)
         alone = k == 0 or not corners[k - 1], k + 1 == len(corners) or not corners[k + 1]
-        made.append(blend_of(one, other, asked, clearance, kept, alone=alone))
+        made.append(blend_of(one, other, asked, clearance, constraints, alone=alone))
     return made
 
 
@@ -339,11 +339,11 @@ def _constraint_figures(
     whole, edges = trajectory.path(), np.array([0.0, *begins, trajectory.duration]) / trajectory.duration
     made = []
     for motion, (begin, end) in zip(group, pairwise(edges.tolist()), strict=True):
-        kept = legs[motion.step].constraints if motion.workspace_path is None else None
-        if kept is not None and kept.constraints:
+        constraints = legs[motion.step].constraints if motion.workspace_path is None else None
+        if constraints is not None and constraints.constraints:
             made += [
                 replace(each, name=f"steps[{motion.step}], {each.name}", at=begin + each.at * (end - begin))
-                for each in figures(kept, prove(kept, cut(whole, begin, end)))
+                for each in figures(constraints, prove(constraints, cut(whole, begin, end)))
             ]
     return made
 

@@ -303,5 +303,5 @@ def _move_to(argument: str, value: Any, robot: Robot, path: Path) -> MoveTo:
         if isinstance(entries, list)
         else goal_of_entry(where, entries, robot)
     )
-    kept = [constraint_of_entry(f"{argument}.move_to.constraints[{k}]", each, path) for k, each in enumerate(constraints)]
-    return MoveTo(goal, approach=value.get("approach"), constraints=kept, blend=value.get("blend"))
+    found = [constraint_of_entry(f"{argument}.move_to.constraints[{k}]", each, path) for k, each in enumerate(constraints)]
+    return MoveTo(goal, approach=value.get("approach"), constraints=found, blend=value.get("blend"))

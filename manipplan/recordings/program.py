@@ -204,10 +204,10 @@ class TubeProgram:
         size, unknowns = self.basis.size, self.limits.n * self.basis.size
         values, jacobians, curved, of = [], [], [], []
         for order, rows, most in self._bounds:
-            kept = np.isfinite(most)
-            inverse = ca.sparsify(ca.DM(np.diag(np.where(kept, 1 / most, 0.0))[kept]))
+            limited = np.isfinite(most)
+            inverse = ca.sparsify(ca.DM(np.diag(np.where(limited, 1 / most, 0.0))[limited]))
             part = ca.kron(ca.sparsify(ca.DM(rows)), inverse)
-            index = np.repeat(np.arange(size - order), kept.sum())
+            index = np.repeat(np.arange(size - order), limited.sum())
             own = ca.sparsify(ca.DM(np.eye(size)[index]))
             each = own @ tau
             for sign in (1.0, -1.0):

@@ -214,10 +214,10 @@ class Layers:
         """The same without the candidates nearer to a position limit than INSIDE_LIMITS, except at positions where all are."""
         instance("limits", limits, JointLimits)
         lower, upper = limits.lower + INSIDE_LIMITS, limits.upper - INSIDE_LIMITS
-        kept = [((lower <= q) & (q <= upper)).all(axis=1) for q in self.q]
-        kept = [each if each.any() else np.ones_like(each) for each in kept]
-        q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, kept, strict=True))
-        return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, kept, strict=True)))
+        inside = [((lower <= q) & (q <= upper)).all(axis=1) for q in self.q]
+        inside = [each if each.any() else np.ones_like(each) for each in inside]
+        q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, inside, strict=True))
+        return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, inside, strict=True)))
 
     def _check_finite(self) -> None:
         # minimum and maximum propagate NaN and inf: no boolean array is needed

@@ -220,9 +220,9 @@ class ThresholdSearch:
         turned = [(begin + i) % count for i in range(count)]
         inner = [SweepStage(layers.q[i], layers.m[i]) for i in turned[1:]]
         begins = np.sort(sort_stage(SweepStage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
-        kept: list[Cells] | None = None
+        sorted_cells: list[Cells] | None = None
         if part.share * sum(active) * 8 * (layers.n + 2) < CACHE_BYTES:
-            kept = list(self._sort(inner, part, grid))
+            sorted_cells = list(self._sort(inner, part, grid))
 
         whole = Subset(threshold=part.threshold, cap=part.cap)
 
@@ -231,7 +231,7 @@ class ThresholdSearch:
             first = sort_stage(SweepStage(q, layers.m[begin][members]), whole, grid)
             # the layer is passed twice and must count once
             last = sort_stage(SweepStage(q, np.full(len(members), np.inf)), Subset(), grid)
-            between = kept if kept is not None else self._sort(inner, part, grid)
+            between = sorted_cells if sorted_cells is not None else self._sort(inner, part, grid)
             trace = self._sweep(chain([first], between, [last]), grid, objective, text)
             if len(trace.indices) == 0:
                 return None

@@ -111,7 +111,7 @@ class StepKernel:
         self.value, self.top = np.empty(count), np.empty(len(cells.start) - 1)
         self.source = np.empty(count, dtype=np.int32)
         self._call, self._grid = calls()[name], _grid(grid)
-        self._kept = (old, value, top, cells, grid, rank, epsilon)
+        self._owners = (old, value, top, cells, grid, rank, epsilon)
         self._step = struct("sweep", "Step")(
             **{"from": _cells(old)},
             grid=ctypes.addressof(self._grid),

@@ -93,7 +93,7 @@ class MotionCheck:
         self._decide = _DECIDE(self._ask)
         constraints = None if task.constraints is None else self._search_constraints(task.constraints)
         self._q: Any = (ctypes.c_double * (2 * self.n))()
-        self._kept = vectors, kernel, signs, constraints
+        self._owners = vectors, kernel, signs, constraints
         self.data = struct("connect", "Search")(
             n=self.n,
             near=NEAR,
@@ -120,18 +120,19 @@ class MotionCheck:
         self.at = ctypes.addressof(self.data)
         self._places = ctypes.addressof(self._q), ctypes.addressof(self._q) + self.n * ctypes.sizeof(ctypes.c_double)
 
-    def _search_constraints(self, kept: ConstraintSet) -> tuple[ctypes.Structure, tuple[Any, ...]] | None:
+    def _search_constraints(self, constraints: ConstraintSet) -> tuple[ctypes.Structure, tuple[Any, ...]] | None:
         """`Constraints` of constraints.h, and everything that it points to; None where there are only held joints."""
-        if not kept.count:
+        if not constraints.count:
             return None
-        q = kept.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
-        aim = np.asarray(np.clip(SHARE * kept.values(q).max(axis=0), 0.0, AIM))
-        weights, least = np.ascontiguousarray(kept.weights), np.minimum(LEAST_ROW * aim, kept.values(self.roots).min(axis=0))
-        work = np.empty(POSE + 6 * self.n + (kept.count + 1) * (self.n + 1))
-        tool, own = kept.tool, kept.own
+        q = constraints.robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
+        aim = np.asarray(np.clip(SHARE * constraints.values(q).max(axis=0), 0.0, AIM))
+        weights = np.ascontiguousarray(constraints.weights)
+        least = np.minimum(LEAST_ROW * aim, constraints.values(self.roots).min(axis=0))
+        work = np.empty(POSE + 6 * self.n + (constraints.count + 1) * (self.n + 1))
+        tool, own = constraints.tool, constraints.own
         data = struct("connect", "Constraints")(
             n=self.n,
-            rows=kept.count,
+            rows=constraints.count,
             of_tool=len(weights),
             weights=weights.ctypes.data,
             tool=(0, 0) if tool is None else tool.kernel.batch,
@@ -328,7 +329,7 @@ class StarSearch(TreeSearch):
         self.search.levels = self.search.level + 1
         nodes, weights = gauss_rule(POINTS)
         metric = None if integral is None or integral.metric is None else metric_matrix("metric", integral.metric, self.n)
-        self._kept = nodes, weights, metric, integral
+        self._owners = nodes, weights, metric, integral
         self.star = struct("star", "Star")(
             n=self.n,
             low=self.search.low,

@@ -154,8 +154,8 @@ class _Division:
         is_near[self.rows[near]] = True
         at = tuple(self.cells.T)
         self.is_free[at] = ~is_near & (self.blocker[at] == OPEN)
-        kept = near & (self.blocker[at] == OPEN)[self.rows]
-        self.rows, self.pairs = self.rows[kept], self.pairs[kept]
+        chosen = near & (self.blocker[at] == OPEN)[self.rows]
+        self.rows, self.pairs = self.rows[chosen], self.pairs[chosen]
 
     def _is_joined(self, places: list[tuple[int, ...]]) -> bool:
         """Whether free cells join both ends, so that no level can separate them."""
@@ -168,8 +168,8 @@ class _Division:
 
     def _halve(self, part: NDArray[np.bool_]) -> None:
         """Go on to the next level, with the cells of one part that are neither blocked nor free."""
-        kept = part[tuple(self.cells[self.rows].T)]
-        self.rows, self.pairs = self.rows[kept], self.pairs[kept]
+        inside = part[tuple(self.cells[self.rows].T)]
+        self.rows, self.pairs = self.rows[inside], self.pairs[inside]
         known, position = np.unique(self.rows, return_inverse=True)
         corners = np.indices((2,) * self.k).reshape(self.k, -1).T
         self.cells = (2 * self.cells[known][None] + corners[:, None]).reshape(-1, self.k)

@@ -122,9 +122,9 @@ def seed_path(
     compiled = can_check(model) and seeding.planner in ("auto", STAR)
     if seeding.planner == STAR and not compiled:
         raise InvalidInputError("seeding.planner", STAR, f"another one: it serves at most {MOST_JOINTS} joints")
-    kept = ConstraintSet.of(robot, constraints) if constraint_tuple(constraints) else None
-    if kept is not None:
-        check_ends(kept, q_start, q_goal)
+    constraint_set = ConstraintSet.of(robot, constraints) if constraint_tuple(constraints) else None
+    if constraint_set is not None:
+        check_ends(constraint_set, q_start, q_goal)
         if seeding.planner != "auto":
             name = planner_name(seeding.planner)
             raise InvalidInputError("seeding.planner", name, "'auto': the other planners keep no constraints")
@@ -145,7 +145,7 @@ def seed_path(
         checks=None,
         deadline=work_time() + seeding.time_limit,
         grace=min(GRACE * seeding.time_limit, MOST_GRACE),
-        constraints=kept,
+        constraints=constraint_set,
     )
     task = replace(task, why_unreachable=cache(partial(why_unreachable, task)))
     finder = _Finder(

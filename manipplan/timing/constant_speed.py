@@ -272,10 +272,10 @@ def _fastest(keep: Callable[[float], object | None], guess: float, most: float) 
     low, high, speed = 0.0, most, round_down(0.999 * guess, 3)
     for _ in range(TRIES):
         try:
-            kept = keep(speed) is not None
+            holds = keep(speed) is not None
         except PlanningError:
-            kept = False
-        low, high = (speed, high) if kept else (low, speed)
+            holds = False
+        low, high = (speed, high) if holds else (low, speed)
         if high <= CLOSE * low:
             break
         speed = round_down(np.sqrt(low * high) if low else LESS * high, 3)

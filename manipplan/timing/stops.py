@@ -30,7 +30,7 @@ class MovingPath:
     """
 
     def __init__(self, path: JointPath) -> None:
-        self._given = self._kept = np.array([0.0, 1.0])
+        self._given = self._stretched = np.array([0.0, 1.0])
         self.path = path
         if (_extents(path.control, path.control[:, :1]) >= COINCIDENT).all():
             return
@@ -45,18 +45,18 @@ class MovingPath:
         widths = np.diff(path.breaks)
         gained = np.concatenate([[0.0], np.cumsum(np.where(moving, widths, 0.0))]) / widths[moving].sum()
         gained[-1] = 1.0
-        self._given, self._kept = path.breaks, gained
+        self._given, self._stretched = path.breaks, gained
         breaks = np.concatenate([[0.0], gained[1:][moving]])
         breaks[-1] = 1.0
         self.path = JointPath(breaks=breaks, control=np.array(pieces))
 
     def here(self, s: Array) -> Array:
         """The parameter on `path` for s on the given path."""
-        return np.asarray(np.interp(s, self._given, self._kept))
+        return np.asarray(np.interp(s, self._given, self._stretched))
 
     def given(self, s: float) -> float:
         """The parameter on the given path for s on `path`."""
-        return float(np.interp(s, self._kept, self._given))
+        return float(np.interp(s, self._stretched, self._given))
 
 
 def _extents(control: Array, at: Array) -> Array:

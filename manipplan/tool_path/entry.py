@@ -91,7 +91,7 @@ class FirstConfigurations:
     def motion(self, k: int) -> SearchResult:
         """The best motion along the path from the k-th configuration; not connected where none returns to it."""
         layers, aspects = self.planner.layers, self._found[1]
-        kept = np.full(1, k)
+        index = np.full(1, k)
         if aspects is not None:
             some = _of_aspect(layers, aspects, int(aspects[0][k]))
             assert some is not None
@@ -99,8 +99,8 @@ class FirstConfigurations:
             layers = some
         first = replace(
             layers,
-            q=(np.ascontiguousarray(self.planner.layers.q[0][kept]), *layers.q[1:]),
-            m=(self.planner.layers.m[0][kept], *layers.m[1:]),
+            q=(np.ascontiguousarray(self.planner.layers.q[0][index]), *layers.q[1:]),
+            m=(self.planner.layers.m[0][index], *layers.m[1:]),
         )
         found = max_min_search(first, self.best.epsilon, strict=self.best.strict, explain=False, throw=False)
         if not found.connected:
@@ -108,7 +108,7 @@ class FirstConfigurations:
         rest = found.indices[1:]
         if aspects is not None:
             rest = np.array([which[i] for which, i in zip(inside[1:], rest, strict=True)], dtype=np.int64)
-        return replace(found, indices=np.concatenate([kept, rest]))
+        return replace(found, indices=np.concatenate([index, rest]))
 
     def ranked(self, start: Array, integral: PathIntegral) -> Iterator[tuple[GoalCandidate, int]]:
         """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from those
@@ -197,11 +197,11 @@ def _steps(minima: Array) -> Array:
 
 def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: int) -> Layers | None:
     """The candidates of one aspect; None where a layer has none."""
-    kept = [each == aspect for each in aspects]
-    if not all(each.any() for each in kept):
+    members = [each == aspect for each in aspects]
+    if not all(each.any() for each in members):
         return None
-    q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(layers.q, kept, strict=True))
-    return replace(layers, q=q, m=tuple(m[each] for m, each in zip(layers.m, kept, strict=True)))
+    q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(layers.q, members, strict=True))
+    return replace(layers, q=q, m=tuple(m[each] for m, each in zip(layers.m, members, strict=True)))
 
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.
@@ -320,8 +320,8 @@ def _left_out(row: GoalCandidate, best: Entry | None) -> GoalCandidate:
     """A candidate that was not tried."""
     if best is not None and row.least_crossings and best.minimum > 0:
         return replace(row, status="left out: in another aspect than the start")
-    kept = "" if best is None else f"; the motion keeps {best.minimum:.4g}"
-    return replace(row, status=f"left out: bound {row.bound:.4g}{kept}")
+    note = "" if best is None else f"; the motion keeps {best.minimum:.4g}"
+    return replace(row, status=f"left out: bound {row.bound:.4g}{note}")
 
 
 def _turned(found: SearchResult, q: Array) -> SearchResult:

@@ -358,14 +358,14 @@ def _below(plane: Plane, low: Array, high: Array) -> Array:
     corners = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
     normal = plane.pose.rotation[:, 2]
     height = corners @ normal[:2] - normal @ plane.pose.translation
-    kept = []
+    found = []
     for k in range(4):
         a, b = height[k], height[(k + 1) % 4]
         if a <= 0:
-            kept.append(corners[k])
+            found.append(corners[k])
         if a * b < 0:
-            kept.append(corners[k] + a / (a - b) * (corners[(k + 1) % 4] - corners[k]))
-    return np.array(kept)
+            found.append(corners[k] + a / (a - b) * (corners[(k + 1) % 4] - corners[k]))
+    return np.array(found)
 
 
 #: Number of points at which the tool's z axis is drawn, and its length as a share of the picture.
