@@ -1,6 +1,6 @@
-"""Number of the package's files whose functions run in one call of a job, room by room: what a reader of that job has to open.
+"""Number of the package's files whose functions run in one call of a job: what a reader of that job has to open.
 
-Only the rooms of the job itself count, as WANTED lists them. Each job runs once before it is counted, so that what is built
+Only the folders of the job itself count, as WANTED lists them. Each job runs once before it is counted, so that what is built
 once does not count. Run with `make benchmark`.
 """
 
@@ -18,7 +18,7 @@ import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "files_to_read.md"
 PACKAGE = Path(mp.__file__).parent
-#: The rooms that count for a job, and the number that it must not exceed.
+#: The folders that count for a job, and the number that it must not exceed.
 JOBS_ROOMS = ("goals", "tool_path", "plans", "programs", "jobs")
 WANTED = {
     "plan": (JOBS_ROOMS, 12),

@@ -40,7 +40,7 @@ def progress() -> Iterator[Progress]:
     )
     with bars.Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=1.0)
-        yield lambda share, told: bar.update(task, completed=share, description=printable(told))
+        yield lambda share, text: bar.update(task, completed=share, description=printable(text))
 
 
 def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:

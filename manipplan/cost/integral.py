@@ -4,9 +4,7 @@ With a floor ε it is ∫ ‖θ'‖ / (μ² + ε²)^(p/2) ds, which is finite on
 
 The metric W of joint space: the relative cost of moving each joint.
 
-Integrals over quadrature panels, and the minimum manipulability, by the compiled `panels.c`.
-
-It calls the compiled curve and the compiled measure.
+Integrals over quadrature panels, and the minimum manipulability, by `panels.c`, which calls the curve and the measure.
 """
 
 import ctypes
@@ -104,7 +102,7 @@ class Panels:
 
     @classmethod
     def of(cls, path: JointPath, kinematics: Kinematics, power: float = 1.0, floor: float = 0.0) -> "Panels | None":
-        """The integral of a path with Euclidean speed; None where it is not compiled."""
+        """The integral of a path with Euclidean speed; None where panels.c does not serve it."""
         curves, measure = load_kernel("curves"), kinematics.batch_code("manipulability")
         curve, slope = path.curve(), path.curve(1)
         compiled = curve.address and slope.address and power in (1, 2)
@@ -128,8 +126,8 @@ class Panels:
     def integrals(self, begin: Array, end: Array) -> Array | None:
         """The integral over each panel from `begin` to `end` (k,); None where the measure cannot be evaluated."""
         begin, end, out = np.ascontiguousarray(begin), np.ascontiguousarray(end), np.empty(len(begin))
-        places = (begin.ctypes.data, end.ctypes.data, len(begin), out.ctypes.data)
-        return None if _calls()["panels"](ctypes.addressof(self.integral), *places) else out
+        arguments = (begin.ctypes.data, end.ctypes.data, len(begin), out.ctypes.data)
+        return None if _calls()["panels"](ctypes.addressof(self.integral), *arguments) else out
 
     def fine_panels(self, edges: Array) -> Array | None:
         """As `PathIntegral.fine_panels`, from the first edges (k + 1,); None as above."""
@@ -137,8 +135,8 @@ class Panels:
         while True:
             found = np.empty(room)
             found[: len(edges)] = edges
-            places = (ctypes.addressof(self.integral), found.ctypes.data, len(edges) - 1)
-            count = _calls()["fine_panels"](*places, room, FINE_HALVINGS, FINE_ACCURACY)
+            arguments = (ctypes.addressof(self.integral), found.ctypes.data, len(edges) - 1)
+            count = _calls()["fine_panels"](*arguments, room, FINE_HALVINGS, FINE_ACCURACY)
             if count <= room:
                 return np.sort(found[:count]) if count >= 0 else None
             room = count
@@ -146,15 +144,15 @@ class Panels:
     def whole(self, edges: Array, most: int) -> float | None:
         """The whole integral from panels between edges (k + 1,); inf where more than `most` still change, and None as above."""
         edges, out = np.ascontiguousarray(edges), np.empty(1)
-        places = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
-        failed = _calls()["integral"](*places, most, HALVINGS, ACCURACY, out.ctypes.data)
+        arguments = (ctypes.addressof(self.integral), edges.ctypes.data, len(edges) - 1)
+        failed = _calls()["integral"](*arguments, most, HALVINGS, ACCURACY, out.ctypes.data)
         return None if failed else float(out[0])
 
     def minimum(self) -> tuple[float, float, float] | None:
         """As `_minimum_manipulability`; None where the measure cannot be evaluated."""
         out = np.empty(3)
-        places = (ctypes.addressof(self.integral), INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS, out.ctypes.data)
-        if _calls()["minimum"](*places):
+        arguments = (ctypes.addressof(self.integral), INTERVALS, DEEPEST, GRIDS, GRID_INTERVALS, out.ctypes.data)
+        if _calls()["minimum"](*arguments):
             return None
         least, at, largest = out.tolist()
         return least, at, largest

@@ -67,7 +67,7 @@ class PathObjective:
         if self.task is None and measure is None and is_always_singular(robot, robot.default_task):
             measure = Constant()
         kinematics = robot.kinematics(self.task, measure=measure, compiled=compiled)
-        task, n = kinematics.task, robot.n
+        task, n = kinematics.task, kinematics.symbolic.joints
         if task.rows > n and not kinematics.measure.constant:
             rows = f"at most {n} row{'s' * (n > 1)}; with more rows than joints the manipulability is identically zero"
             remedy = 'leave task out for the motions that the joints span, or take measure="constant" for the shortest path'

@@ -1,6 +1,6 @@
 /* The barrier method for limited jerk: Newton steps from a motion within all limits to the fastest one nearby.
 
-   As `barrier.py` in NumPy; `jerk.py` explains the unknowns c, their rows and the limits. All arrays of a Motion belong to the
+   `jerk.py` explains the unknowns c, their rows and the limits. All arrays of a Motion belong to the
    caller. Eight grid points are treated at a time, with +, -, *, / and roots alone and without contraction: the same numbers on
    every processor. Rows of one kind are stored by joint. Arrays are filled up to `stride`, a multiple of eight above the number
    of grid points, with eight more numbers at the end; places there add nothing to a sum. */

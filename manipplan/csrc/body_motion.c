@@ -1,9 +1,9 @@
-/* Bounds on the motion of bodies when joints move, see body_motion.py. All arrays belong to the caller. */
+/* Bounds on the motion of bodies when joints move, see path_clearance.py. All arrays belong to the caller. */
 
 #include <math.h>
 #include <string.h>
 
-enum { CORE_POINTS = 8, MOST_JOINTS = 64 };  /* as in body_motion.py */
+enum { CORE_POINTS = 8, MOST_JOINTS = 64 };  /* as in path_clearance.py */
 
 typedef struct {
     long n;                 /* number of joints */
@@ -91,7 +91,7 @@ static long between(const Arm *arm, long pair, long *way, long *own) {
 }
 
 /* Upper bound on the acceleration of a point of the first body of a pair in the frame of the other's joint, with the joints between
-   the two, for joints with at most these speeds and accelerations (n): (3) in body_motion.py. */
+   the two, for joints with at most these speeds and accelerations (n): (3) in path_clearance.py. */
 static double acceleration(const Arm *arm, const long *way, long count, const double *lever, const double *speed,
                            const double *change) {
     double sum = 0, turning = 0;

@@ -1,7 +1,7 @@
 /* RRT-Connect [kuffner2000] and random shortcuts, over the collision check of `distances.c`.
 
    Two trees grow from start and goal. A path may cross singularities a limited number of times: each node knows the sides of the
-   singularities on which it lies, as signs of the functions in `sides.py`, and how often one of them changed its sign on the way
+   singularities on which it lies, as signs of the functions of `SingularitySigns`, and how often one of them changed its sign on the way
    from its root. With constraints, the nodes are projected onto the configurations that keep them [berenson2009]. All arrays belong
    to the caller. */
 

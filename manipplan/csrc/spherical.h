@@ -13,12 +13,12 @@
 #define MEETS 1e-5
 
 /* Solutions outside a limit by less than this are set to it [rad] and then verified: rounding puts them on either side. As in
-   enumeration.py. */
+   form.py. */
 #define AT_LIMIT 1e-5
 
 enum {
-    A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW,  /* arrangement of the joints that place the point; as in native.py */
-    MOST = 8,  /* maximum number of solutions: up to four for the position, and two of the wrist for each; as in enumeration.py */
+    A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW,  /* arrangement of the joints that place the point; as in bridge.py */
+    MOST = 8,  /* maximum number of solutions: up to four for the position, and two of the wrist for each; as in form.py */
     PLACES = 4
 };
 

@@ -56,7 +56,10 @@ class OwnArm:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OfTool:
-    """Configurations q (k, n) in which one tool reaches its goal, each with the shared joints as in `torso` (k,)."""
+    """Configurations q (k, n) in which one tool reaches its goal, each with the index `torso` (k,) of its torso posture.
+
+    A torso posture is a set of values of the shared joints.
+    """
 
     q: Array
     torso: NDArray[np.int64]
@@ -70,7 +73,7 @@ class OfTool:
         return OfTool(q=np.vstack([self.q, other.q]), torso=np.concatenate([self.torso, other.torso]))
 
     def at(self, torso: int) -> "OfTool":
-        """Those of one torso."""
+        """Those of the torso posture with this index."""
         return self.rows(self.torso == torso)
 
 
@@ -262,7 +265,7 @@ def _ranges(robot: Robot, joints: list[int]) -> tuple[Array, Array]:
     return np.where(limited, lower, -np.pi), np.where(limited, np.maximum(upper - lower, 1e-9), 2 * np.pi)
 
 
-#: Number of torso configurations that are looked at together, and of configurations that are joined at all of them.
+#: Number of torso postures that are tried together, and of configurations that are joined over all of them.
 TOGETHER, JOINED = 12, 2400
 #: Largest difference of a joint below which two solutions of one arm count as one.
 APART = 0.25
@@ -329,7 +332,7 @@ def reaching_tools(
 def _free_together(
     model: CollisionModel, ranking: Ranking, torsos: Array, found: Mapping[str, OfTool], clearance: float
 ) -> _Together:
-    """Configurations with a solution of each arm at the same torso: the free ones; if there are none, some in collision."""
+    """Configurations with a solution of each arm for one torso posture: the free ones; if there are none, some in collision."""
     touching = [np.zeros((0, torsos.shape[1]))]
     order = ranking.torsos(torsos, found)
     for begin in range(0, len(order), TOGETHER):
@@ -397,7 +400,7 @@ def _touching(model: CollisionModel, q: Array, tool: str, clearance: float) -> N
 
 
 def _join(ranking: Ranking, torsos: Array, some: NDArray[np.int64], free: Mapping[str, OfTool]) -> Array:
-    """Configurations (k, n) with a solution of each arm at the same one of some torsos (p, n), the best first."""
+    """Configurations (k, n) with a solution of each arm at the same one of some torso postures (p, n), the best first."""
     count, found = int((JOINED / len(some)) ** (1 / len(free))), [np.zeros((0, torsos.shape[1]))]
     for torso in some.tolist():
         q = torsos[torso][None]

@@ -17,7 +17,7 @@ from manipplan.paths.deviation import deviation_from
 from manipplan.paths.joint import JointPath, side_by_side
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.report import PlanReport
+from manipplan.plans.report import PlanReport, with_errors
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import arm_of, own_joints
 from manipplan.robots.attached import without_bodies
@@ -178,14 +178,9 @@ def carry(
     def compare_tools(report: PlanReport, trajectory: Trajectory) -> PlanReport:
         poses = tool_poses(robot, trajectory(np.linspace(0.0, trajectory.duration, TIMES)))
         deviation, errors = deviation_from(first, poses[next(iter(held))]), held_errors(poses, held)
-        tools = tuple(
-            replace(each, held_position=errors[each.tool][0], held_rotation=errors[each.tool][1])
-            if each.tool in errors
-            else each
-            for each in report.tools
-        )
-        faults = filter(None, (deviation.excess(allowed, "time"), _excess(errors, allowed)))
-        return replace(report, deviation=deviation, tools=tools, faults=(*report.faults, *faults))
+        left = filter(None, (deviation.excess(allowed, "time"), _excess(errors, allowed)))
+        faults = (*report.faults, *(f"{each}. {MORE_POSITIONS}" for each in left))
+        return replace(report, deviation=deviation, tools=with_errors(report.tools, errors, "held"), faults=faults)
 
     return finish(
         replace(draft, status=Status.CARRIED, path=joint, result=result),
@@ -197,7 +192,6 @@ def carry(
         notify=notify,
         begins=0.9,
         amend=compare_tools,
-        advice=MORE_POSITIONS,
     )
 
 
@@ -247,7 +241,7 @@ def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Ro
     return replace(arm, geometry=without_bodies(arm.geometry, away), source=None)
 
 
-#: Number of places at which the nearest bodies are looked for.
+#: Number of samples of a path among which the nearest bodies are found.
 PROXIMITY_SAMPLES = 401
 #: How many times as many samples are taken where those of the default do not connect.
 FINER = 4

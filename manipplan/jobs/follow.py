@@ -45,7 +45,7 @@ from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
-#: Number of places at which it is looked whether the poses of a path differ.
+#: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
 #: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
 FINER, MOST = 10, 20_000_000
@@ -327,10 +327,11 @@ def follow(
         """The tool over its time with the whole path, and in order with its poses; its speeds."""
         kinematics = integral.kinematics
         deviation, _ = tool_distances(trajectory.path(), trajectory.duration, kinematics, path, report.along)
-        left = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
+        missed = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
+        left = [f"{each}. {MORE_POSITIONS}" for each in missed if each]
         unsteady = [each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady]
         speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
-        return replace(report, deviation=deviation, faults=(*report.faults, *filter(None, left), *speeds))
+        return replace(report, deviation=deviation, faults=(*report.faults, *left, *speeds))
 
     return finish(
         draft,
@@ -342,7 +343,6 @@ def follow(
         notify=notify,
         begins=0.95,
         amend=compare_with_path,
-        advice=MORE_POSITIONS,
     )
 
 

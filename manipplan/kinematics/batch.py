@@ -1,4 +1,4 @@
-"""Evaluation of large batches: kernels generated from a CasADi Function, and threads that share the work.
+"""Evaluation of many configurations: a kernel that interprets a CasADi Function, its machine code, and threads.
 
 Fast evaluation of one configuration: one Function for all requested quantities, with buffers allocated once.
 """
@@ -113,7 +113,7 @@ class BatchKernel:
                 self._most = math.inf
 
     def _build(self, load: Callable[..., Any], compiled: bool | str) -> None:
-        """Take machine code that is built or loaded; without it this goes on, unless `compiled` is True."""
+        """Build or load machine code and use it; if that fails, go on interpreting, unless `compiled` is True, which raises."""
         try:
             run = load(kernel_source(self._function), _load, flags=FLAGS, subject=self._subject)
         except CompilerError as error:

@@ -252,14 +252,12 @@ class SingularitySigns:
         names: the factors' names; ("",) for det J itself, where its factors are not known.
         joints: for each the only joint on which it depends, counted from 0; None for several.
         zero: (f,) absolute values below which one counts as zero.
-        function: all of them, (f, 1), of q (n,).
-        kernel: the same for batches.
+        kernel: all of them, (f,) at each of many q (n,).
     """
 
     names: tuple[str, ...]
     joints: tuple[int | None, ...]
     zero: Array
-    function: ca.Function
     kernel: BatchKernel
 
     def values(self, q: Array) -> Array:
@@ -297,7 +295,6 @@ def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: 
         names=tuple(each.name for each in factors) or ("",),
         joints=tuple(each.joint for each in factors) or (None,),
         zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
-        function=function,
         kernel=BatchKernel(function, compiled, f"signs of {robot.name}, in batches"),
     )
 

@@ -82,7 +82,7 @@ def pure_angles(found: list[Instruction]) -> set[str]:
 
 
 #: Codes of csrc/batch.c beside the operations.
-CONSTANT, SINE_COSINES, OUTPUT = -1, {True: -2, False: -3}, -4
+KERNEL_CONSTANT, KERNEL_SINE_COSINES, KERNEL_OUTPUT = -1, {True: -2, False: -3}, -4
 
 
 class BatchProgram:
@@ -107,12 +107,12 @@ class BatchProgram:
         for k, (row, each) in enumerate(zip(rows, found, strict=True)):
             first, second = (*(slots[name] for name in each.arguments), 0, 0)[:2]
             if each.code == ca.OP_OUTPUT:
-                values: tuple[Any, ...] = (OUTPUT, each.result, 0, first, 0, 0.0)
+                values: tuple[Any, ...] = (KERNEL_OUTPUT, each.result, 0, first, 0, 0.0)
             elif each.code == SINE_COSINE:
                 sine, cosine = new(f"s{each.result}"), new(f"c{each.result}")
-                values = (SINE_COSINES[each.arguments[0] in turning], sine, cosine, first, 0, 0.0)
+                values = (KERNEL_SINE_COSINES[each.arguments[0] in turning], sine, cosine, first, 0, 0.0)
             else:
-                code = CONSTANT if each.code == ca.OP_CONST else numbers[each.code]
+                code = KERNEL_CONSTANT if each.code == ca.OP_CONST else numbers[each.code]
                 values = (code, new(f"t{each.result}"), 0, first, second, each.constant)
             row.code, row.result, row.second, row.a, row.b, row.value = values
             # a result never takes the slot of its arguments, which are read after it is begun
@@ -157,8 +157,8 @@ def kernel_source(function: ca.Function) -> str:
         "@BODY@": "\n  ".join(body),
     }
     kernel = _KERNEL
-    for place, value in values.items():
-        kernel = kernel.replace(place, str(value))
+    for placeholder, value in values.items():
+        kernel = kernel.replace(placeholder, str(value))
     return (FOLDER / "vectors.h").read_text(encoding="utf-8").replace("#pragma once\n", "") + kernel
 
 

@@ -395,7 +395,7 @@ class Kinematics:
 
     @building()
     def _evaluator(self, quantity: str) -> Evaluator:
-        """Of single configurations; machine code is built after the first few, which a job or a script may be content with."""
+        """The Evaluator of one quantity; its machine code is built after FEW calls, as a short script may need no more."""
         function = self.symbolic.function(quantity, with_sum=True)
         coded = as_asked([function], self.compiled, f"{function.name()} of {self.robot.name}", count=FEW)
         return Evaluator(coded.functions[0], [self._shape(quantity)], coded.pending)

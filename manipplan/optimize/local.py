@@ -185,12 +185,10 @@ class LocalSearch:
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        same = (
-            off < FIT_TOLERANCE
-        )  # then a margin wider than the path's own would first lead away from it, such as from an optimum
-        found = self.descend(
-            "path", coefficients if same else self._followed(first)[1], start_path=first if same else None, softens=not same
-        )
+        # a margin wider than that of a path in the basis would first lead away from it, such as from an optimum
+        is_contained = off < FIT_TOLERANCE
+        begin = coefficients if is_contained else self._followed(first)[1]
+        found = self.descend("path", begin, start_path=first if is_contained else None, softens=not is_contained)
         return [] if found is None else [found]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:

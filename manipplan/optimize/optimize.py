@@ -125,7 +125,8 @@ def optimize_path(
             these cost. It takes about 0.1 s.
         compiled: True: objective, clearance rows and measure in machine code. It is compiled in a few seconds, once per robot,
             task, measure and metric, and kept in the user's cache folder. False: CasADi's virtual machine. "auto": machine
-            code if there is a compiler, except for measures whose Hessian takes long to compile (singular values, dynamic).
+            code if there is a compiler, built once that pays off, except for measures whose Hessian takes long to compile
+            (singular values, dynamic).
             The path is the same.
         throw: raise PlanningError when no collision-free path is found or, without a floor, m is zero on it, so that g is
             infinite. False: return a NoPath, or the result with Status.SINGULAR.

@@ -92,7 +92,7 @@ AT_END = 0.01
 #: Number of equal intervals of time, at whose ends the report measures distances.
 TIME_INTERVALS = 400
 #: Number of intervals at whose ends m is compared with the floor, and of samples inside those where it may pass it.
-FINE_PLACES, PARTS = 5_000, 200
+FINE_INTERVALS, PARTS = 5_000, 200
 
 
 def measure(
@@ -120,7 +120,7 @@ def measure(
         constraints: what every configuration has to keep; held joints keep their first value.
         along: the parts of the motion on which the tool follows that path; (): all of it.
         clearance: required clearance [m].
-        torque: whether these limits are checked, too.
+        torque: whether the torque limits are checked, too.
     """
     robot, kinematics = model.robot, integral.kinematics
     path = trajectory.path()
@@ -308,14 +308,14 @@ def _share_below(path: JointPath, integral: PathIntegral, cost: PathCost) -> flo
     """The share of [0, 1] on which m is below the floor: intervals of a grid, and finer ones around its dips and roots."""
     if cost.min_manipulability >= integral.floor:
         return 0.0
-    s = np.linspace(0.0, 1.0, FINE_PLACES + 1)
+    s = np.linspace(0.0, 1.0, FINE_INTERVALS + 1)
     m = integral.kinematics.manipulability(path(s))
     low = m < integral.floor
     is_dip = (m <= np.append(np.inf, m[:-1])) & (m <= np.append(m[1:], np.inf))
     unclear = (low[:-1] != low[1:]) | is_dip[:-1] | is_dip[1:]
-    between = s[:-1][unclear, None] + (np.arange(PARTS) + 0.5) / (PARTS * FINE_PLACES)
+    between = s[:-1][unclear, None] + (np.arange(PARTS) + 0.5) / (PARTS * FINE_INTERVALS)
     share = (integral.kinematics.manipulability(path(between)) < integral.floor).mean(axis=1).sum()
-    return float((share + (low[:-1] & low[1:] & ~unclear).sum()) / FINE_PLACES)
+    return float((share + (low[:-1] & low[1:] & ~unclear).sum()) / FINE_INTERVALS)
 
 
 def _unit_of(joint: str, robot: Robot) -> str:

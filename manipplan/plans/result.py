@@ -204,7 +204,6 @@ def finish(
     notify: Progress = silent,
     begins: float = 0.0,
     amend: Callable[[PlanReport, Trajectory], PlanReport] = lambda report, _: report,
-    advice: str = "",
 ) -> Plan | PartialPlan:
     """End a job: time the path of the draft, measure the motion, and return the plan or raise it where something is wrong.
 
@@ -218,7 +217,6 @@ def finish(
         notify: called with the fraction done in [0, 1] and a text.
         begins: the fraction at which this ending begins.
         amend: adds to the report what only this job knows, and its faults.
-        advice: what the user can do where a check does not pass.
     """
     path, result = draft.path, draft.result
     assert path is not None and result is not None
@@ -243,7 +241,7 @@ def finish(
     parts = {each.name: getattr(draft, each.name) for each in fields(draft)}
     plan = Plan(**parts | {"status": report.status, "trajectory": trajectory, "report": report})
     if report.faults:
-        return failed(plan, throw, f"{report}\n  {advice}" if advice else str(report))
+        return failed(plan, throw, str(report))
     notify(1.0, "done")
     return plan
 

@@ -292,10 +292,10 @@ def _part(
     )
 
     def compare_with_steps(report: PlanReport, _: Trajectory) -> PlanReport:
-        figures = _constraint_figures(group, trajectory, begins, legs)
+        found = _constraint_figures(group, trajectory, begins, legs)
         faults = (
             *report.faults,
-            *(f"constraint: {each}" for each in figures if each.least < -ROW_TOLERANCE),
+            *(f"constraint: {each}" for each in found if each.least < -ROW_TOLERANCE),
             *(
                 f"steps[{group[k].step}]: the tool speed is not constant: {v}"
                 for k, v in timed.speeds.items()
@@ -305,7 +305,7 @@ def _part(
             *_off_hulls(group, blends, own, trajectory, path),
             *_missed(group, blends, goals, legs, trajectory),
         )
-        return replace(report, faults=faults, constraints=tuple(figures))
+        return replace(report, faults=faults, constraints=tuple(found))
 
     part = finish(
         PartialPlan(

@@ -247,7 +247,7 @@ def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointP
     )
 
 
-#: Maximum number of nodes of a leg, and of one before which parts may be in several part_poses: those with the largest bounds.
+#: Maximum number of nodes of a leg, and of one before which parts may have different poses: those with the largest bounds.
 MOST_NODES, MOST_OF_POSES = 48, 192
 #: Number of poses of the tool for which configurations are enumerated together.
 TOGETHER = 4
@@ -322,7 +322,7 @@ def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clear
 def _at_targets(
     leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, part_poses: Sequence[PartPoses]
 ) -> list[Node]:
-    """Nodes at the goals of a leg, for each of the part_poses where parts may be."""
+    """Nodes at the goals of a leg, for each set of poses that the parts may have."""
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
@@ -365,7 +365,7 @@ def _at_targets(
 def _tool_goals(leg: Leg, part_poses: Sequence[PartPoses]) -> tuple[list[Target], list[list[tuple[int, PartPoses]]]]:
     """The goals of a leg that are poses as poses of the tool, each once, and for each which goals and part poses it stands for.
 
-    Raises InvalidInputError where no place allows any.
+    Raises InvalidInputError where no poses of the parts allow any.
     """
     owners: dict[object, tuple[Target, list[tuple[int, PartPoses]]]] = {}
     refused: list[InvalidInputError] = []
@@ -416,7 +416,7 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
 
 
 def _different_bounds(nodes: list[Node], most: int) -> list[Node]:
-    """The best nodes of each goal and each of the part_poses before in turn, so that none displaces all others."""
+    """The best nodes of each goal and each set of part poses before, in turn, so that none displaces all others."""
     groups: dict[tuple[object, ...], list[Node]] = {}
     for node in sorted(nodes, key=lambda each: -each.bound):
         groups.setdefault((node.goal_index, node.before.key), []).append(node)

@@ -47,7 +47,7 @@ class SplineBasis:
         return np.asarray(BSpline(self.knots, np.eye(self.size), 3)(u, nu=order))
 
     def fit(self, shares: Array, values: Array, ends: "Ends") -> Array:
-        """Control points (size, n) of the curve with these ends that is nearest to values (m, n) at shares (m,)."""
+        """Control points (size, n) of the curve with these ends that is nearest to values (m, n) at parameters u (m,)."""
         from scipy.interpolate import BSpline
         from scipy.sparse.linalg import spsolve
 
@@ -61,7 +61,7 @@ class SplineBasis:
 
     @property
     def shares(self) -> Array:
-        """Evenly spaced shares for `fit`."""
+        """Evenly spaced parameters u for `fit`."""
         return np.linspace(0.0, 1.0, FIT_SAMPLES * self.pieces + 1)
 
     def trajectory(self, control: Array, duration: float, spacing: float, joint_names: tuple[str, ...]) -> Trajectory:

@@ -347,7 +347,8 @@ class Robot(Pictured):
                 compiled once on this machine; see `pinocchio_casadi`) or "auto": the bindings where they can be imported,
                 otherwise the chain. All agree to 1e-12.
             compiled: True: machine code, made by the C compiler at the first call of each quantity (0.1 to 4 s) and kept in
-                the user's cache folder. False: CasADi's virtual machine. "auto": machine code where there is a compiler.
+                the user's cache folder. False: CasADi's virtual machine. "auto": an interpreter; where there is a compiler,
+                machine code after a hundred single configurations, or a tenth of a second of work on many.
             measure: one of `available_measures()`, or a Measure with its options. Default: Yoshikawa's manipulability.
             threads: number of threads that share a large batch. Default: all cores this process may use.
 

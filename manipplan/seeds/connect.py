@@ -34,7 +34,7 @@ from manipplan.support.deadline import work_time
 AIM, SHARE = 0.02, 0.2
 #: Share of that which checked configurations keep, but no more than start and goal have: a path may come lower between them.
 LEAST_ROW = 0.1
-#: Number of those.
+#: Number of random configurations at which these values are taken.
 SAMPLES = 200
 #: As in connect.c.
 MOST_JOINTS = 64
@@ -170,9 +170,8 @@ class MotionCheck:
     def guarded(self, function: Callable[[Array], Array]) -> tuple[int, int]:
         """The fields of a `Batch` of csrc/batch.h that calls a function of configurations (m, n).
 
-        An error is kept for `raise_failure`, and the answer is then 1.
-
-        Its values are stored row by row; they have to be finite.
+        Its values are stored row by row; they have to be finite. An error of it is stored for `raise_failure`; the call then
+        returns 1.
         """
 
         def answer(_: int, q: int, out: int, count: int) -> int:
@@ -233,7 +232,6 @@ class TreeSearch:
     def path(self) -> Array | None:
         """Waypoints (k, n), or None when none was found in time, or there is none."""
         task, at, call = self.task, self.check.at, self.call
-        assert call is not None
         status = SEARCHING
         while status != FOUND:
             left = SLICE if task.checks is None else min(SLICE, task.checks - self.check.checks)
@@ -380,7 +378,6 @@ class StarSearch(TreeSearch):
     def _cheaper(self, cost: float, checks: int) -> Array | None:
         """A path (k, n) that costs less, found by new trees; None when none was found."""
         search, call, end = self.search, self.call, self.search.checks + checks
-        assert call is not None
         search.size, search.bound, search.turn = (ctypes.c_long * 2)(1, 1), cost, 0
         while not self._is_over() and search.checks < end:
             left = min(SLICE, end - search.checks)

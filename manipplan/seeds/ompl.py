@@ -84,7 +84,7 @@ class OmplSearch:
     def run(self, levels: Sequence[Level]) -> Array | None:
         """Waypoints (k, n) of OMPL's path, or None when none was found.
 
-        Motions are checked as `levels` tell, one after another; without compiled code only as the last one tells.
+        Motions are checked as `levels` tell, one after another; with more than MOST_JOINTS joints only as the last one tells.
         """
         with _ONE_AT_A_TIME:
             if work_time() >= self.task.deadline:
@@ -169,7 +169,7 @@ class _Compiled(MotionCheck):
 
 
 class _Sampled:
-    """The check where it cannot be compiled: OMPL asks for one configuration after the other.
+    """The check for more than MOST_JOINTS joints: OMPL asks for one configuration after the other.
 
     Attributes:
         deadline: past it nothing is valid, so that a search ends soon; in `work_time` [s].

@@ -33,7 +33,7 @@ STAR = "connect-star"
 #: Planners that continue to lower the cost until `checks` or `time_limit` is used up.
 OPTIMISING = (STAR, "RRTstar", "InformedRRTstar", "SORRTstar", "BITstar")
 PLANNERS = FEASIBLE + OPTIMISING
-#: The planner of OMPL that "auto" takes where our own cannot be compiled.
+#: The planner of OMPL that "auto" takes for more joints than our own serves.
 AUTO = "RRTConnect"
 #: Full turns of a goal: as given, the nearest to the start, or all inside the limits.
 AS_GIVEN, NEAREST, WITHIN_LIMITS = SHIFTS = ("none", "nearest", "within-limits")

@@ -101,8 +101,8 @@ log = logging.getLogger("manipplan")
 
 #: Maximum joint motion between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3
-#: The same for the look at a path before its proof, which begins with every FIRST-th configuration.
-LOOK_STEP, FIRST = 0.05, 8
+#: The same for the first test of a path, before its proof; it begins with every FIRST-th configuration.
+TEST_STEP, FIRST = 0.05, 8
 #: Maximum joint motion between two configurations whose signs of the singularities are compared [rad or m].
 SIGNS_STEP = 5e-3
 #: Minimum distance of the ends beyond the clearance for a proof [m]; the proof's own tolerances take as much.
@@ -112,7 +112,7 @@ PROVABLE = 1e-4
 def acceptance(task: SeedTask) -> Callable[[JointPath], bool]:
     """The acceptance test of a seed: proven free, or free at every milliradian if an end is too near contact for a proof.
 
-    A look at samples comes first, since it refutes most paths that are not free in much less time.
+    Samples are tested first: that refutes most paths that are not free in much less time.
     """
     if min(task.distances) <= task.clearance + PROVABLE:
         log.info("start or goal is too close to contact for a proof; the seed is checked at every milliradian")
@@ -141,7 +141,7 @@ def keeps_constraints(task: SeedTask, path: JointPath) -> bool:
 
 def looks_free(task: SeedTask, path: JointPath) -> bool:
     """Whether the path is free and keeps the constraints at samples."""
-    q = configurations(path, LOOK_STEP)
+    q = configurations(path, TEST_STEP)
     if task.constraints is not None and task.constraints.values(q).min(initial=0.0) < -ROW_TOLERANCE:
         return False
     few = q[FIRST // 2 :: FIRST]

@@ -152,7 +152,7 @@ class CompilerError(ManipplanError):
 
 
 class CompilerWarning(UserWarning):
-    """The compiler failed; CasADi's virtual machine does the same work more slowly."""
+    """The compiler failed; the same work is done more slowly without machine code."""
 
 
 class PlanningError(ManipplanError):

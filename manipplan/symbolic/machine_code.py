@@ -133,11 +133,11 @@ def as_asked(
 
 
 def do_without(error: CompilerError, compiled: bool | str) -> None:
-    """Continue with CasADi's virtual machine, with a CompilerWarning the first time; raises `error` when compiled is True."""
+    """Go on without machine code, with a CompilerWarning the first time; raises `error` when compiled is True."""
     if compiled is True:
         raise error
     if first_failure():
-        warnings.warn(printable(f"CasADi's virtual machine is used instead: {error}"), CompilerWarning, stacklevel=6)
+        warnings.warn(printable(f"the work goes on without machine code, more slowly: {error}"), CompilerWarning, stacklevel=6)
 
 
 def first_failure() -> bool:

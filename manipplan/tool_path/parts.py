@@ -76,9 +76,9 @@ def find_parts(
     """
     tried: list[ToolPathPlanner] = []
     no_finer = ""
-    for k, samples in enumerate((lambda _: planner, make_finer)):
+    for k, make in enumerate((lambda _: planner, make_finer)):
         try:
-            each = samples(part(notify, 0.2, 0.5))
+            each = make(part(notify, 0.2, 0.5))
         except InvalidInputError as error:  # about positions and samples that the caller did not give
             no_finer, each = f"; finer samples: {error}", None
         if each is None:
@@ -124,7 +124,7 @@ def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -
     )
 
 
-#: Places at which the tool is compared with the path, and at which the nearest bodies are looked for, for a message.
+#: Parameters s at which the tool is compared with the path.
 S_SAMPLES = np.linspace(0.0, 1.0, 1500)
 
 

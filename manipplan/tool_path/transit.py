@@ -97,7 +97,7 @@ class TransitPlanner:
         clearance: distance to keep [m].
         torque: whether the joints' effort limits are kept.
         plan_free: plans free motions.
-        seconds: time limit of all transits that are tried to one place [s].
+        seconds: time limit of all transits that are tried to one part of the path [s].
     """
 
     robot: Robot

@@ -38,8 +38,8 @@ class Drive:
     """Terms that a formulation adds to the cost ½ q̇ᵀ Q q̇ + ½ δᵀ Q_δ δ: H (n, n) and g (n, 1).
 
     A formulation that learns from step to step also gives `memory`, symbols (k, 1) for what the last step computed, and
-    `next_memory`, what this step computes for the next one. The memory is zero at the first step and
-    after a state that is not finite.
+    `next_memory`, what this step computes for the next one. The memory is zero at the first step and after a state that is not
+    finite.
 
     Raises InvalidInputError if the memories differ in shape.
     """

@@ -286,7 +286,7 @@ def plot_arm(
             draw_flat_bodies(ax, robot, curve.goal, style.BODY_LAST, alpha=0.9)
         for share, line in zip(shares, lines, strict=True):
             draw_skeleton(ax, line, alpha=0.25 + 0.6 * share)
-        plot_ellipsoids(robot.kinematics(Task.planar() if m == 2 else None), curve, places, ax=ax)
+        plot_ellipsoids(robot.kinematics(Task.planar() if m == 2 else Task.position()), curve, places, ax=ax)
         draw_ways(ax, ways)
         for way in next(iter(ways.values())):
             write_ends(ax, way)

@@ -589,3 +589,9 @@ def test_the_deviation_of_an_improved_recording_is_that_of_its_comparison(planar
     assert shown.get_xdata()[-1] == pytest.approx(plan.trajectory.duration)
     assert shown.get_ydata().max() == pytest.approx(1e3 * plan.comparison.deviation.position, rel=1e-2)
     assert dashed(flat) == [20.0]
+
+
+def test_a_planar_arm_in_space(planar_plan, space):
+    """With its ellipsoids, which are flat."""
+    axes = mp.viz.plot_arm(planar_plan.robot, planar_plan.path, planar_plan.scene, ax=space)
+    assert axes is space and len(space.collections) > 3

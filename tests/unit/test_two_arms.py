@@ -448,3 +448,10 @@ def test_a_goal_of_several_tools_takes_no_pose_of_a_part(baxter):
     part = mp.PoseGoal(np.eye(4), of="cup")
     with pytest.raises(mp.errors.InvalidInputError, match=r"left_gripper'\].of: got 'cup'"):
         mp.plan(baxter, baxter.neutral, {"left_gripper": part})
+
+
+def test_a_task_has_at_most_as_many_rows_as_the_joints_of_one_arm():
+    """Two arms of four joints each: the pose of either tool needs six."""
+    joints = [f"{side}_{name}" for side in ("left", "right") for name in ("s0", "s1", "e1", "w1")]
+    with pytest.raises(mp.errors.InvalidInputError, match="task.*at most 4 rows"):
+        mp.PathObjective(task=mp.Task.pose()).kinematics(mp.load_robot("baxter", joints=joints))
