@@ -1,13 +1,14 @@
 """Classes of what the calls of the package return; a script reads them and seldom makes one."""
 
 from manipplan.collision.path_clearance import PathClearance
-from manipplan.constraints.constraint_set import ConstraintFigure
+from manipplan.constraints.proof import ConstraintFigure
 from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.ik.solutions import Completeness, SolutionSet
 from manipplan.kinematics.batch import Evaluator
-from manipplan.optimize.result import Certificate, LimitApproach, NoPath, PathResult
+from manipplan.optimize.certificate import Certificate, LimitApproach
+from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.deviation import Deviation
 from manipplan.plans.comparison import Comparison, MotionFigures
 from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure

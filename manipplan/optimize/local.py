@@ -13,14 +13,16 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel, NearPairs
 from manipplan.collision.path_clearance import PathClearance, path_clearance
-from manipplan.constraints.constraint_set import ConstraintProof, ConstraintSet, prove
+from manipplan.constraints.constraint_set import ConstraintSet
+from manipplan.constraints.proof import ConstraintProof, prove
 from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular_end, runs_along
 from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near
+from manipplan.optimize.certificate import SINGLE, UNKNOWN, Optimality, measure_optimality
 from manipplan.optimize.clearance import ClearanceRows
 from manipplan.optimize.descent import Ending, descend
 from manipplan.optimize.program import PathProgram, Solution
-from manipplan.optimize.result import SINGLE, UNKNOWN, Optimality, Step, measure_optimality
+from manipplan.optimize.result import Step
 from manipplan.optimize.rows import MARGIN, ClearanceSearch, ConstraintSearch
 from manipplan.paths.basis import EndConditions
 from manipplan.paths.joint import JointPath

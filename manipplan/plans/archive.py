@@ -25,7 +25,8 @@ from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
 from manipplan.measures.measure import Measure
 from manipplan.measures.names import measure_data, restore_measure
-from manipplan.optimize.result import Certificate, PathResult
+from manipplan.optimize.certificate import Certificate
+from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import PATHS, CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance

@@ -14,10 +14,10 @@ import manipplan as mp
 from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.optimize import descent
+from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
 from manipplan.optimize.program import PathProgram
-from manipplan.optimize.result import SINGLE, measure_optimality
 from manipplan.optimize.rows import ClearanceSearch
 from manipplan.optimize.steps import Derivatives
 from manipplan.paths.basis import find_basis

@@ -1,4 +1,4 @@
-"""UrdfFiles: how a URDF or xacro file is read, and where its meshes are.
+"""UrdfFiles: the options for reading a URDF or xacro file, and where its meshes are; `read_urdf` in description.py reads it.
 
 Expands xacro files to URDF, in a process of its own: with a time limit, and without changes to this process.
 """
