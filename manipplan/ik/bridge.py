@@ -109,8 +109,8 @@ BOXES = 256
 ANGLE = 0.2
 #: Maximum number of times that boxes are halved, and of numbers that are compared at once.
 HALVINGS, AT_ONCE = 400, 2_000_000
-#: What joints that move together are taken to bridge, as the bound is about single joints: everything [m].
-BRIDGES_ALL = 1e9
+#: Reach assumed for joints that move together [m]: the bound assumes independent joints, so it is disabled for them.
+UNBOUNDED = 1e9
 #: Violation of the bound that rounding may cause [m].
 CLOSE = 1e-9
 #: Smallest share of a regular grid that the bound may leave; below it, values are taken from boxes.
@@ -159,7 +159,7 @@ class Bridge:
     def __init__(self, robot: Robot, swept: Sequence[int], *, whole_pose: bool) -> None:
         self._screws, self._swept, lower, upper = Screws.of(robot), tuple(swept), *span(robot)
         self.lower, self.upper = lower[list(swept)], upper[list(swept)]
-        self._decides, self.reach = self._screws.follow is None, BRIDGES_ALL
+        self._decides, self.reach = self._screws.follow is None, UNBOUNDED
         if not self._decides:
             return
         slides = self._screws.slides
@@ -229,7 +229,7 @@ class Bridge:
 
     def _boxes(self, count: int, poses: Array) -> _Boxes:
         """At least `count` boxes that hold every value with which one of poses (p, 4, 4) is reached; else the nearest."""
-        boxes = self._left(self._bound_boxes(self.lower[None], self.upper[None], poses))
+        boxes = self._feasible(self._bound_boxes(self.lower[None], self.upper[None], poses))
         for _ in range(HALVINGS):
             sizes = (boxes.levers + ANGLE * self.reach) * (boxes.upper - boxes.lower)
             largest = sizes.max(axis=1)
@@ -243,11 +243,12 @@ class Bridge:
             upper[rows, joints], lower[rows, joints] = middle, middle
             new = self._bound_boxes(np.vstack([some.lower, lower]), np.vstack([upper, some.upper]), poses)
             rest = boxes.rows(~halved)
-            boxes = self._left(_Boxes(**{name: np.concatenate([each, vars(new)[name]]) for name, each in vars(rest).items()}))
+            every = {name: np.concatenate([each, vars(new)[name]]) for name, each in vars(rest).items()}
+            boxes = self._feasible(_Boxes(**every))
         return boxes
 
-    def _left(self, boxes: _Boxes) -> _Boxes:
-        """The boxes that the bound leaves; without any, the one that comes nearest."""
+    def _feasible(self, boxes: _Boxes) -> _Boxes:
+        """The boxes that the bound does not exclude; if it excludes all, the one with the smallest violation."""
         beyond = boxes.violation - boxes.change
         left = beyond <= CLOSE * (1 + boxes.change)
         return boxes.rows(left if left.any() else np.array([int(beyond.argmin())]))
@@ -328,23 +329,23 @@ A_MEETS_B, B_MEETS_C, A_PARALLEL_B, B_PARALLEL_C, SKEW = range(5)
 
 
 @cache
-def calls() -> Mapping[str, Callable[..., Any]]:
+def ik_functions() -> Mapping[str, Callable[..., Any]]:
     """The functions of inverse.c: closed forms and Newton steps."""
     return load_kernel("inverse").functions()
 
 
-def real(values: Any) -> Array:
-    """The array as compiled code reads it; the same object where it is already so."""
+def as_float64(values: Any) -> Array:
+    """A contiguous float64 array; not copied if it already is one."""
     return np.ascontiguousarray(values, dtype=np.float64)
 
 
-def whole(values: Any) -> NDArray[np.int64]:
-    """The same for indices."""
+def as_int64(values: Any) -> NDArray[np.int64]:
+    """A contiguous int64 array."""
     return np.ascontiguousarray(values, dtype=np.int64)
 
 
-def truth(values: Any) -> NDArray[np.bool_]:
-    """The same for yes and no."""
+def as_bool(values: Any) -> NDArray[np.bool_]:
+    """A contiguous bool array."""
     return np.ascontiguousarray(values, dtype=np.bool_)
 
 
@@ -353,22 +354,22 @@ def arrangement(axes: Array, points: Array) -> tuple[int, Array, float]:
 
     The arrangement is A_MEETS_B, ... or SKEW; for parallel axes the deviation is the sine of their angle.
     """
-    axes, points, out = real(axes), real(points), np.empty(4)
-    kind = calls()["arrangement"](axes.ctypes.data, points.ctypes.data, out.ctypes.data)
+    axes, points, out = as_float64(axes), as_float64(points), np.empty(4)
+    kind = ik_functions()["arrangement"](axes.ctypes.data, points.ctypes.data, out.ctypes.data)
     return int(kind), out[:3], float(out[3])
 
 
 def quartic_roots(coefficients: Array) -> NDArray[np.complex128]:
     """The roots (4,) of x⁴ + a[3] x³ + a[2] x² + a[1] x + a[0] for a (4,); none where a is not finite."""
-    a, out = real(coefficients), np.empty((4, 2))
-    count = calls()["quartic"](a.ctypes.data, out.ctypes.data)
+    a, out = as_float64(coefficients), np.empty((4, 2))
+    count = ik_functions()["quartic"](a.ctypes.data, out.ctypes.data)
     return np.asarray(out[:count, 0] + 1j * out[:count, 1])
 
 
 def swivels_of(axes: Array, points: Array, shoulder: Array, wrist: Array, q: Array) -> Array:
     """The swivel [rad] of each row of q (k, 7), for axes and points (7, 3), a shoulder (3,) and a wrist (3,)."""
-    axes, points, shoulder, wrist, q = (real(each) for each in (axes, points, shoulder, wrist, q))
+    axes, points, shoulder, wrist, q = (as_float64(each) for each in (axes, points, shoulder, wrist, q))
     out = np.empty(len(q))
     addresses = (each.ctypes.data for each in (axes, points, shoulder, wrist, q))
-    calls()["swivels"](*addresses, len(q), out.ctypes.data)
+    ik_functions()["swivels"](*addresses, len(q), out.ctypes.data)
     return out

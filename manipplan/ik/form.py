@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import SKEW, arrangement, calls, real, truth, whole
+from manipplan.ik.bridge import SKEW, arrangement, as_bool, as_float64, as_int64, ik_functions
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, one_of, texts
@@ -216,17 +216,17 @@ class Enumeration:
         turns = np.where(endless, 0, (high - low + 2 * AT_LIMIT) // (2 * np.pi))[list(form.free)]
         self._n, self._most = screws.n, MOST * int(np.prod(np.maximum(turns + 1, 1)))
         self._arrays: dict[str, NDArray[Any]] = {
-            "axes": real(screws.axes),
-            "points": real(screws.points),
-            "slides": truth(screws.slides),
-            "held": whole([form.held[k] for k in self._order]),
-            "free": whole(form.free),
-            "meeting": real(form.meeting),
-            "home": real(np.linalg.inv(screws.home)),
-            "lower": real(low),
-            "upper": real(high),
-            "endless": truth(endless),
-            "turning": real(axis if axis is not None else np.zeros(3)),
+            "axes": as_float64(screws.axes),
+            "points": as_float64(screws.points),
+            "slides": as_bool(screws.slides),
+            "held": as_int64([form.held[k] for k in self._order]),
+            "free": as_int64(form.free),
+            "meeting": as_float64(form.meeting),
+            "home": as_float64(np.linalg.inv(screws.home)),
+            "lower": as_float64(low),
+            "upper": as_float64(high),
+            "endless": as_bool(endless),
+            "turning": as_float64(axis if axis is not None else np.zeros(3)),
         }
         self._form = struct("inverse", "Form")(
             n=screws.n,
@@ -250,7 +250,7 @@ class Enumeration:
             samples: (s, r) values of the held joints, then the swivel, then the rotation about `axis` where it is free.
         """
         columns = [*self._order, *range(len(self._order), samples.shape[1])]
-        poses, owners, samples = real(poses), whole(owners), real(samples[:, columns])
+        poses, owners, samples = as_float64(poses), as_int64(owners), as_float64(samples[:, columns])
         asked = struct("inverse", "Samples")(
             poses=poses.ctypes.data,
             owners=owners.ctypes.data,
@@ -259,7 +259,7 @@ class Enumeration:
             width=samples.shape[1],
         )
         rows = max(4 * self._most, min(len(samples) * MOST, CHUNK * MOST))
-        work, begin, call = np.empty(6 * self._n), 0, calls()["solutions"]
+        work, begin, call = np.empty(6 * self._n), 0, ik_functions()["solutions"]
         while begin < len(samples):
             out, source = np.empty((rows, self._n)), np.empty(rows, dtype=np.int64)
             found = struct("inverse", "Solutions")(out=out.ctypes.data, source=source.ctypes.data, rows=rows)

@@ -17,11 +17,11 @@ from manipplan.symbolic.free_motion import FreeMotion
 
 #: Number of random starts, and of the best ends from which the steps go on.
 STARTS, BEST = 384, 16
-#: Number of times that they go on, each with the damping of a first step.
-AGAIN = 4
+#: Number of restarts, each with the initial damping.
+RESTARTS = 4
 #: Distance from a limit up to which a joint counts as being at it [rad or m].
 AT_LIMIT = 1e-6
-#: Distance from which on a pose is so far away that its unit is looked at [m].
+#: Position error above which it is tested whether the pose was given in millimetres [m].
 FAR = 1.0
 
 
@@ -81,7 +81,7 @@ def descend_to_best(
 ) -> tuple[Array, Array]:
     """The configuration (n,) that misses least after damped steps from starts (k, n), and what it misses (r,); as `descend`."""
     q, miss = descend(limits, missing, starts, held)
-    for _ in range(AGAIN):
+    for _ in range(RESTARTS):
         best = np.argsort((miss**2).sum(axis=1), kind="stable")[:BEST]
         q, miss = descend(limits, missing, q[best], held)
     least = int((miss**2).sum(axis=1).argmin())

@@ -1,10 +1,10 @@
 """Newton steps on the arm as described, by `newton.h`: they refine solutions of closed forms, and find others without.
 
-descend: damped steps of joints inside their limits that reduce what is missing to a goal.
+descend: damped steps of joints inside their limits that reduce the error of a goal.
 
-Newton and damped steps of an arm until what counts of poses is reached; the rest of them is free.
+Newton and damped steps to the constrained components of a pose; `FreeMotion` gives the free ones.
 
-Where random starts for a pose lie: slides where the other joints bridge what is left to it, near the arm for far poses.
+The intervals in which random starts for a pose lie: prismatic joints near where the others can reach it.
 """
 
 import ctypes
@@ -15,7 +15,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import bridge, calls, reach_in, real, slides_of, span, truth, whole, within_reach
+from manipplan.ik.bridge import as_bool, as_float64, as_int64, bridge, ik_functions, reach_in, slides_of, span, within_reach
 from manipplan.ik.geometry import Screws
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.limits import JointLimits
@@ -30,13 +30,13 @@ class MovingArm:
 
     def __init__(self, screws: Screws, moves: NDArray[np.bool_]) -> None:
         self._n, self._links = screws.n, 0 if screws.follow is None else len(screws.axes)
-        self._arrays = {name: real(getattr(screws, name)) for name in ("axes", "points", "home")}
-        self._truths = {"slides": truth(screws.slides), "moves": truth(moves)}
+        self._arrays = {name: as_float64(getattr(screws, name)) for name in ("axes", "points", "home")}
+        self._truths = {"slides": as_bool(screws.slides), "moves": as_bool(moves)}
         places = {name: array.ctypes.data for name, array in (self._arrays | self._truths).items()}
         self._screws = struct("inverse", "Screws")(n=screws.n, links=len(screws.axes), **places)
         if screws.follow is not None:
             leader, ratio, offset = screws.follow
-            self._led = whole(leader), real(ratio), real(offset)
+            self._led = as_int64(leader), as_float64(ratio), as_float64(offset)
             self._screws.leader, self._screws.ratio, self._screws.offset = (each.ctypes.data for each in self._led)
         self._address = ctypes.addressof(self._screws)
 
@@ -46,9 +46,9 @@ class MovingArm:
         A row ends once its pose is reached to `tolerance` [m, rad], after `steps` steps at the latest; a step that does not
         reduce the error is rejected.
         """
-        q, targets, owners = np.array(q, dtype=np.float64, order="C"), real(targets), whole(owners)
+        q, targets, owners = np.array(q, dtype=np.float64, order="C"), as_float64(targets), as_int64(owners)
         work, held = self._scratch()
-        calls()["refine"](
+        ik_functions()["refine"](
             self._address,
             targets.ctypes.data,
             owners.ctypes.data,
@@ -69,9 +69,10 @@ class MovingArm:
         Levenberg-Marquardt steps [sugihara2011] towards one pose (4, 4), inside the limits (n,). Joints stop at their limits
         and leave them when the step leads back. A row ends once its pose is reached to `tolerance`, or after `steps` steps.
         """
-        q, target, lower, upper = np.array(q, dtype=np.float64, order="C"), real(target), real(lower), real(upper)
+        q, target = np.array(q, dtype=np.float64, order="C"), as_float64(target)
+        lower, upper = as_float64(lower), as_float64(upper)
         miss, (work, held) = np.empty(len(q)), self._scratch()
-        calls()["search"](
+        ik_functions()["search"](
             self._address,
             target.ctypes.data,
             lower.ctypes.data,
@@ -93,43 +94,44 @@ class MovingArm:
 #: Number of steps, first damping of a step, its factors after a good and a bad step, and the largest change of a joint in one
 #: step [rad or m].
 STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
-#: Size of the miss at which no more steps are made [m].
+#: Size of the error at which no more steps are made [m].
 DONE = 1e-11
 
 
 def descend(
-    limits: JointLimits, missing: Callable[[NDArray[np.intp], Array], tuple[Array, Array]], q: Array, held: NDArray[np.bool_]
+    limits: JointLimits, error_of: Callable[[NDArray[np.intp], Array], tuple[Array, Array]], q: Array, held: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
-    """Configurations (k, n) inside the limits after damped steps from q (k, n), and what they miss (k, r) [m].
+    """Configurations (k, n) inside the limits after damped steps from q (k, n), and their errors (k, r) [m].
 
-    `missing` gives what rows (j,) with configurations (j, n) miss (j, r), and its slopes (j, r, n). The held joints stay.
+    `error_of(rows, q)` returns the error (j, r), target minus current, of rows (j,) at q (j, n), and the task Jacobian
+    (j, r, n). Held joints do not move.
     """
     q, lower, upper = q.copy(), limits.lower, limits.upper
     rows = np.arange(len(q))
-    miss, slopes = missing(rows, q)
+    error, jacobian = error_of(rows, q)
     damping = np.full(len(q), DAMPING)
     for _ in range(STEPS):
-        slope = slopes[rows] * ~held
-        step = _compute_damped_step(slope, miss[rows], damping[rows])
+        slope = jacobian[rows] * ~held
+        step = _compute_damped_step(slope, error[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
         stuck = ((q[rows] <= lower) & (step < 0)) | ((q[rows] >= upper) & (step > 0))
-        step = _compute_damped_step(slope * ~stuck[:, None, :], miss[rows], damping[rows])
+        step = _compute_damped_step(slope * ~stuck[:, None, :], error[rows], damping[rows])
         moved = np.clip(q[rows] + step, lower, upper)
-        left, bent = missing(rows, moved)
-        good = (left**2).sum(axis=1) < (miss[rows] ** 2).sum(axis=1)
-        q[rows[good]], miss[rows[good]], slopes[rows[good]] = moved[good], left[good], bent[good]
+        new_error, new_jacobian = error_of(rows, moved)
+        good = (new_error**2).sum(axis=1) < (error[rows] ** 2).sum(axis=1)
+        q[rows[good]], error[rows[good]], jacobian[rows[good]] = moved[good], new_error[good], new_jacobian[good]
         damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
-        rows = np.flatnonzero(np.linalg.norm(miss, axis=1) > DONE)
+        rows = np.flatnonzero(np.linalg.norm(error, axis=1) > DONE)
         if not len(rows):
             break
-    return q, miss
+    return q, error
 
 
-def _compute_damped_step(jacobian: Array, miss: Array, damping: Array) -> Array:
-    """Damped steps (k, n) of the joints that reduce the miss (k, r)."""
-    turned = np.swapaxes(jacobian, 1, 2)
-    solved = np.linalg.solve(jacobian @ turned + damping[:, None, None] * np.eye(miss.shape[1]), miss[:, :, None])
-    return np.asarray(np.clip((turned @ solved)[:, :, 0], -LONGEST, LONGEST))
+def _compute_damped_step(jacobian: Array, error: Array, damping: Array) -> Array:
+    """Damped steps (k, n) of the joints that reduce the error (k, r)."""
+    jacobian_t = np.swapaxes(jacobian, 1, 2)
+    y = np.linalg.solve(jacobian @ jacobian_t + damping[:, None, None] * np.eye(error.shape[1]), error[:, :, None])
+    return np.asarray(np.clip((jacobian_t @ y)[:, :, 0], -LONGEST, LONGEST))
 
 
 #: Maximum number of steps, and largest change of a joint in one of them [rad or m].
@@ -141,17 +143,17 @@ ROW_DAMPING = 1e-14
 def onto_rows(
     kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_], tolerance: float
 ) -> Array:
-    """Configurations (k, n) after minimum-norm steps from q (k, n) until what counts of poses (k, 4, 4) is reached.
+    """Configurations (k, n) after minimum-norm steps from q (k, n) to the constrained components of poses (k, 4, 4).
 
-    A row ends where its error [m, rad] is below the tolerance, or grows no smaller.
+    A row ends where its error [m, rad] is below the tolerance, or stops decreasing.
 
     Args:
         kinematics: of the whole pose.
-        free: what does not count.
+        free: the unconstrained motions of the tool.
         q: where the steps begin.
         poses: targets.
         moves: (n,) the joints that may move.
-        tolerance: see above.
+        tolerance: largest accepted error [m, rad].
     """
     q, best, least, rows = q.copy(), q.copy(), np.full(len(q), np.inf), np.arange(len(q))
     for _ in range(MOST_ROW_STEPS):
@@ -191,7 +193,7 @@ def errors_to(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) 
     return error[:, :, 0], counting @ (kinematics.jacobian(q) * scale[:, None])
 
 
-#: Number of reaches from which a pose is approached, by steps of this ratio.
+#: Poses farther than FAR_AWAY times the arm's reach are approached through intermediate ones, each FARTHER times farther.
 FAR_AWAY, FARTHER = 30.0, 10.0
 
 
@@ -204,9 +206,9 @@ def window(robot: Robot, poses: Array) -> tuple[Array, Array]:
 
 
 def approach(robot: Robot, pose: Array) -> list[tuple[Array, float]]:
-    """Poses (4, 4) from near the arm to `pose`, in the same direction, and the share of its distance at which each is.
+    """Intermediate poses (4, 4) from near the arm to `pose`, in the same direction, and the fraction of its distance of each.
 
-    Only poses that slides carry far beyond the other links are approached; for any other, it is the only one.
+    Only `pose` itself, with 1.0, unless prismatic joints carry the tool far beyond the other links.
     """
     (lower, upper), slides = within_reach(robot), list(slides_of(robot))
     shares = [1.0]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import calls, real, whole
+from manipplan.ik.bridge import as_float64, as_int64, ik_functions
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
@@ -49,8 +49,8 @@ class Completeness(StrEnum):
 class SolutionSet(Pictured):
     """Configurations that reach a pose, or one of several; each verified by forward kinematics to 1e-10.
 
-    Farther than 10 km from the world's origin, to 1e-14 of the distance. A pose that is beyond a joint limit or the arm's reach
-    by no more than a rounded pose may be has the configurations that stop there, at most 1e-6 m and rad from it.
+    Beyond 10 km from the world's origin the tolerance is 1e-14 of the distance. If rounding puts a pose just beyond a joint
+    limit or the workspace, the solutions at that limit are returned; they miss it by at most 1e-6 m and rad.
 
     Attributes:
         q: (k, n) [rad or m], inside the position limits.
@@ -193,7 +193,7 @@ class _Solved:
     missing: float
 
     def with_more(self, more: "_Solved", poses: NDArray[np.int64]) -> "_Solved":
-        """These with those of other samples of some poses, by index."""
+        """Together with the solutions `more` of further samples; `poses` maps its pose indices to ours."""
         return _Solved(
             q=np.concatenate([self.q, more.q]),
             owners=np.concatenate([self.owners, poses[more.owners]]),
@@ -289,19 +289,19 @@ def _directions(robot: Robot, q: Array) -> Array:
 def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
     """Indices of the rows of q (k, n), only the first of those of one sample that differ by less than `COINCIDENT`."""
     order = np.argsort(source, kind="stable")
-    q, source, keep = real(q[order]), whole(source[order]), np.empty(len(order), dtype=np.bool_)
-    calls()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, COINCIDENT, keep.ctypes.data)
+    q, source, keep = as_float64(q[order]), as_int64(source[order]), np.empty(len(order), dtype=np.bool_)
+    ik_functions()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, COINCIDENT, keep.ctypes.data)
     return order[keep]
 
 
 def are_poses(poses: Array) -> bool:
     """Whether every matrix of poses (p, 4, 4) is a rotation and a translation, up to the rounding of double precision."""
-    poses = real(poses)
-    return bool(calls()["are_poses"](poses.ctypes.data, len(poses), EXACT))
+    poses = as_float64(poses)
+    return bool(ik_functions()["are_poses"](poses.ctypes.data, len(poses), EXACT))
 
 
 def residuals(reached: Array, targets: Array, owners: NDArray[np.int64]) -> Array:
     """The largest entry (k,) of reached - targets[owners], of poses reached (k, 4, 4), targets (p, 4, 4) and owners (k,)."""
-    reached, targets, owners, out = real(reached), real(targets), whole(owners), np.empty(len(reached))
-    calls()["residuals"](reached.ctypes.data, targets.ctypes.data, owners.ctypes.data, len(reached), out.ctypes.data)
+    reached, targets, owners, out = as_float64(reached), as_float64(targets), as_int64(owners), np.empty(len(reached))
+    ik_functions()["residuals"](reached.ctypes.data, targets.ctypes.data, owners.ctypes.data, len(reached), out.ctypes.data)
     return out

@@ -30,8 +30,7 @@ from manipplan.symbolic.task import Task
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1]; beyond FAR [m] from the
 #: world's origin, where rounding is larger, by more than this share of FAR.
 REACHED, FAR = 1e-10, 1e4
-#: The same where a limit or the reach of the arm ends just before the pose, as it may for rounded poses: distance and angle are
-#: then below COINCIDENT.
+#: Relaxed tolerance for poses that rounding puts just beyond a joint limit or the workspace; errors stay below COINCIDENT.
 NEARLY = COINCIDENT / 3
 #: Maximum residual of a configuration of the user's own inverse kinematics [m or 1]; it is refined.
 MISSED = 1e-3
@@ -45,13 +44,13 @@ STEPS = 200
 SAMPLES = (64, 24, 12, 8, 6, 5)
 #: Maximum number of samples of all parameters together.
 MOST_SAMPLES = 50_000_000
-#: The same up to which a default grid that finds nothing is made finer.
+#: Maximum number of samples when a default grid that found nothing is refined.
 FINEST = 20_000
 #: Number of random starts where no grid finds anything.
 AT_RANDOM = 128
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
-#: Number of random starts per sample, and at least of all, of an arm with few joints.
+#: Number of random starts per sample, and minimum of all, for an arm with few joints.
 STARTS, ALL_STARTS = 8, 64
 #: Number of samples of an arm with few joints that are solved together.
 TOGETHER = 512
@@ -337,12 +336,12 @@ class Solver:
             residual[stopped] = self._residual(q[stopped], targets, at)
         allowed = _allow_residual(poses)[owners[order][source]]
         source = order[source]
-        usual = np.lexsort((residual > allowed, source))  # `distinct` takes the first of those that are one
-        usual = usual[self._counts(q, source, residual, allowed)[usual]]
-        return replace(found, q=q[usual], source=source[usual], residual=residual[usual])
+        rows = np.lexsort((residual > allowed, source))  # exact solutions first: `distinct` takes the first of duplicates
+        rows = rows[self._is_solution(q, source, residual, allowed)[rows]]
+        return replace(found, q=q[rows], source=source[rows], residual=residual[rows])
 
-    def _counts(self, q: Array, source: NDArray[np.int64], residual: Array, allowed: Array) -> NDArray[np.bool_]:
-        """Whether q (k, n) are solutions: they reach their pose, or nearly so at a limit, or where none of the sample does."""
+    def _is_solution(self, q: Array, source: NDArray[np.int64], residual: Array, allowed: Array) -> NDArray[np.bool_]:
+        """Whether q (k, n) are solutions: within `allowed`, or within NEARLY at a limit or for samples without an exact one."""
         good, limits = residual <= allowed, self.robot.limits
         stopped = ((q == limits.lower) | (q == limits.upper)).any(axis=1)
         return np.asarray(good | ((residual <= NEARLY) & (stopped | ~np.isin(source, source[good]))))
@@ -423,7 +422,7 @@ class Solver:
             left, q = self._residual(better, targets, rows[off]), q.copy()
             nearer = np.flatnonzero(off)[left < residual[off]]
             q[nearer], residual[nearer] = better[left < residual[off]], left[left < residual[off]]
-        good = self._counts(q, source, residual, allowed)
+        good = self._is_solution(q, source, residual, allowed)
         return Found(q=q[good], source=source[good], residual=residual[good])
 
     def _residual(self, q: Array, targets: Array, rows: NDArray[np.int64]) -> Array:
@@ -545,7 +544,7 @@ def _check_limits(robot: Robot) -> None:
     half = (np.isinf(limits.lower) | np.isinf(limits.upper)) & ~robot.continuous_joints
     if half.any():
         k = int(half.argmax())
-        wanted = "limits on both sides; revolute joints, unless a follower slides or makes no whole turns, may have none at all"
+        wanted = "finite limits on both sides; only a revolute joint whose followers make whole turns with it may have none"
         raise InvalidInputError(f"limits of {robot.joint_names[k]}", (float(limits.lower[k]), float(limits.upper[k])), wanted)
 
 

@@ -2,9 +2,9 @@
 
 The value of a candidate b of layer i is W_i(b) = min(m(b), max over its neighbours a in layer i - 1 of W_{i-1}(a)), and the
 optimum is the largest value in the last layer. This is a bottleneck path, found in one pass over the layers (`sweep` in
-sweep.py); guilamo2006 searches for the same optimum by restarts. Two things make it fast. Neighbours are looked up in a grid whose cells are as wide
-as the largest step. Rounds proceed from high thresholds to low ones: a round over only the candidates with m >= t either finds
-the optimum, or proves that it is below t.
+sweep.py); guilamo2006 searches for the same optimum by restarts. Two things make it fast. Neighbours are looked up in a grid
+whose cells are as wide as the largest step. Rounds proceed from high thresholds to low ones: a round over only the candidates
+with m >= t either finds the optimum, or proves that it is below t.
 """
 
 from collections.abc import Iterator, Sequence

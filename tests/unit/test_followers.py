@@ -555,7 +555,7 @@ def test_full_turns(tmp_path, ratio, kind, back):
     assert endless.continuous_joints.tolist() == [back, True]
     if not back:
         with pytest.raises(
-            mp.errors.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: limits on both sides"
+            mp.errors.InvalidInputError, match=r"limits of wide: got \(-inf, inf\); allowed: finite limits on both sides"
         ):
             mp.inverse_kinematics(endless, whole.pose(q[0], "tip"))
 

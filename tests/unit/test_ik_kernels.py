@@ -143,9 +143,9 @@ def test_llvm_and_the_compiler_agree(by_llvm, monkeypatch, rng):
         options = {"task": mp.Task.pointing(), "samples": 5} if name == "ur5" else {"samples": 20} if robot.n > 6 else {}
         usual = mp.inverse_kinematics(robot, poses, **options)
         with monkeypatch.context() as patch:
-            patch.setattr(bridge, "calls", lambda: by_llvm)
+            patch.setattr(bridge, "ik_functions", lambda: by_llvm)
             for module in ("form", "newton", "solutions"):
-                patch.setattr(f"manipplan.ik.{module}.calls", lambda: by_llvm)
+                patch.setattr(f"manipplan.ik.{module}.ik_functions", lambda: by_llvm)
             other = mp.inverse_kinematics(robot, poses, **options)
         np.testing.assert_array_equal(other.q, usual.q)
         assert len(usual) > 20
