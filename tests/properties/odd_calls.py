@@ -543,7 +543,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "clearance": 0.0,
                 "closed": False,
                 "torque": False,
-                "seed": 0,
+                "seeding": seeding,
                 "throw": True,
             },
             heavy=True,

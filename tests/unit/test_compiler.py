@@ -250,7 +250,9 @@ sys.path.insert(0, {here!r})
 import warnings
 import numpy as np
 import manipplan as mp
+from manipplan.kinematics import batch, kinematics
 from test_compiler import everything_compiled
+batch.PAYS_OFF = kinematics.FEW = 0  # machine code at the first evaluation
 with warnings.catch_warnings(record=True) as told:
     warnings.simplefilter("always")
     found, controller = everything_compiled(mp.planar_arm([1.0, 0.7, 0.4]), "auto")
