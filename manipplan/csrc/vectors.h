@@ -42,10 +42,25 @@ INLINE vec root(vec a) {
 #endif
 }
 
+INLINE vec inverse(vec a) {
+#if defined(__AVX512F__)
+    /* Newton's method with fused products takes less time than a division and rounds as it does, but for one unit where all
+       fraction bits are ones [markstein1990]; 0 and infinity keep the first guess */
+    const mask fraction = (mask){0} + 0x000FFFFFFFFFFFFFLL;
+    const __m512d value = (__m512d)a, one = _mm512_set1_pd(1.0), guess = _mm512_rcp14_pd(value);
+    __m512d r = guess;
+    for (int k = 0; k < 3; ++k) r = _mm512_fmadd_pd(_mm512_fnmadd_pd(value, r, one), r, r);
+    r = (__m512d)((mask)r - (((mask)a & fraction) == fraction));
+    return choose((vec)r == (vec)r, (vec)r, (vec)guess);
+#else
+    return 1.0 / a;
+#endif
+}
+
 /* Each operation: CasADi's name of it, and its value for a and b. The numbers of the instructions of `batch.c` are their order. */
 #define OPERATIONS(X) \
     X(assign, a) X(add, a + b) X(sub, a - b) X(mul, a * b) X(div, a / b) X(neg, -a) X(sq, a * a) X(twice, a + a) \
-    X(inv, 1.0 / a) X(sqrt, root(a)) X(fabs, choose(a < 0.0, -a, a)) X(fmin, choose(a < b, a, b)) X(fmax, choose(a > b, a, b)) \
+    X(inv, inverse(a)) X(sqrt, root(a)) X(fabs, choose(a < 0.0, -a, a)) X(fmin, choose(a < b, a, b)) X(fmax, choose(a > b, a, b)) \
     X(lt, truth(a < b)) X(le, truth(a <= b)) X(eq, truth(a == b)) X(ne, truth(a != b)) X(not, truth(a == 0.0)) \
     X(and, truth((a != 0.0) & (b != 0.0))) X(or, truth((a != 0.0) | (b != 0.0))) X(if_else_zero, choose(a != 0.0, b, zero)) \
     X(sign, choose(a > 0.0, zero + 1.0, choose(a < 0.0, zero - 1.0, a))) X(floor, LANES(floor, a)) X(ceil, LANES(ceil, a)) \

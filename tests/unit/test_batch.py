@@ -159,6 +159,20 @@ def test_machine_code_gives_the_same_bits(every_operation, rng):
 
 
 @pytest.mark.compiler
+def test_the_inverse_is_that_of_a_division(rng):
+    """To the last bit on every processor, also where all bits of the fraction are ones, at zero and at infinity."""
+    x = ca.SX.sym("x")
+    function = ca.Function("inverse", [x], [1 / x])
+    wide = np.exp(rng.uniform(-300, 300, size=100_000)) * rng.choice([-1.0, 1.0], size=100_000)
+    ones = np.nextafter(2.0 ** np.arange(-1000, 1000.0), 0.0)
+    q = np.concatenate([rng.uniform(0.5, 2.0, size=100_000), wide, ones, -ones, [0.0, -0.0, 1e-310, 5e-324, 1.79e308]])[:, None]
+    with np.errstate(divide="ignore", over="ignore"):
+        expected = 1 / q
+    for compiled in (True, False):
+        np.testing.assert_array_equal(values_of(BatchKernel(function, compiled, "a test"), q, 1)[0], expected)
+
+
+@pytest.mark.compiler
 def test_machine_code_is_built_when_it_pays_off(monkeypatch, tmp_path, panda, rng):
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path))
     function = panda.kinematics(mp.Task.pose()).symbolic.gradient
