@@ -5,7 +5,7 @@
 #include "vectors.h"
 
 typedef struct {
-    long code;      /* an Operation, or one of the next three */
+    long code;      /* an operation, or one of the next four */
     long result;    /* slot of the result; of an output its index */
     long second;    /* slot of the cosine, beside the sine in `result` */
     long a, b;      /* slots of the arguments */

@@ -330,7 +330,7 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     chosen: list[FirstPath] = []
     for path in (paths[k] for k in order):
         for k, other in enumerate(chosen):
-            if same_class(model, path, other.path, pool.problem.clearance):
+            if are_homotopic(model, path, other.path, pool.problem.clearance):
                 chosen[k] = replace(other, count=other.count + 1)
                 break
         else:
@@ -338,7 +338,7 @@ def seed_classes(pool: SolvePool, start: Array, goals: Sequence[Array], seeds: I
     return chosen
 
 
-def same_class(model: CollisionModel, first: JointPath, second: JointPath, clearance: float = 0.0) -> bool:
+def are_homotopic(model: CollisionModel, first: JointPath, second: JointPath, clearance: float = 0.0) -> bool:
     """Whether the straight homotopy between two paths of the same ends is free of collision on a grid."""
     if np.abs(first.goal - second.goal).max() > 1e-9:
         return False

@@ -365,9 +365,8 @@ def _off_paths(
         kinematics = motion.state.robot.kinematics(motion.task)
         pose, free = kinematics.pose, kinematics.free_motion
         knots = motion.workspace_path.knots
-        s = np.union1d(
-            np.linspace(low, high, MOTION_SAMPLES), knots[(knots >= low) & (knots <= high)]
-        )  # given poses are met, too
+        # given poses are met, too
+        s = np.union1d(np.linspace(low, high, MOTION_SAMPLES), knots[(knots >= low) & (knots <= high)])
         timed = trajectory(np.linspace(begin, end, MOTION_SAMPLES))
         fault = deviation_from(motion.workspace_path, pose(timed), free).excess(motion.tolerance, "time") or deviation_at(
             motion.workspace_path, s, pose(motion.path(s)), free

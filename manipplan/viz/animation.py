@@ -24,7 +24,7 @@ from manipplan.viz.arm import (
     draw_scene,
     draw_skeleton,
     draw_surface,
-    look_at,
+    fit_view,
     plot_ellipsoid,
     points_of,
 )
@@ -190,7 +190,7 @@ def _stage(shown: ShownMotion, figure: Any) -> Callable[[float], None]:
         style.name_axes(space)
     else:
         ends = [joined(arm_surfaces(robot, q)) for q in (postures[0], postures[-1])]
-        look_at(space, draw_scene(space, scene, [*seen, *points_of(ends)]), zoom=1.2)
+        fit_view(space, draw_scene(space, scene, [*seen, *points_of(ends)]), zoom=1.2)
         space.set(xticklabels=[], yticklabels=[], zticklabels=[], xlabel="", ylabel="", zlabel="")
         space.computed_zorder = False  # arm over obstacles, ellipsoid over both: moving parts are always visible
     for each in shown.motions:

@@ -86,7 +86,7 @@ def write_ends(ax: Any, way: Array) -> None:
         write(ax, way[0], "start and goal", style.ARM)
 
 
-def look_at(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:
+def fit_view(ax: Any, seen: Iterable[Array], *, zoom: float = 1.0) -> None:
     """Set the limits of 3D axes around points, with the same scale along all three."""
     from matplotlib.ticker import MaxNLocator
 
@@ -291,7 +291,7 @@ def plot_arm(
         for way in next(iter(ways.values())):
             write_ends(ax, way)
         if m == 3:
-            look_at(ax, seen)
+            fit_view(ax, seen)
         else:
             style.name_axes(ax)
         ax.legend(loc="upper right" if m == 3 else "best")
@@ -404,7 +404,7 @@ def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath |
                 seen.append(ray)
                 ax.plot(*ray.T, color=style.ELLIPSOID, linewidth=1.2)
             ax.plot([], [], [], color=style.ELLIPSOID, linewidth=1.2, label="tool's z axis")
-            look_at(ax, seen)
+            fit_view(ax, seen)
         else:
             ax.set_aspect("equal", adjustable="datalim")
             style.name_axes(ax)

@@ -27,7 +27,7 @@ from manipplan.viz.arm import (
     draw_scene,
     draw_skeleton,
     draw_surface,
-    look_at,
+    fit_view,
     plot_arm,
     points_of,
     write,
@@ -54,8 +54,8 @@ def save_figure(plan: Plan | Program, file: str | Path) -> None:
 def draw_figure(plan: Plan | Program, figure: Any = None) -> Any:
     """Draw a plan or program: the arm along the motion, its manipulability, and the joints over time.
 
-    The manipulability of a plan is drawn beside that of its initial path, over the share of the path's length. That of a
-    program is drawn over time, with the steps. Parts are drawn where they are at the start, on their way, and where they are
+    A plan shows its manipulability and that of its initial path over the fraction of the path's length; a program over time,
+    with the steps. Parts are drawn where they are at the start, on their way, and where they are
     put down. `figure` is a Matplotlib figure to draw into; default: a new one of 11.5 x 6 inches. Returns the figure.
 
     Raises PlanningError for a plan without a trajectory.
@@ -177,7 +177,7 @@ def _figure(value: object) -> Any:
             _draw_robot(_solid_axes(figure), value)
         elif isinstance(value, Scene) and value.obstacles:
             ax = _solid_axes(figure)
-            look_at(ax, draw_scene(ax, value, [np.zeros((1, 3))]))
+            fit_view(ax, draw_scene(ax, value, [np.zeros((1, 3))]))
         elif isinstance(value, Trajectory):
             plot_joints(value, ax=figure.subplots())
         elif isinstance(value, SolutionSet) and len(value):
@@ -198,7 +198,7 @@ def _draw_robot(ax: Any, robot: Robot) -> None:
     surface, line = joined(arm_surfaces(robot, robot.neutral)), skeleton(robot, robot.neutral)
     draw_surface(ax, surface, style.BODY_LAST, alpha=0.6)
     draw_skeleton(ax, line)
-    look_at(ax, [line, *points_of((surface,))])
+    fit_view(ax, [line, *points_of((surface,))])
 
 
 def _draw_solutions(ax: Any, solutions: SolutionSet) -> None:

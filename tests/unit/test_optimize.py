@@ -15,7 +15,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import clearance
 from manipplan.optimize.clearance import row_functions
-from manipplan.optimize.optimize import best_and_rivals, same_class
+from manipplan.optimize.optimize import are_homotopic, best_and_rivals
 from manipplan.paths import basis
 
 THESIS = {  # start, goal, g of the straight line for p = 2 (Tables 6.1 and 6.2) and p = 1 (ERRATA): [kth2012]
@@ -383,9 +383,9 @@ def test_paths_on_two_sides_of_a_post_are_two_classes(planar):
     wider = mp.JointPath.through([start, [-0.8, 1.4, 0.1], [0.8, 1.4, 0.1], goal])
     right = mp.JointPath.through([start, [-0.8, -1.2, 0.0], [0.8, -1.2, 0.0], goal])
     assert all(model.path_is_free(path, 1e-3) for path in (left, wider, right))
-    assert same_class(model, left, wider)
-    assert not same_class(model, left, right)
-    assert not same_class(model, left, mp.JointPath.line(start, [0.8, 0.0, 0.5]))
+    assert are_homotopic(model, left, wider)
+    assert not are_homotopic(model, left, right)
+    assert not are_homotopic(model, left, mp.JointPath.line(start, [0.8, 0.0, 0.5]))
 
 
 ENDS = [

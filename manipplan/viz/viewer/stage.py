@@ -265,7 +265,7 @@ def draw_floor(scene: Any, height: float, size: float) -> Any:
     return grid
 
 
-def look_at(server: Any, box: Array, *, planar: bool) -> None:
+def fit_view(server: Any, box: Array, *, planar: bool) -> None:
     """Place the camera so that the box (2, 3) [m] fills the picture on a screen of any aspect ratio; z is up."""
     middle, reach = box.mean(axis=0), max(float(np.linalg.norm(box[1] - box[0])) / 2, 0.05)
     direction = np.array(FROM[planar]) / np.linalg.norm(FROM[planar])
@@ -277,7 +277,7 @@ def look_at(server: Any, box: Array, *, planar: bool) -> None:
         camera.fov = VIEW
         camera.near = reach / 100
         camera.position = target + FILL * reach / np.sin(angle) * direction
-        camera.look_at = target  # last: moving the camera also moves the point it looks at
+        camera.fit_view = target  # last: moving the camera also moves the point it looks at
 
     server.initial_camera.up = (0.0, 0.0, 1.0)
     place(server.initial_camera, 1.0)
@@ -302,7 +302,7 @@ def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) 
     layers["grid"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
     near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
     seen = np.concatenate([box, near])
-    look_at(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
+    fit_view(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
     return layers
 
 
