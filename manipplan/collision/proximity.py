@@ -28,8 +28,9 @@ CLOSE = 2e-3
 MOST_DIPS = 160
 #: Accuracy of the place of a bottom in s.
 BOTTOM = 1e-6
-#: Maximum number of steps to the bottom of a dip.
-BOTTOM_STEPS = 12
+#: Maximum number of steps to the bottom of a dip. Where the nearest features change at the bottom, it is a kink that is rounded
+#: over 1e-4 of s only, and a gradient from beside it is that of one feature alone.
+BOTTOM_STEPS = 40
 #: As in near_pairs.c.
 ASKING, MORE_ROOM = -1, -2
 #: Initial room for near pairs per place of the grid.
