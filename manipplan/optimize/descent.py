@@ -242,7 +242,7 @@ ACCEPTED, CORRECTED = 1e-4, 0.75
 #: A violation below this is ignored by second-order corrections and by the update of ν [rad or m].
 EXACT = 1e-9
 #: Smallest penalty parameter ν, which is also the first, in units of g per metre or radian.
-LEAST_PENALTY = 10.0
+LEAST_PENALTY = 2.0
 #: 1 - ρ in (18.36) of nocedal2006: the share of ν times the restored violation that g may rise by.
 MENDED = 0.7
 
@@ -378,6 +378,7 @@ def descend(
     z: Array,
     *,
     tolerance: float | None = None,
+    accuracy: float = 1.0,
     steps: int | None = None,
     first_radius: float = RADIUS,
     least_penalty: float = LEAST_PENALTY,
@@ -391,6 +392,7 @@ def descend(
         z: first unknowns (f, n).
         tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
             TOLERANCE, for short paths less, or FREE_TOLERANCE without collision checks.
+        accuracy: factor of the default tolerance.
         steps: maximum number of steps; default: STEPS, or FREE_STEPS without collision checks.
         first_radius: first radius of the trust region [rad or m].
         least_penalty: first and smallest penalty parameter ν.
@@ -403,7 +405,7 @@ def descend(
         apart = float(np.linalg.norm(curves.goal - curves.start))
         usual_steps, usual_tolerance = STEPS, TOLERANCE * min(1.0, apart) ** 2
     steps = usual_steps if steps is None else steps
-    tolerance = usual_tolerance if tolerance is None else tolerance
+    tolerance = accuracy * usual_tolerance if tolerance is None else tolerance
     radius, penalty = first_radius, least_penalty
     here = Point.of(program, z, radius)
     model: _Model | None = None
@@ -443,8 +445,7 @@ def descend(
             else:
                 return ended(count, Ending.CONVERGED)
             continue
-        quadratic = model.plain if is_plain else model.augmented
-        new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
+        new, decrease = _tried(program, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
             model = model.with_rejected(here, new)
@@ -469,7 +470,6 @@ def descend(
 
 def _tried(
     program: DescentProgram,
-    quadratic: tuple[Array, Array],
     here: Point,
     step: QuadraticStep,
     predicted: float,
@@ -478,8 +478,8 @@ def _tried(
 ) -> tuple[Point, float]:
     """The point a step leads to, and the actual decrease of the merit function.
 
-    Where that point violates a limit or the clearance and the decrease is small, a second-order correction is tried, with rows
-    from there. Its point is returned if it is better [nocedal2006, sec. 15.6].
+    Where that point violates a limit or the clearance and the decrease is small, a second-order correction is tried: the step
+    nearest to it that keeps the rows from there. Its point is returned if it is better [nocedal2006, sec. 15.6].
     """
     before = here.merit(penalty)
     new = Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
@@ -487,7 +487,7 @@ def _tried(
     if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
         return new, decrease
     rows = LinearRows.stacked([here.limits(radius), new.linear.from_step((here.z - new.z).ravel())])
-    corrected = solve_step(*quadratic, rows, radius, penalty, program.moving)
+    corrected = solve_step(np.eye(len(step.p)), -step.p, rows, radius, penalty, program.moving)
     if corrected is not None:
         other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:

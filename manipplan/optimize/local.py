@@ -69,6 +69,9 @@ class LowEnergy(NamedTuple):
 #: quadrature panels do not resolve g on the path reached, or when the first-order conditions do not hold and this one lowered g
 #: by more than the share SETTLED: a new trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
+#: The tolerance of a descent from a path at which the first-order conditions did not hold, as a share of the usual one: where
+#: g bends much, as beside a singularity, a path may miss them although hardly more than the usual one is left to gain.
+FURTHER = 0.02
 #: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
 WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
@@ -469,7 +472,14 @@ class LocalSearch:
             if not np.isfinite(true.length.g0):
                 break
             preliminary = margin > final or floor > integral.floor
-            descent = descend(true, z, tolerance=ROUGH if preliminary else None, patient=self.patient, deadline=self.deadline)
+            descent = descend(
+                true,
+                z,
+                tolerance=ROUGH if preliminary else None,
+                accuracy=1.0 if best is None else FURTHER,
+                patient=self.patient,
+                deadline=self.deadline,
+            )
             if self.deadline.passed:
                 self._accept_late(true.length.curves.path(descent.z), true.length.curves.coefficients(descent.z), best)
             steps += descent.steps
