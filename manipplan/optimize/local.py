@@ -186,15 +186,25 @@ class LocalSearch:
         return found or (self._low_energy_path(solution) if is_free else [])
 
     def nearest_to(self, first: JointPath) -> list[Candidate]:
-        """The local optimum reached from a path, or from its fit at an even pace when the basis does not contain it."""
+        """The local optimum reached from a path or, when the basis does not contain it, from a fit.
+
+        The fit is that at an even pace or, where that is deeper in an obstacle, that at the pace of the path.
+        """
         basis, even = self.program.basis, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
         coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
         off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
-        # a margin wider than that of a path in the basis would first lead away from it, such as from an optimum
-        is_contained = off < FIT_TOLERANCE
-        begin = coefficients if is_contained else self._followed(first)[1]
-        found = self.descend("path", begin, start_path=first if is_contained else None, softens=not is_contained)
-        return [] if found is None else [found]
+        if off < FIT_TOLERANCE:  # a margin wider than that of the path would first lead away from it, such as from an optimum
+            found = self.descend("path", coefficients, start_path=first, softens=False)
+            return [] if found is None else [found]
+        fits = (self._followed(first)[1], coefficients)
+        return self.optimum_from("path", max(fits, key=lambda fit: min(self._least_distance(fit), self.clearance)))
+
+    def _least_distance(self, coefficients: Array) -> float:
+        """The smallest distance along the path of coefficients (n, size), at even places [m]; inf where nothing is checked."""
+        if self.model is None:
+            return np.inf
+        path = self.program.basis.path(self.start, self.goal, coefficients)
+        return self.model.least_distance(path(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)))[0]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:
         """The local optimum near that of the coarse scene.
