@@ -445,7 +445,8 @@ def descend(
             else:
                 return ended(count, Ending.CONVERGED)
             continue
-        new, decrease = _tried(program, here, step, predicted, radius, penalty)
+        quadratic = model.plain if is_plain else model.augmented
+        new, decrease = _tried(program, quadratic, model.bend, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
             model = model.with_rejected(here, new)
@@ -470,6 +471,8 @@ def descend(
 
 def _tried(
     program: DescentProgram,
+    quadratic: tuple[Array, Array],
+    bend: float,
     here: Point,
     step: QuadraticStep,
     predicted: float,
@@ -484,10 +487,12 @@ def _tried(
     before = here.merit(penalty)
     new = Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
     decrease = before - new.merit(penalty)
-    if decrease > CORRECTED * predicted or new.violation < EXACT or not np.isfinite(new.value):
+    if decrease > CORRECTED * predicted or not new.linear.value.size or not np.isfinite(new.value):
         return new, decrease
     rows = LinearRows.stacked([here.limits(radius), new.linear.from_step((here.z - new.z).ravel())])
-    corrected = solve_step(np.eye(len(step.p)), -step.p, rows, radius, penalty, program.moving)
+    hessian, gradient = quadratic
+    slope = gradient + hessian @ step.p - bend * step.p
+    corrected = solve_step(bend * np.eye(len(step.p)), slope, rows, radius, penalty, program.moving)
     if corrected is not None:
         other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:

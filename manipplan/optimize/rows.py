@@ -180,6 +180,9 @@ MOST_PLACES = 80
 #: Joint step of the finite differences for second derivatives of a distance [rad or m]. At a distance of 0.05 mm the gradient
 #: turns within 1e-4.
 JOINT_STEP = 1e-6
+#: Largest eigenvalue of the second derivatives of a distance, times the radius of the step [m/rad]. Where corners of two bodies
+#: meet, a distance bends by its inverse, but only over a step as long as itself.
+MOST_TURN = 4.0
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 NEAR, LEAST_NEAR, MOST_NEAR = 1.0, 2e-3, 0.1
 #: Maximum number of places of a rejected path whose planes become rows, the nearest first.
@@ -236,6 +239,7 @@ class ClearanceSearch:
             search=self,
             samples=samples,
             pairs=samples.pairs[chosen],
+            radius=radius,
         )
 
 
@@ -247,11 +251,13 @@ class DistanceRows(NonlinearRows):
         search: source of the distances.
         samples: all that is near, of which these rows are the nearest.
         pairs: (r,) the pair of bodies of each row.
+        radius: of the steps that the rows are for [rad or m].
     """
 
     search: ClearanceSearch
     samples: ProximitySamples
     pairs: NDArray[np.intp]
+    radius: float
 
     @property
     def violation(self) -> float:
@@ -275,7 +281,9 @@ class DistanceRows(NonlinearRows):
         moved = (q[:, None] + JOINT_STEP * np.eye(n)).reshape(-1, n)
         found = self.search.model.witnesses(moved, np.repeat(self.pairs[rows], n))
         hessians = (found.gradients.reshape(m, n, n) - self.gradients[rows][:, None]) / JOINT_STEP
-        return np.asarray((hessians + hessians.transpose(0, 2, 1)) / 2)
+        values, vectors = np.linalg.eigh((hessians + hessians.transpose(0, 2, 1)) / 2)
+        values = np.clip(values, -MOST_TURN / self.radius, MOST_TURN / self.radius)
+        return np.asarray((vectors * values[:, None]) @ vectors.transpose(0, 2, 1))
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
         """Gradients of the distances of some rows, on the path and with each joint moved by a step.
