@@ -446,7 +446,7 @@ def descend(
                 return ended(count, Ending.CONVERGED)
             continue
         quadratic = model.plain if is_plain else model.augmented
-        new, decrease = _tried(program, quadratic, model.bend, here, step, predicted, radius, penalty)
+        new, decrease = _tried(program, quadratic, here, step, predicted, radius, penalty)
         size = float(np.abs(step.p).max())
         if decrease <= ACCEPTED * predicted:
             model = model.with_rejected(here, new)
@@ -472,7 +472,6 @@ def descend(
 def _tried(
     program: DescentProgram,
     quadratic: tuple[Array, Array],
-    bend: float,
     here: Point,
     step: QuadraticStep,
     predicted: float,
@@ -481,8 +480,9 @@ def _tried(
 ) -> tuple[Point, float]:
     """The point a step leads to, and the actual decrease of the merit function.
 
-    Where that point violates a limit or the clearance and the decrease is small, a second-order correction is tried: the step
-    nearest to it that keeps the rows from there. Its point is returned if it is better [nocedal2006, sec. 15.6].
+    Where the decrease is small a second-order correction is tried, with rows from that point: the step near the first one that
+    keeps them, and takes up the slack that distances leave where they grow faster than their rows. Its point is returned if it
+    is better [nocedal2006, sec. 15.6].
     """
     before = here.merit(penalty)
     new = Point.of(program, here.z + step.p.reshape(here.z.shape), radius)
@@ -491,8 +491,8 @@ def _tried(
         return new, decrease
     rows = LinearRows.stacked([here.limits(radius), new.linear.from_step((here.z - new.z).ravel())])
     hessian, gradient = quadratic
-    slope = gradient + hessian @ step.p - bend * step.p
-    corrected = solve_step(bend * np.eye(len(step.p)), slope, rows, radius, penalty, program.moving)
+    even = float(np.abs(np.diag(hessian)).max()) * np.eye(len(step.p))
+    corrected = solve_step(even, gradient + (hessian - even) @ step.p, rows, radius, penalty, program.moving)
     if corrected is not None:
         other = Point.of(program, here.z + corrected.p.reshape(here.z.shape), radius)
         if before - other.merit(penalty) > decrease:
