@@ -30,6 +30,8 @@ GRADIENT = 1e-3
 COMPLEMENTARITY = 1e-5
 #: ... and active clearances differ from the required one by at most this [m].
 ACTIVE = 1e-4
+#: No further descent is tried from an optimal path whose projected gradient is at most this share of GRADIENT.
+CLEAR = 0.2
 #: Joint limits that a step of this radius can reach are active [rad or m].
 LIMIT = 1e-6
 #: The gradient of a distance may be any convex combination of those at configurations whose joints differ by this from the
@@ -65,6 +67,11 @@ class Optimality:
         return bool(
             self.projected_gradient <= GRADIENT and self.complementarity <= COMPLEMENTARITY and self.active_clearance <= ACTIVE
         )
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether they are, and the gradient well so: then another descent hardly lowers g."""
+        return self.reached and self.projected_gradient <= CLEAR * GRADIENT
 
 
 #: For the only path of a basis, which has no unknowns.

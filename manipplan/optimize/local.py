@@ -69,8 +69,8 @@ class LowEnergy(NamedTuple):
 #: quadrature panels do not resolve g on the path reached, or when the first-order conditions do not hold and this one lowered g
 #: by more than the share SETTLED: a new trust region may get past a kink of the clearance where the last one became too small.
 DESCENTS, SETTLED = 8, 2e-4
-#: The tolerance of a descent from a path at which the first-order conditions did not hold, as a share of the usual one: where
-#: g bends much, as beside a singularity, a path may miss them although hardly more than the usual one is left to gain.
+#: The tolerance of a descent from a path at which the first-order conditions did not clearly hold, as a share of the usual one:
+#: where g bends much, as beside a singularity, a path may miss them although hardly more than the usual one is left to gain.
 FURTHER = 0.02
 #: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
@@ -535,7 +535,7 @@ class LocalSearch:
             candidate = candidate if agrees else replace(candidate, optimality=UNKNOWN)
             unresolved += not agrees
             moving = moving or unresolved >= UNRESOLVED
-            settled = optimality.reached or (best is not None and best.cost.g - cost.g <= SETTLED * cost.g)
+            settled = optimality.is_clear or (best is not None and best.cost.g - cost.g <= SETTLED * cost.g)
             # a confirmed optimum may have a slightly larger g
             worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
