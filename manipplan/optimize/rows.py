@@ -282,7 +282,8 @@ class DistanceRows(NonlinearRows):
         found = self.search.model.witnesses(moved, np.repeat(self.pairs[rows], n))
         hessians = (found.gradients.reshape(m, n, n) - self.gradients[rows][:, None]) / JOINT_STEP
         values, vectors = np.linalg.eigh((hessians + hessians.transpose(0, 2, 1)) / 2)
-        values = np.clip(values, -MOST_TURN / self.radius, MOST_TURN / self.radius)
+        most = MOST_TURN / max(self.radius, JOINT_STEP)
+        values = np.clip(values, -most, most)
         return np.asarray((vectors * values[:, None]) @ vectors.transpose(0, 2, 1))
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
