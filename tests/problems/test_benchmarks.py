@@ -232,6 +232,26 @@ def test_upright_ur5_gets_a_proven_and_optimised_motion():
     assert 0 < outcome.motion.over_seed < 1
 
 
+def test_ur5_reaches_out_of_a_cage_from_an_upright_start():
+    """The fit at an even pace spends nearly all of the path beside the singular start."""
+    ur5 = problems.robot("ur5")
+    problem = next(each for each in problems.load("ur5") if each.set == "cage" and each.number == 23)
+    plan = mp.plan(ur5, problem.start, problem.goal, problem.scene)
+    assert plan.status is mp.Status.OPTIMAL
+    assert plan.result.g < 0.5 * plan.result.seed_cost.g
+
+
+@pytest.mark.parametrize(("name", "number"), [("bookshelf_small", 71), ("cage", 51), ("table_under_pick", 71)])
+def test_descents_end_at_optima_at_kinks(name, number):
+    """The nearest features change along these paths; without a mixture of their gradients descents ended at 2e-3 to 2e-2."""
+    panda = problems.robot("panda")
+    problem = next(each for each in problems.load("panda") if each.set == name and each.number == number)
+    plan = mp.plan(panda, problem.start, problem.goal, problem.scene)
+    assert plan.status is mp.Status.OPTIMAL
+    again = mp.optimize_path(panda, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(initial=plan.path))
+    assert 1 - again.g / plan.result.g < 2e-5
+
+
 @pytest.mark.slow
 def test_twelve_first_paths_are_never_worse_than_one(tmp_path):
     made = first_paths.main(["--pairs", "1", "--out", str(tmp_path / "table.md")])

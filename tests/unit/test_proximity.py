@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.collision import proximity
@@ -115,6 +116,26 @@ def test_bottoms_are_the_nearest_places_of_their_brackets(through_a_post):
         distances = measured(search, curve, fine, np.full(len(fine), found.pairs[k]))
         inside = np.abs(fine - found.s[k]) < 0.4 / INTERVALS
         assert found.distances[k] <= distances[inside].min() + 1e-4  # depths of overlaps have several minima
+
+
+def test_bottoms_at_kinks_are_located(panda):
+    """The arm turns about its base past an edge of a box, at 0.1 mm: its distance is first to one face, then to the other."""
+    start, goal = np.array(START) * [0, 1, 1, 1, 1, 1, 1], np.array(START) * [0, 1, 1, 1, 1, 1, 1]
+    start[0], goal[0] = -0.43, 0.57
+    curve, dense = JointPath.line(start, goal).curve(), np.linspace(0.0, 1.0, 2001)
+    turned, radius = Rotation.from_euler("z", 45, degrees=True).as_matrix(), 1.2
+    for _ in range(12):  # towards the arm
+        box = mp.Box(size=(0.1, 0.1, 2.0), position=(radius, 0.0, 0.5), rotation=turned, name="post")
+        search = DistanceSearch(mp.Scene([box]).collision_model(panda))
+        pairs = [k for k, names in enumerate(search.model.pair_names) if "post" in names]
+        radius -= min(measured(search, curve, dense, np.full(len(dense), pair)).min() for pair in pairs) - 1e-4
+    found = search.find_near(curve, 0.0, 2e-3)
+    lowest = np.flatnonzero(found.is_bottom & np.isin(found.pairs, pairs))[0]
+    near = found.s[lowest] + np.linspace(-2e-3, 2e-3, 4001)
+    distances = measured(search, curve, near, np.full(len(near), found.pairs[lowest]))
+    slopes = np.diff(distances) / np.diff(near)
+    assert slopes[-1] > 0.05 and slopes[0] < -0.05, "no kink: this test needs another box"
+    assert 5e-5 < found.distances[lowest] <= distances.min() + 1e-9
 
 
 def test_there_is_room_for_many_near_places(through_a_post, monkeypatch):
