@@ -239,7 +239,7 @@ LITTLE, WINDOW = 0.1, 5
 #: A step is accepted when the actual decrease is more than this share of the predicted one. Up to the second share, a
 #: second-order correction is tried.
 ACCEPTED, CORRECTED = 1e-4, 0.75
-#: A violation below this is ignored by second-order corrections and by the update of ν [rad or m].
+#: A violation below this is ignored by the update of ν [rad or m].
 EXACT = 1e-9
 #: Smallest penalty parameter ν, which is also the first, in units of g per metre or radian.
 LEAST_PENALTY = 2.0
