@@ -5,6 +5,8 @@
 #include "parallel.h"
 #include "swivel.h"
 
+#define TAU 6.283185307179586
+
 enum { SPHERICAL, PARALLEL, SWIVEL };  /* solver of a closed form; as in form.py */
 
 /* A closed form of an arm, and its joint limits. */
@@ -266,5 +268,35 @@ void manipplan_first_ones(const double *q, const long *source, long count, long 
             while (j < n && fabs(q[n * k + j] - q[n * other + j]) < same) j++;
             keep[k] = j < n || !keep[other];
         }
+    }
+}
+
+/* Whether each of rows first ... last - 1 of q (., n) has one of rows others ... end - 1 within `spacing` (n); joints that turn are
+   compared up to full turns. */
+static int all_have_near(const double *q, long first, long last, long others, long end, long n, const char *turns,
+                         const double *spacing) {
+    for (long k = first; k < last; k++) {
+        long other = others;
+        for (; other < end; other++) {
+            long j = 0;
+            for (; j < n; j++) {
+                double d = fabs(q[n * k + j] - q[n * other + j]);
+                if (d >= spacing[j] && !(turns[j] && fabs(d - TAU * floor(d / TAU + 0.5)) < spacing[j])) break;
+            }
+            if (j == n) break;
+        }
+        if (other == end) return 0;
+    }
+    return 1;
+}
+
+/* Whether samples k and k + 1 of one owner are apart (count - 1): whether a solution of one has none of the other within `spacing`.
+   Sample k has rows start[k] ... start[k + 1] - 1 of q (., n). */
+void manipplan_apart(const double *q, const long *start, const long *owners, long count, long n, const char *turns,
+                     const double *spacing, char *apart) {
+    for (long k = 0; k + 1 < count; k++) {
+        long a = start[k], b = start[k + 1], c = start[k + 2];
+        apart[k] = owners[k] == owners[k + 1] &&
+                   !(all_have_near(q, a, b, b, c, n, turns, spacing) && all_have_near(q, b, c, a, b, n, turns, spacing));
     }
 }

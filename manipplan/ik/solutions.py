@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import as_float64, as_int64, ik_functions
+from manipplan.ik.bridge import as_bool, as_float64, as_int64, ik_functions
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline
@@ -292,6 +292,21 @@ def distinct(q: Array, source: NDArray[np.int64]) -> NDArray[np.int64]:
     q, source, keep = as_float64(q[order]), as_int64(source[order]), np.empty(len(order), dtype=np.bool_)
     ik_functions()["first_ones"](q.ctypes.data, source.ctypes.data, *q.shape, COINCIDENT, keep.ctypes.data)
     return order[keep]
+
+
+def apart(
+    q: Array, source: NDArray[np.int64], owners: NDArray[np.int64], turns: NDArray[np.bool_], spacing: Array
+) -> NDArray[np.bool_]:
+    """Whether neighbouring samples of one owner are apart, (s - 1,): a solution of one has none of the other within `spacing`.
+
+    q (k, n) are solutions in the order of their samples `source` (k,); owners (s,). Joints that turn, as `turns` (n,) says, are
+    compared up to full turns. spacing (n,) [rad or m].
+    """
+    start, owners = as_int64(np.searchsorted(source, np.arange(len(owners) + 1))), as_int64(owners)
+    q, spacing, turns, result = as_float64(q), as_float64(spacing), as_bool(turns), np.zeros(len(owners) - 1, dtype=np.bool_)
+    arrays = (q.ctypes.data, start.ctypes.data, owners.ctypes.data, len(owners), q.shape[1])
+    ik_functions()["apart"](*arrays, turns.ctypes.data, spacing.ctypes.data, result.ctypes.data)
+    return result
 
 
 def are_poses(poses: Array) -> bool:

@@ -25,9 +25,9 @@ from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
-from manipplan.search.layers import SPARE_CLEARANCE, STRIDE, choose_positions
+from manipplan.search.layers import SPARE_CLEARANCE, choose_positions
 from manipplan.search.max_min import SearchResult
-from manipplan.search.sampling import default_samples, sample_layers
+from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
@@ -47,8 +47,6 @@ from manipplan.tool_path.transit import TransitPlanner
 LEAST_RETREAT = 1e-3
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
-#: How many times as many samples are taken where those of the default do not connect, if they give at most MOST candidates.
-FINER, MOST = 10, 20_000_000
 
 
 @overload
@@ -234,6 +232,7 @@ def follow(
             scene=scene,
             clearance=clearance,
             spare=SPARE_CLEARANCE,
+            spacing=epsilon / 2,
             closed=closed,
             near=q_start,
             executor=executor,
@@ -252,13 +251,6 @@ def follow(
         wanted += f"; {hint}" if hint else ""
         raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
-    def make_finer(notify: Progress) -> ToolPathPlanner | None:
-        one = samples is None and len(sampler.solver.names) == 1 and FINER * planner.layers.count <= MOST
-        if positions is not None and not one:
-            return None
-        closer = positions if positions is not None else choose_positions(path, stride=STRIDE / 2, closed=closed)
-        return sampled(closer, FINER * default_samples(sampler.solver)[0] if one else samples, notify)
-
     kinematics = sampler.kinematics
     floor = floor_of(kinematics, objective.floor)
     integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
@@ -266,7 +258,7 @@ def follow(
     draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
     stands = q_start is not None and planner.is_at_start(q_start)
     begin = q_start if stands else None
-    parts = find_parts(planner, make_finer, epsilon, interruptions, part(notify, 0.4, 0.6), start=begin)
+    parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), refines=positions is None, start=begin)
     if isinstance(parts, SearchResult):
         planner_from_start = planner if begin is None else planner.starting_at(begin)
         prefix = "from the start, which is at the first pose of the path, " if stands else ""

@@ -95,11 +95,31 @@ def fewest_interruptions(
     return Interruptions(edges=middle, minimum=float(values[low]), others=tuple(others))
 
 
-def fewest_parts(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> int | None:
-    """The number of parts that `fewest_interruptions` finds, by one sweep; None where a step has no path."""
+@dataclass(frozen=True, kw_only=True)
+class Gaps:
+    """Where no path leads on through layers.
+
+    Attributes:
+        ranges: for each gap the first and the last of the positions between which it has to be closed: the next path leads to
+            the last one, and begins no earlier than beside the first one. Positions of a cycle count on beyond its last.
+        parts: the number of parts that `fewest_interruptions` finds; None where a single step has no path.
+    """
+
+    ranges: tuple[tuple[int, int], ...]
+    parts: int | None
+
+
+def find_gaps(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> Gaps:
+    """The gaps of a path through the layers, by one sweep; arguments as in `fewest_interruptions`."""
     with _search(layers, progress) as search:
-        edges = _edges(search.first_positions(Subset(), _reach(layers, epsilon, strict), "parts"), closed=layers.closed)
-    return len(edges) - 1 if edges else None
+        first = search.first_positions(Subset(), _reach(layers, epsilon, strict), "gaps")
+    edges = _edges(first, closed=layers.closed)
+    ranges, begin, end = list[tuple[int, int]](), 0, len(first) - 1
+    while (farthest := _farthest(first, begin)) < end:
+        beyond = farthest + 1
+        ranges.append((max(int(first[beyond]) - 1, 0), beyond))
+        begin = max(farthest, begin + 1)
+    return Gaps(ranges=tuple(ranges), parts=len(edges) - 1 if edges else None)
 
 
 @contextmanager

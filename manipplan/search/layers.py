@@ -20,7 +20,7 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from manipplan.search.sampling import CandidateSampler
+    from manipplan.search.sampling import CandidateSampler, PathSampling
 
 #: Default of the largest distance of the tool between two positions [m], weight of an angle in it [m/rad], and minimum number
 #: of positions.
@@ -121,7 +121,7 @@ class Layers:
         s: (L,) path parameter of each position, or None.
         poses: (L, 4, 4) pose reached at each position, or None.
         considered: total number of candidates, including those that were dropped.
-        sampler: the sampler that made them, or None.
+        sampling: how they were sampled, or None.
     """
 
     q: tuple[Array, ...]
@@ -131,7 +131,7 @@ class Layers:
     s: Array | None = None
     poses: Array | None = None
     considered: int = 0
-    sampler: "CandidateSampler | None" = None
+    sampling: "PathSampling | None" = None
 
     @classmethod
     def from_arrays(
@@ -177,6 +177,11 @@ class Layers:
         layers = cls(q=configurations, m=values, continuous=turning, closed=bool(closed), considered=count)
         layers._check_finite()
         return layers
+
+    @property
+    def sampler(self) -> "CandidateSampler | None":
+        """The sampler that made them, or None."""
+        return None if self.sampling is None else self.sampling.sampler
 
     @property
     def n(self) -> int:

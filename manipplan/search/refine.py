@@ -187,8 +187,8 @@ class _Refiner:
         around = np.linspace(-spread, spread, AROUND[min(parameters.shape[1], len(AROUND)) - 1])
         offsets = np.array(list(product(around, repeat=parameters.shape[1])))
         sets, values = [], []
-        for k, pose in enumerate(self.poses):
-            near, m, _ = self.sampler.sample(pose, parameters[k] + offsets)
+        sampled = self.sampler.sample(self.poses, [each + offsets for each in parameters])
+        for k, (near, m) in enumerate((each.q, each.m) for each in sampled):
             step = steps_between(q[k], near, self.layers.continuous)
             beside = np.abs(step).max(axis=1) < (10 * spread if k or not self.hold_start else 0.0)
             sets.append(np.vstack([q[k], q[k] + step[beside]]))

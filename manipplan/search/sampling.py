@@ -6,26 +6,29 @@ CandidateSampler: the candidates of one position, in this process or another one
 import math
 import pickle
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.scene import Scene
 from manipplan.ik.form import CHUNK
 from manipplan.ik.nearest import Nearest, millimetres_hint, nearest_to
-from manipplan.ik.solver import Solver
+from manipplan.ik.solutions import apart
+from manipplan.ik.solver import Found, Solver
 from manipplan.kinematics.batch import all_cores
 from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers, check_positions, count_positions
+from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.processes.workers import usable_memory
@@ -34,6 +37,15 @@ from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:
     from manipplan.ik.solver import Solver
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PositionSample:
+    """The candidates q (k, n) of one position, their manipulability m (k,), and how many there were before checks."""
+
+    q: Array
+    m: Array
+    reached: int
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,6 +68,10 @@ class SamplingSpec:
         return self.scene.collision_model(self.robot) if self.collisions else None
 
 
+#: Number of samples whose configurations one job finds, and of configurations that are checked for collisions together.
+JOB, BLOCK = 8192, 65536
+#: How often the distance between two samples is halved where their solutions are apart.
+HALVINGS = 7
 #: Default number of samples per parameter, for one, two, three, ... parameters. For three and more it is smaller, but at least
 #: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
@@ -89,6 +105,7 @@ def sample_layers(
     collisions: bool = True,
     clearance: float = 0.0,
     spare: float = 0.0,
+    spacing: ArrayLike | None = None,
     closed: bool = False,
     near: ArrayLike | None = None,
     executor: Executor | None = None,
@@ -116,6 +133,9 @@ def sample_layers(
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
         clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
         spare: distance [m] beyond the clearance that candidates keep, for the motion between positions.
+        spacing: of an arm with one parameter, samples are added where a solution has none at the next sample whose joints all
+            differ by less [rad or m], one number or (n,): where a branch of solutions turns back, ends, or moves fast. So
+            branches that meet between two samples are connected. None: the grid stays as it is.
         closed: whether the path returns to its start, so that the motion has to as well.
         near: (n,) a configuration in which the motion may begin; of an arm with several parameters, values of them around those
             of this configuration are added at every position.
@@ -152,6 +172,7 @@ def sample_layers(
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidInputError("executor", executor, "a concurrent.futures.Executor, or None")
     notify = as_callback(progress)
+    between = None if spacing is None else check_epsilon(spacing, robot.continuous_joints, "spacing")
     allowed = number("memory", memory, above=0.0) if memory is not None else MEMORY * usable_memory()
     sampler = CandidateSampler(spec)
     n = count_positions(positions)
@@ -164,38 +185,98 @@ def sample_layers(
     if samples is None and len(sampler.solver.names) > 2 and share * len(values) * n > ENOUGH:
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
         values = sampler.solver.grid(max(most, FEWEST), usual, poses)
-    sets = [values] * n
-    if samples is None:  # a motion through whole poses is among those with a free motion
-        sets = [np.vstack([values, each]) for each in sampler.solver.whole_poses(usual, poses)]
+    near_values = np.zeros((0, len(sampler.solver.names)))
     if near is not None and len(sampler.solver.names) > 1:
         q = finite_array("near", near, (robot.n,))
-        here = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
-        sets = [np.vstack([each, here]) for each in sets]
-    _check_memory(sampler, n, values, share * sum(map(len, sets)), allowed)
-    with ExitStack() as stack:
-        run = executor if executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
-        jobs = {run.submit(sampler.sample, *each): k for k, each in enumerate(zip(poses, sets, strict=True))}
-        stack.callback(lambda: [job.cancel() for job in jobs])
-        layers: dict[int, tuple[Array, Array]] = {}
-        for job in as_completed(jobs):
-            k = jobs[job]
-            q, m, reached = job.result()
-            if not len(q):
-                position = f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})"
-                raise _no_candidate(position, sampler, poses[k], values, reached)
-            layers[k] = q, m
-            found = sum(len(m) for _, m in layers.values())
-            notify(len(layers) / n, f"sampling positions: {found:,} candidates")
+        near_values = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
+    _check_memory(sampler, n, values, share * n * (len(values) + len(near_values)), allowed)
+    sampling = PathSampling(
+        sampler=sampler,
+        path=path,
+        values=values,
+        near=near_values,
+        whole=usual if samples is None else None,
+        spacing=between,
+        executor=executor,
+    )
+    found = sampling.at(poses, lambda k: f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})", notify)
     return Layers(
-        q=tuple(layers[k][0] for k in range(n)),
-        m=tuple(layers[k][1] for k in range(n)),
+        q=tuple(each.q for each in found),
+        m=tuple(each.m for each in found),
         continuous=robot.continuous_joints,
         closed=closed,
         s=s,
         poses=poses,
-        considered=sum(map(len, sets)),
-        sampler=sampler,
+        considered=sum(map(len, sampling.sets(poses))),
+        sampling=sampling,
     )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PathSampling:
+    """How the positions of one path are sampled, so that more of them can be.
+
+    Attributes:
+        sampler: finds the candidates of a position.
+        path: of the tool.
+        values: (s, r) parameters of redundancy that are tried at each position.
+        near: (k, r) more of them, near a given configuration.
+        whole: default numbers of samples, where samples that keep the whole pose are added; else None.
+        spacing, executor: as in `sample_layers`.
+    """
+
+    sampler: "CandidateSampler"
+    path: CartesianPath
+    values: Array
+    near: Array
+    whole: Sequence[int] | None
+    spacing: Array | None
+    executor: Executor | None
+
+    def sets(self, poses: Array) -> list[Array]:
+        """The parameters (s, r) that are tried at each of poses (p, 4, 4)."""
+        sets = [np.vstack([self.values, self.near])] * len(poses)
+        if self.whole is None:
+            return sets
+        # a motion through whole poses is among those with a free motion
+        whole = self.sampler.solver.whole_poses(self.whole, poses)
+        return [np.vstack([each, more]) if len(more) else each for each, more in zip(sets, whole, strict=True)]
+
+    def at(self, poses: Array, name: Callable[[int], str], notify: Progress) -> "list[PositionSample]":
+        """The candidates at poses (p, 4, 4), called name(k) in the error that says why there are none."""
+        sets, found = self.sets(poses), dict[int, PositionSample]()
+        with ExitStack() as stack:
+            run = self.executor if self.executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
+            count = max(1, min(JOB // max(map(len, sets)), -(-len(poses) // (4 * all_cores()))))
+            blocks = [slice(k, k + count) for k in range(0, len(poses), count)]
+            jobs = {run.submit(self.sampler.sample, poses[each], sets[each], self.spacing): each.start for each in blocks}
+            stack.callback(lambda: [job.cancel() for job in jobs])
+            for job in as_completed(jobs):
+                for k, each in enumerate(job.result(), jobs[job]):
+                    if not len(each.q):
+                        raise _no_candidate(name(k), self.sampler, poses[k], self.values, each.reached)
+                    found[k] = each
+                candidates = sum(len(each.m) for each in found.values())
+                notify(len(found) / len(poses), f"sampling positions: {candidates:,} candidates")
+        return [found[k] for k in range(len(poses))]
+
+    def halved(self, layers: Layers, intervals: NDArray[np.int64], notify: Progress) -> Layers:
+        """The layers with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
+        assert layers.s is not None and layers.poses is not None
+        middle = (layers.s[intervals] + np.append(layers.s[1:], 1.0)[intervals]) / 2
+        poses = self.path(middle)
+        found = iter(self.at(poses, lambda k: f"path, s = {middle[k]:.6g}", notify))
+        q, m = list(layers.q), list(layers.m)
+        for k, each in zip(intervals[::-1] + 1, reversed(list(found)), strict=True):
+            q.insert(k, each.q)
+            m.insert(k, each.m)
+        return replace(
+            layers,
+            q=tuple(q),
+            m=tuple(m),
+            s=np.insert(layers.s, intervals + 1, middle),
+            poses=np.insert(layers.poses, intervals + 1, poses, axis=0),
+        )
 
 
 def _offsets(parameters: int) -> Array:
@@ -257,7 +338,7 @@ def _share_found(sampler: "CandidateSampler", poses: Array, values: Array, allow
     rng = np.random.default_rng(0)
     some = values[rng.choice(len(values), min(PROBE, len(values)), replace=False)]
     few = np.unique(np.linspace(0, len(poses) - 1, PROBES).astype(int))
-    return float(np.mean([len(sampler.sample(poses[k], some)[0]) / len(some) for k in few]))
+    return float(np.mean([len(sampler.sample(poses[k : k + 1], [some])[0].q) / len(some) for k in few]))
 
 
 def _check_memory(sampler: "CandidateSampler", positions: int, values: Array, candidates: float, allowed: float) -> None:
@@ -291,15 +372,64 @@ class CandidateSampler:
     def __reduce__(self) -> tuple[object, ...]:
         return _sampler_of, (pickle.dumps(self.spec),)
 
-    def sample(self, pose: Array, values: Array) -> tuple[Array, Array, int]:
-        """Candidates q (k, n) that reach `pose` for parameters (s, r), manipulability (k,), and the number before checks."""
-        blocks, reached = [np.zeros((0, self.spec.robot.n))], 0
-        for some in _blocks(values):
-            q = self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q
-            reached += len(q)
-            blocks.append(q[self.free(q)])
-        _, q = self.solver.with_turns(np.concatenate(blocks))  # full turns change no collisions
-        return q, self.kinematics.manipulability(q), reached
+    def sample(self, poses: Array, sets: Sequence[Array], spacing: Array | None = None) -> "list[PositionSample]":
+        """The candidates of each of poses (p, 4, 4) for its parameters, sets[k] (s, r); see `sample_layers` for `spacing`."""
+        owners, values = np.repeat(np.arange(len(poses)), [len(each) for each in sets]), np.concatenate(sets)
+        found = self._solve(poses, owners, values)
+        if spacing is not None and len(self.solver.names) == 1 and self.solver.form is not None:
+            owners, found = self._fill(poses, owners, values, found, spacing)
+        of = owners[found.source]
+        free = np.concatenate([self.free(found.q[begin : begin + BLOCK]) for begin in range(0, max(len(found.q), 1), BLOCK)])
+        rows, q = self.solver.with_turns(found.q[free])  # full turns change no collisions
+        order = np.argsort(of[free][rows], kind="stable")
+        q, m = q[order], self.kinematics.manipulability(q)[order]
+        reached = np.bincount(of, minlength=len(poses))
+        ends = np.cumsum(np.bincount(of[free][rows], minlength=len(poses)))[:-1]
+        every = zip(np.split(q, ends), np.split(m, ends), reached.tolist(), strict=True)
+        return [PositionSample(q=np.ascontiguousarray(q), m=m, reached=reached) for q, m, reached in every]
+
+    def _solve(self, poses: Array, owners: NDArray[np.int64], values: Array) -> Found:
+        blocks = [slice(begin, begin + CHUNK) for begin in range(0, len(values), CHUNK)]
+        found = [self.solver.solve_once(poses, owners[each], values[each]) for each in blocks]
+        source = [each.source + block.start for each, block in zip(found, blocks, strict=True)]
+        return Found(
+            q=np.concatenate([each.q for each in found]),
+            source=np.concatenate(source),
+            residual=np.concatenate([each.residual for each in found]),
+        )
+
+    def _fill(
+        self, poses: Array, owners: NDArray[np.int64], values: Array, found: Found, spacing: Array
+    ) -> tuple[NDArray[np.int64], Found]:
+        """More samples of the one parameter where solutions of neighbouring values are farther apart than `spacing` (n,).
+
+        These are the values at which a branch begins, turns back, or moves fast. Intervals are halved up to HALVINGS times.
+        """
+        turns = self.spec.robot.turns
+        finest = np.inf
+        for _ in range(HALVINGS + 1):
+            order = np.lexsort((values[:, 0], owners))
+            place = np.empty_like(order)
+            place[order] = np.arange(len(order))
+            owners, values = owners[order], values[order]
+            source = place[found.source]
+            rows = np.argsort(source, kind="stable")
+            found = Found(q=found.q[rows], source=source[rows], residual=found.residual[rows])
+            widths = np.diff(values[:, 0])
+            if finest == np.inf:
+                finest = float(np.median(widths)) / 2**HALVINGS * 1.5
+            wide = np.flatnonzero(apart(found.q, found.source, owners, turns, spacing) & (widths > finest))
+            if not len(wide):
+                break
+            middle, own = (values[wide] + values[wide + 1]) / 2, owners[wide]
+            more = self._solve(poses, own, middle)
+            found = Found(
+                q=np.concatenate([found.q, more.q]),
+                source=np.concatenate([found.source, more.source + len(values)]),
+                residual=np.concatenate([found.residual, more.residual]),
+            )
+            owners, values = np.concatenate([owners, own]), np.concatenate([values, middle])
+        return owners, found
 
     def free(self, q: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
         """Which rows of q (k, n) keep the clearance, (k,)."""

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.ik.newton import MovingArm
@@ -122,6 +123,12 @@ class ToolPathPlanner:
             q = moved[0]
             found.append(moved)
         return np.concatenate(found)
+
+    def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
+        """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
+        assert self.layers.sampling is not None
+        layers = self.layers.sampling.halved(self.layers, intervals, progress)
+        return replace(self, layers=layers.inside(self._sampler.spec.robot.limits))
 
     def beside(self, model: CollisionModel, joints: Sequence[int], q: Array, clearance: float) -> "ToolPathPlanner":
         """The same with only the candidates, of `joints` of a robot, that are free where its others are as in q (L, n).

@@ -3,7 +3,7 @@
 The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -18,10 +18,9 @@ from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.interruptions import fewest_interruptions, fewest_parts
+from manipplan.search.interruptions import Gaps, fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
@@ -45,62 +44,74 @@ class FoundPart:
     found: SearchResult
 
 
-#: Makes the planner of a path again with finer samples; None where there are none. Raises InvalidInputError where they are not
-#: possible, since more positions show a place out of reach or beside a body, or more samples need too much memory.
-MakeFiner = Callable[[Progress], ToolPathPlanner | None]
+#: How often the distance between positions is halved where no motion leads on, and where not even one step does.
+HALVED, HALVED_STEP = 3, 6
+#: Maximum number of candidates up to which positions are added.
+MOST = 20_000_000
+
+
+def connect(
+    planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
+) -> tuple[ToolPathPlanner, Gaps]:
+    """The planner with as many more positions as a motion along the path needs, and the gaps that are left.
+
+    Positions are added where a gap has to be closed, until there is none or they are as close as they may be.
+    """
+    depth = np.zeros(len(planner.layers.q) - (not planner.layers.closed), dtype=np.int64)
+    while True:
+        begun = planner if start is None else planner.starting_at(start)
+        gaps = find_gaps(begun.layers, epsilon)
+        wide = np.zeros(len(depth), dtype=np.bool_)
+        for first, last in gaps.ranges:
+            span = np.arange(first, last) % len(depth)
+            wide[span] |= depth[span] < (HALVED_STEP if last - first == 1 else HALVED)
+        intervals = np.flatnonzero(wide)
+        if not len(intervals) or planner.layers.count * (1 + wide.mean()) > MOST:
+            return planner, gaps
+        notify(0.0, f"halving {len(intervals)} distances between positions")
+        planner = planner.halved(intervals, silent)
+        depth[intervals] += 1
+        depth = np.insert(depth, intervals + 1, depth[intervals])
 
 
 def find_parts(
     planner: ToolPathPlanner,
-    make_finer: MakeFiner,
     epsilon: ArrayLike,
     most: int,
     notify: Progress,
     *,
+    refines: bool = True,
     start: Array | None = None,
 ) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first.
 
-    Where no motion through the samples is continuous, finer ones are tried before the path is cut.
-
     Args:
         planner: of motions along the whole path.
-        make_finer: see MakeFiner.
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
         notify: called with the share done.
+        refines: whether positions are added where no motion through the given ones is continuous.
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
     """
-    tried: list[ToolPathPlanner] = []
-    no_finer = ""
-    for k, make in enumerate((lambda _: planner, make_finer)):
-        try:
-            each = make(part(notify, 0.2, 0.5))
-        except InvalidInputError as error:  # about positions and samples that the caller did not give
-            no_finer, each = f"; finer samples: {error}", None
-        if each is None:
-            continue
-        begun = each if start is None else each.starting_at(start)
-        search = part(notify, 0.5 * k, 0.5 * k + 0.2)
-        found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=search)
-        if found.connected:
-            return iter([[FoundPart(s_begin=0.0, s_end=1.0, planner=begun, found=found)]])
-        tried.append(each if each.layers.closed else begun)
-    counts = [(fewest_parts(each.layers, epsilon, progress=part(notify, 0.7, 0.8)), each) for each in tried]
-    possible = [(parts, each) for parts, each in counts if parts is not None]
-    if not possible:
-        found = _unconnected(planner, epsilon, start)
-        return replace(found, message=found.message + no_finer)
-    parts, best = min(possible, key=lambda each: each[0])
+    if refines:
+        planner, _ = connect(planner, epsilon, part(notify, 0.0, 0.5), start=start)
+    begun = planner if start is None else planner.starting_at(start)
+    found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.5, 0.7))
+    if found.connected:
+        return iter([[FoundPart(s_begin=0.0, s_end=1.0, planner=begun, found=found)]])
+    best = planner if planner.layers.closed else begun
+    parts = find_gaps(best.layers, epsilon).parts
+    if parts is None:
+        return _unconnected(planner, epsilon, start)
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         found = _unconnected(planner, epsilon, start)
-        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}{no_finer}")
+        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.8, 0.9))
     return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
 
