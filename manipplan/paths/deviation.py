@@ -74,11 +74,41 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
     wide = np.pad(sizes, ((0, 0), (1, 1)))
     room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
-    middles = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2
-    away = np.linalg.norm(poses[:, None, :3, 3] - middles, axis=2) - sizes[0] / 2 - room[0]
-    # what is not beside a piece is compared with it only where it is beside none
-    near = (away <= BESIDE) | (away > BESIDE).all(axis=1)[:, None] | bool(free.names)
-    rows, pieces = np.nonzero(near)
+    near = _least_beyond(given, turns, sizes, room, poses, free) <= BESIDE
+    position, rotation = _beyond_pieces(near, given, room, poses, free)
+    # what is farther away than that from the pieces beside it is compared with all
+    far = np.flatnonzero(~(position + RADIAN * rotation <= BESIDE))
+    if len(far):
+        every = np.ones((len(far), len(turns)), dtype=np.bool_)
+        position[far], rotation[far] = _beyond_pieces(every, given, room, poses[far], free)
+    return position, rotation
+
+
+def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
+    """Lower bounds (k, n - 1) on how far poses (k, 4, 4) are outside the neighbourhoods of pieces [m], angles counted in."""
+    from scipy.spatial.transform import Rotation
+
+    least = np.zeros((len(poses), len(turns)))
+    if not (free.in_tool and len(free.shifts)):
+        fixed = free.fixed_directions.T
+        middles = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2
+        apart = np.sqrt(_squares(poses[:, :3, 3] @ fixed, middles @ fixed))
+        least += np.maximum(apart - sizes[0] / 2 - room[0], 0.0)
+    if free.turns is not Turns.ANY:
+        middle = given[:-1, :3, :3] @ Rotation.from_rotvec(turns / 2).as_matrix()
+        chords = _squares(free.directions(poses[:, :3, :3]), free.directions(middle))
+        chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
+        apart = 2 * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
+        least += RADIAN * np.maximum(apart - sizes[1] / 2 - room[1], 0.0)
+    return least
+
+
+def _beyond_pieces(pairs: NDArray[np.bool_], given: Array, room: Array, poses: Array, free: FreeMotion) -> tuple[Array, Array]:
+    """How far poses (k, 4, 4) are outside the nearest neighbourhood of those pieces that `pairs` (k, n - 1) names.
+
+    In [m] and [rad], (k,) each; inf where it names none.
+    """
+    rows, pieces = np.nonzero(pairs)
     found = np.empty((2, len(rows)))
     for begin in range(0, len(rows), PAIRS):
         row, piece = rows[begin : begin + PAIRS], pieces[begin : begin + PAIRS]
@@ -86,8 +116,10 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
         _, rotation = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=1e6)
         found[:, begin : begin + PAIRS] = np.maximum(np.array([position, rotation]) - room[:, piece], 0.0)
     order = np.lexsort((found[0] + RADIAN * found[1], rows))
-    best = order[np.unique(rows, return_index=True)[1]]
-    return found[0, best], found[1, best]
+    own, first = np.unique(rows, return_index=True)
+    least = np.full((2, len(poses)), np.inf)
+    least[:, own] = found[:, order[first]]
+    return least[0], least[1]
 
 
 def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
