@@ -5,8 +5,11 @@ level t. Constraints: m(x_i) >= t, pose rows within the tolerance, steps within 
 solved inside a trust region around the current path, where the linearisation holds.
 """
 
+from dataclasses import dataclass
+
 import casadi as ca
 import numpy as np
+from scipy import sparse
 
 from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics
@@ -60,20 +63,38 @@ class LevelProgram:
         slopes = ca.MX.sym("slopes", n * ROWS, positions)
         scale = ca.MX.sym("scale")
         weight = ca.MX.sym("weight")
-        m = kinematics.symbolic.manipulability.map(positions)(x) / scale
-        error = self.rows.error.map(positions)(x, poses)
         winding = ca.MX.sym("winding", n)
-        following = ca.horzcat(x[:, 1:], x[:, 0] + winding) if closed else x[:, 1:]
-        steps = following - (x if closed else x[:, :-1])
-        distances = ca.horzcat(*(ca.reshape(slopes[:, i], n, ROWS).T @ (x[:, i] - about[:, i]) for i in range(positions)))
+        level = _derivatives(kinematics)
+        m, slopes_of_m, error, slopes_of_error = level.first.map(positions)(x, poses)
+        ends = ca.horzcat(x[:, 1:], x[:, 0] + winding) if closed else x[:, 1:]
+        steps = ends - (x if closed else x[:, :-1])
+        turned = [ca.reshape(each, n, ROWS).T for each in ca.horzsplit(slopes)]
+        distances = [rows @ (x[:, k] - about[:, k]) for k, rows in enumerate(turned)]
         self._steps = positions if closed else positions - 1
+        unknowns = ca.vertcat(ca.vec(x), t)
+        parameters = ca.vertcat(ca.vec(about), ca.vec(poses), ca.vec(slopes), winding, scale, weight)
+        shorter = weight / max(self._steps, 1)
         nlp = {
-            "x": ca.vertcat(ca.vec(x), t),
-            "p": ca.vertcat(ca.vec(about), ca.vec(poses), ca.vec(slopes), winding, scale, weight),
-            "f": (weight - 1) * t + weight * ca.sumsqr(steps) / max(self._steps, 1),
-            "g": ca.vertcat(m.T - t, ca.vec(error), ca.vec(steps), ca.vec(distances)),
+            "x": unknowns,
+            "p": parameters,
+            "f": (weight - 1) * t + shorter * ca.sumsqr(steps),
+            "g": ca.vertcat(m.T / scale - t, ca.vec(error), ca.vec(steps), ca.vertcat(*distances)),
         }
+        # the derivatives block by block: CasADi's own take twenty times as long
+        differences = _differences(n, positions, closed=closed)
+        none = ca.MX(differences.shape[0] + (self.rows.count + ROWS) * positions, 1)
+        jacobian = ca.vertcat(
+            _diagonal(slopes_of_m, n) / scale, _diagonal(slopes_of_error, n), ca.MX(differences), ca.diagcat(*turned)
+        )
+        jacobian = ca.horzcat(jacobian, ca.vertcat(-ca.MX.ones(positions, 1), none))
+        factors, weights = ca.MX.sym("factors", nlp["g"].shape[0]), ca.MX.sym("weight of f")
+        of_error = ca.reshape(factors[positions : positions * (1 + self.rows.count)], self.rows.count, positions)
+        curved = level.second.map(positions)(x, poses, factors[:positions].T / scale, of_error)
+        squares = 2 * weights * shorter * ca.MX(differences.T @ differences)
+        hessian = ca.diagcat(_diagonal(curved, n) + squares, ca.MX(1, 1))
         options = {
+            "jac_g": ca.Function("jac_g", [unknowns, parameters], [nlp["g"], jacobian]),
+            "hess_lag": ca.Function("hess_lag", [unknowns, parameters, weights, factors], [ca.triu(hessian)]),
             "print_time": False,
             "error_on_fail": False,
             "ipopt": {
@@ -139,6 +160,45 @@ class LevelProgram:
         )
         x = np.asarray(result["x"]).ravel()
         return x[:-1].reshape(q.shape), float(x[-1]) * scale
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LevelDerivatives:
+    """What the program needs of one position, of configuration q (n,) and pose (16,).
+
+    Attributes:
+        first: manipulability, its gradient (1, n), pose rows (rows,), their Jacobian (rows, n).
+        second: of weights (1,) and (rows,) of manipulability and pose rows, the Hessian (n, n) of their weighted sum.
+    """
+
+    first: ca.Function
+    second: ca.Function
+
+
+@once_per_owner
+@making_expressions()
+def _derivatives(kinematics: Kinematics) -> LevelDerivatives:
+    symbolic, q, pose = kinematics.symbolic, ca.SX.sym("q", kinematics.robot.n), ca.SX.sym("pose", 16)
+    error = pose_error(kinematics)(q, pose)
+    of_m, of_error = ca.SX.sym("of_m"), ca.SX.sym("of_error", error.shape[0])
+    dense = [ca.densify(e) for e in (symbolic.manipulability(q), symbolic.gradient(q).T, error, ca.jacobian(error, q))]
+    hessian = ca.densify(of_m * symbolic.hessian(q) + ca.hessian(ca.dot(of_error, error), q)[0])
+    return LevelDerivatives(
+        first=ca.Function("first", [q, pose], dense), second=ca.Function("second", [q, pose, of_m, of_error], [hessian])
+    )
+
+
+def _diagonal(blocks: ca.MX, n: int) -> ca.MX:
+    """The block-diagonal matrix of blocks (r, n) that stand beside each other."""
+    return ca.diagcat(*ca.horzsplit(blocks, n))
+
+
+def _differences(n: int, positions: int, *, closed: bool) -> ca.DM:
+    """The matrix of the steps between configurations (n, positions), column by column."""
+    along = ca.DM(sparse.eye(positions, k=1) - sparse.eye(positions)) if positions > 1 else ca.DM(1, 1)
+    if closed and positions > 1:
+        along[-1, 0] = 1.0
+    return ca.kron(along if closed else along[:-1, :], ca.DM.eye(n))
 
 
 @making_expressions()
