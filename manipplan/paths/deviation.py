@@ -13,10 +13,12 @@ from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 
 #: Number of poses on the path.
 POSES = 2001
+#: Number of poses between two knots of a path at least, and of poses of a path that may be the nearest one.
+BETWEEN_KNOTS, CANDIDATES = 4, 16
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
 BESIDE = 1e-3
-#: Number of tool poses compared at a time, and of pairs of a pose and a piece.
-BLOCK, PAIRS = 256, 10_000
+#: Number of tool poses compared at a time, of pairs of a pose and a piece, and of pairs of which distances are estimated.
+BLOCK, PAIRS, MOST_PAIRS = 256, 10_000, 1_000_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,11 +59,13 @@ def deviation_from(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING
 def deviations(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
-    Each pose is compared with the nearest of 2000 pieces of the path.
+    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
-    return distances_from(path.sample(POSES), poses, free)
+    counts = np.maximum(BETWEEN_KNOTS, np.ceil((POSES - 1) * np.diff(path.knots)).astype(np.int64))
+    ends = np.concatenate([[0], np.cumsum(counts)])
+    return distances_from(path(np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free)
 
 
 def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
@@ -74,13 +78,21 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
     wide = np.pad(sizes, ((0, 0), (1, 1)))
     room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
-    near = _least_beyond(given, turns, sizes, room, poses, free) <= BESIDE
-    position, rotation = _beyond_pieces(near, given, room, poses, free)
-    # what is farther away than that from the pieces beside it is compared with all
-    far = np.flatnonzero(~(position + RADIAN * rotation <= BESIDE))
-    if len(far):
-        every = np.ones((len(far), len(turns)), dtype=np.bool_)
-        position[far], rotation[far] = _beyond_pieces(every, given, room, poses[far], free)
+    position, rotation = np.full(len(poses), np.inf), np.full(len(poses), np.inf)
+    if not (free.in_tool and len(free.shifts)):
+        first, _ = _nearest(poses, given, free)
+        pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
+        position, rotation = _beyond_pieces(np.tile(np.arange(len(poses)), 3), pieces, given, room, poses, free)
+    # a pose outside the neighbourhoods of the nearest pieces is compared with all that may be nearer than BESIDE, or with all
+    outside = np.flatnonzero(position + RADIAN * rotation > 0)
+    step = max(1, MOST_PAIRS // len(turns))
+    for some in (outside[begin : begin + step] for begin in range(0, len(outside), step)):
+        near = _least_beyond(given, turns, sizes, room, poses[some], free) <= BESIDE
+        rows, pieces = np.nonzero(near)
+        position[some], rotation[some] = _beyond_pieces(rows, pieces, given, room, poses[some], free)
+        left = some[~(position[some] + RADIAN * rotation[some] <= BESIDE)]
+        rows, pieces = np.nonzero(np.ones((len(left), len(turns))))
+        position[left], rotation[left] = _beyond_pieces(rows, pieces, given, room, poses[left], free)
     return position, rotation
 
 
@@ -103,12 +115,13 @@ def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: 
     return least
 
 
-def _beyond_pieces(pairs: NDArray[np.bool_], given: Array, room: Array, poses: Array, free: FreeMotion) -> tuple[Array, Array]:
-    """How far poses (k, 4, 4) are outside the nearest neighbourhood of those pieces that `pairs` (k, n - 1) names.
+def _beyond_pieces(
+    rows: NDArray[np.intp], pieces: NDArray[np.intp], given: Array, room: Array, poses: Array, free: FreeMotion
+) -> tuple[Array, Array]:
+    """How far poses (k, 4, 4) are outside the nearest neighbourhood of pieces (p,), each paired with one of `rows` (p,).
 
-    In [m] and [rad], (k,) each; inf where it names none.
+    In [m] and [rad], (k,) each; inf where there is none.
     """
-    rows, pieces = np.nonzero(pairs)
     found = np.empty((2, len(rows)))
     for begin in range(0, len(rows), PAIRS):
         row, piece = rows[begin : begin + PAIRS], pieces[begin : begin + PAIRS]
@@ -116,7 +129,7 @@ def _beyond_pieces(pairs: NDArray[np.bool_], given: Array, room: Array, poses: A
         _, rotation = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=1e6)
         found[:, begin : begin + PAIRS] = np.maximum(np.array([position, rotation]) - room[:, piece], 0.0)
     order = np.lexsort((found[0] + RADIAN * found[1], rows))
-    own, first = np.unique(rows, return_index=True)
+    own, first = np.unique(rows[order], return_index=True)
     least = np.full((2, len(poses)), np.inf)
     least[:, own] = found[:, order[first]]
     return least[0], least[1]
@@ -127,34 +140,62 @@ def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tup
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
-        pieces = [np.clip(k + side, 0, len(line) - 2) for k in _nearest(some, line, free) for side in (-1, 0)]
-        found = np.array([_from_piece(some, line[k], line[k + 1], free) for k in pieces])  # (4, 2, …)
+        first, other = _nearest(some, line, free)
+        pieces = [np.clip(k, 0, len(line) - 2) for k in (first - 1, first, first + 1, other - 1, other, other + 1)]
+        found = np.array([_from_piece(some, line[k], line[k + 1], free) for k in pieces])  # (6, 2, …)
         best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
         position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = found[best, :, np.arange(len(some))].T
     return position, rotation
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The nearest of the poses (m, 4, 4) on a path to each of poses (k, 4, 4), and the next one not beside it; (k,) each.
+    """The nearest piece between poses (m, 4, 4) of a path to each of poses (k, 4, 4), and the next one not near it; (k,) each.
 
     Where a path closes or meets itself, rounding decides which of the two is nearer.
     """
-    middle = line[:, :3, 3].mean(axis=0)  # the squares of small vectors lose fewer digits
-    there, here = poses[:, :3, 3] - middle, line[:, :3, 3] - middle
-    if free.in_tool:
-        fixed = free.fixed_directions @ np.swapaxes(line[:, :3, :3], 1, 2)  # (m, c, 3)
-        apart = np.einsum("mci,ki->kmc", fixed, there) - np.einsum("mci,mi->mc", fixed, here)
-        squares = (apart**2).sum(axis=2)
+    rows, last = np.arange(len(poses)), len(line) - 2
+    if free.in_tool and len(free.shifts):  # what counts of a position depends on the pose of the path
+        pieces = np.broadcast_to(np.arange(last + 1), (len(poses), last + 1))
+        of_ends = np.concatenate([_apart(poses[k : k + 1], line[None], free) for k in range(len(poses))])
+        apart = np.minimum(of_ends[:, :-1], of_ends[:, 1:])
     else:
-        fixed = free.fixed_directions
-        squares = _squares(there @ fixed.T, here @ fixed.T)
-    chords = _squares(*(free.directions(each[:, :3, :3]) for each in (poses, line)))
+        pieces, apart = _piece_distances(_vectors(poses, free), _vectors(line, free), len(free.fixed_directions))
+    first = pieces[rows, apart.argmin(axis=1)]
+    apart[np.abs(pieces - first[:, None]) <= 2] = np.inf
+    return first, pieces[rows, apart.argmin(axis=1)]
+
+
+def _piece_distances(vectors: Array, line: Array, moves: int) -> tuple[NDArray[np.intp], Array]:
+    """Pieces (k, c) of a line (m, d) that may be the nearest to each of vectors (k, d), and their distances.
+
+    The first `moves` columns are positions, the others angles, whose distances are added.
+    """
+    from scipy.spatial import cKDTree
+
+    ends = np.asarray(cKDTree(line).query(vectors, k=min(CANDIDATES, len(line)))[1]).reshape(len(vectors), -1)
+    pieces = np.clip(np.hstack([ends - 1, ends]), 0, len(line) - 2)
+    along, offset = line[pieces + 1] - line[pieces], vectors[:, None] - line[pieces]
+    share = (along * offset).sum(axis=2) / np.maximum((along**2).sum(axis=2), 1e-30)
+    offset = offset - np.clip(share, 0.0, 1.0)[:, :, None] * along
+    return pieces, np.linalg.norm(offset[..., :moves], axis=2) + np.linalg.norm(offset[..., moves:], axis=2)
+
+
+def _vectors(poses: Array, free: FreeMotion) -> Array:
+    """Vectors (k, d) of poses (k, 4, 4), whose distances are about those of what counts of the poses [m]."""
+    scale = RADIAN / np.sqrt(2.0) if free.turns is Turns.NONE else RADIAN
+    return np.hstack([poses[:, :3, 3] @ free.fixed_directions.T, scale * free.directions(poses[:, :3, :3])])
+
+
+def _apart(poses: Array, others: Array, free: FreeMotion) -> Array:
+    """Distances (k, c) of poses (k, 4, 4) from others (k, c, 4, 4), angles counted in [m]."""
+    offsets = poses[:, None, :3, 3] - others[..., :3, 3]
+    if free.in_tool:
+        offsets = np.einsum("kcji,kcj->kci", others[..., :3, :3], offsets)
+    squares = np.square(offsets @ free.fixed_directions.T).sum(axis=-1)
+    flat = free.directions(others[..., :3, :3].reshape(-1, 3, 3)).reshape(*others.shape[:2], -1)
+    chords = np.square(free.directions(poses[:, :3, :3])[:, None] - flat).sum(axis=-1)
     chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
-    apart = np.sqrt(squares) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
-    first, rows = apart.argmin(axis=1), np.arange(len(apart))
-    for side in (-1, 0, 1):
-        apart[rows, np.clip(first + side, 0, len(line) - 1)] = np.inf
-    return first, apart.argmin(axis=1)
+    return np.asarray(np.sqrt(squares) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
 
 
 def _squares(first: Array, second: Array) -> Array:

@@ -254,6 +254,8 @@ class PoseRows:
 #: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
 POINTS_BETWEEN_KNOTS = 4
 DOUBLINGS = 6
+#: Shares of the tube's width that are tried one after the other.
+TUBES = (1.0, 0.6, 0.3, 0.0)
 
 
 def joint_path(
@@ -266,28 +268,60 @@ def joint_path(
     closed: bool,
     allowed: Array,
     tube: Tolerance | None = None,
+    hold_start: bool = False,
 ) -> JointPath:
     """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
 
     Where it does not, or leaves the position limits, knots are added half-way and projected onto the workspace path, or into a
-    `tube` around it; after `DOUBLINGS` rounds the path is returned as it is, and the caller has to check it.
+    `tube` around it. Where that does not help within DOUBLINGS rounds, since a path from one side of the tube to the other
+    bows out of it, the tube is made narrower for all knots, but for the first with `hold_start`. If the last one does not help
+    either, its path is returned, and the caller has to check it.
     """
+    shares = TUBES if tube is not None and not solver.free.names else TUBES[:1]
+    for share in shares:
+        narrow = None if tube is None or share == 0 else tube.scaled(share)
+        begun = q
+        if share < 1:
+            begun = _onto_tube(solver, narrow, path(s), q, inside=0.0)
+            begun[0] = q[0] if hold_start else begun[0]
+        joints, is_inside = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, tube=narrow)
+        if is_inside:
+            break
+    return joints
+
+
+def _with_knots(
+    solver: Solver,
+    rows: PoseRows,
+    path: CartesianPath,
+    s: Array,
+    q: Array,
+    *,
+    closed: bool,
+    allowed: Array,
+    tube: Tolerance | None,
+) -> tuple[JointPath, bool]:
+    """The joint path with knots added, and whether it follows the workspace path."""
     for _ in range(DOUBLINGS):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
-        places = s[:-1, None] + np.diff(s)[:, None] * shares
-        errors = rows.errors(joints(places.ravel()), path(places.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
-        outside = solver.robot.limits.outside(joints(places.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
+        between = s[:-1, None] + np.diff(s)[:, None] * shares
+        errors = rows.errors(joints(between.ravel()), path(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
+        outside = solver.robot.limits.outside(joints(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
         if not len(wide):
-            break
+            return joints, True
         middle = (s[wide] + s[wide + 1]) / 2
         s = np.insert(s, wide + 1, middle)
-        between, targets = joints(middle), path(middle)
-        if tube is not None and not solver.free.names:
-            targets = _into(tube, targets, solver.kinematics.pose(between))
-        q = np.insert(q, wide + 1, solver.onto(between, targets, inside=INSIDE_LIMITS / 2), axis=0)
-    return JointPath.spline(s, q, closed=closed)
+        q = np.insert(q, wide + 1, _onto_tube(solver, tube, path(middle), joints(middle), inside=INSIDE_LIMITS / 2), axis=0)
+    return JointPath.spline(s, q, closed=closed), False
+
+
+def _onto_tube(solver: Solver, tube: Tolerance | None, targets: Array, q: Array, *, inside: float) -> Array:
+    """Configurations q (k, n) moved into the tube around targets (k, 4, 4), or onto them; see `Solver.onto` for `inside`."""
+    if tube is not None and not solver.free.names:
+        targets = _into(tube, targets, solver.kinematics.pose(q))
+    return solver.onto(q, targets, inside=inside)
 
 
 def _into(tube: Tolerance, targets: Array, poses: Array) -> Array:

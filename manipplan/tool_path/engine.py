@@ -183,7 +183,8 @@ class ToolPathPlanner:
         """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
-        path, seed = self._joined(refined.q, self.tolerance), self._joined(found.q, None)
+        path = self._joined(refined.q, self.tolerance, hold_start=hold_start)
+        seed = self._joined(found.q, None, hold_start=hold_start)
         return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed)
 
     def in_the_way(self, found: SearchResult) -> str:
@@ -212,7 +213,7 @@ class ToolPathPlanner:
         needed = f", and {1e3 * spec.clearance:.4g} mm are needed" if spec.clearance else ""
         return f"; without bodies in the way there is a motion, on which {nearest_pair(sampler.collision, free.q)}{needed}"
 
-    def _joined(self, q: Array, tolerance: Tolerance | None) -> JointPath:
+    def _joined(self, q: Array, tolerance: Tolerance | None, *, hold_start: bool) -> JointPath:
         """The joint path through q (L, n). With a tolerance they are joined as they are while their spline stays inside it."""
         layers = self.layers
         assert layers.s is not None
@@ -224,7 +225,17 @@ class ToolPathPlanner:
             tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3))  # inside the box of the rows
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
-        return joint_path(self._sampler.solver, rows, self.path, s, q, closed=layers.closed, allowed=allowed, tube=tube)
+        return joint_path(
+            self._sampler.solver,
+            rows,
+            self.path,
+            s,
+            q,
+            closed=layers.closed,
+            allowed=allowed,
+            tube=tube,
+            hold_start=hold_start,
+        )
 
 
 def outside_limits(path: JointPath, robot: Robot) -> str:
