@@ -45,6 +45,8 @@ from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
+#: Distances beyond the clearance that positions keep [m], one tried after the other.
+SPARES = (1e-4, SPARE_CLEARANCE)
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
 
@@ -221,121 +223,129 @@ def follow(
         q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
         taken = taken_to_limits(robot, "start", given)
 
-    def sampled(spread: int | ArrayLike, count: int | Sequence[int] | None, notify: Progress) -> ToolPathPlanner:
+    def attempt(spare: float) -> Plan | PartialPlan:
+        """The motion whose positions keep a distance beyond the clearance."""
         layers = sample_layers(
             robot,
             path,
-            spread,
+            positions if positions is not None else choose_positions(path, closed=closed),
             task=objective.task,
             measure=objective.measure,
-            samples=count,
+            samples=samples,
             scene=scene,
             clearance=clearance,
-            spare=SPARE_CLEARANCE,
+            spare=spare,
             spacing=epsilon / 2,
             closed=closed,
             near=q_start,
             executor=executor,
             seed=seeding.seed,
-            progress=notify,
+            progress=part(notify, 0.0, 0.4),
         )
-        return ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=count)
+        planner = ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples)
+        sampler = layers.sampler
+        assert sampler is not None
+        if max(float(m.max()) for m in planner.layers.m) < VANISHING:
+            hint = idle_hint(sampler.kinematics)
+            wanted = "a task whose rows are independent somewhere on the path: the arm is singular in every configuration there"
+            wanted += f"; {hint}" if hint else ""
+            raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
-    spread = positions if positions is not None else choose_positions(path, closed=closed)
-    planner = sampled(spread, samples, part(notify, 0.0, 0.4))
-    sampler = planner.layers.sampler
-    assert sampler is not None
-    if max(float(m.max()) for m in planner.layers.m) < VANISHING:
-        hint = idle_hint(sampler.kinematics)
-        wanted = "a task whose rows are independent somewhere on the path: the arm is singular in every configuration there"
-        wanted += f"; {hint}" if hint else ""
-        raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
+        kinematics = sampler.kinematics
+        floor = floor_of(kinematics, objective.floor)
+        integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
+        allowed = with_defaults(tolerance)
+        draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
+        stands = q_start is not None and planner.is_at_start(q_start)
+        begin = q_start if stands else None
+        parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), refines=positions is None, start=begin)
+        if isinstance(parts, SearchResult):
+            planner_from_start = planner if begin is None else planner.starting_at(begin)
+            prefix = "from the start, which is at the first pose of the path, " if stands else ""
+            return failed(replace(draft, search=parts), False, prefix + parts.message + planner_from_start.in_the_way(parts))
+        free_objective = replace(objective, task=kinematics.task)
 
-    kinematics = sampler.kinematics
-    floor = floor_of(kinematics, objective.floor)
-    integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
-    allowed = with_defaults(tolerance)
-    draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
-    stands = q_start is not None and planner.is_at_start(q_start)
-    begin = q_start if stands else None
-    parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), refines=positions is None, start=begin)
-    if isinstance(parts, SearchResult):
-        planner_from_start = planner if begin is None else planner.starting_at(begin)
-        prefix = "from the start, which is at the first pose of the path, " if stands else ""
-        return failed(replace(draft, search=parts), throw, prefix + parts.message + planner_from_start.in_the_way(parts))
-    free_objective = replace(objective, task=kinematics.task)
+        def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
+            made = plan(
+                robot,
+                begin,
+                goal,
+                scene,
+                objective=free_objective,
+                seeding=replace(seeding, time_limit=seconds / seeding.count),
+                clearance=clearance,
+                torque=torque,
+                throw=False,
+                progress=notify,
+            )
+            return (
+                (made.path, made.trajectory)
+                if isinstance(made, Plan) and made.status.has_path
+                else Failure(message=made.message)
+            )
 
-    def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
-        made = plan(
-            robot,
-            begin,
-            goal,
-            scene,
+        transits = TransitPlanner(
+            robot=robot,
+            scene=scene,
+            integral=integral,
             objective=free_objective,
-            seeding=replace(seeding, time_limit=seconds / seeding.count),
+            clearance=clearance,
+            torque=torque,
+            plan_free=plan_free,
+            seconds=seeding.time_limit,
+        )
+        joiner = PartsJoiner(
+            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
+        )
+        motion = joiner.first_of(parts)
+        draft = replace(draft, candidates=motion.candidates)
+        if isinstance(motion, PartsFailure):
+            return failed(replace(draft, search=motion.search, status=Status.NO_PATH), False, motion.message)
+        still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
+        if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
+            wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
+            raise InvalidInputError("objective", kinematics.task.name, wanted)
+        result = motion.result(integral, scene, clearance)
+        least = min((each.refined for each in motion.parts), key=lambda refined: refined.refinement.refined)
+        is_followed = not is_singular(result.path, integral, integral.cost(result.path))
+        draft = replace(
+            draft,
+            status=motion.status if is_followed else Status.SINGULAR,
+            search=least.search,
+            refinement=least.refinement,
+            path=result.path,
+            result=result,
+        )
+
+        def compare_with_path(report: PlanReport, trajectory: Trajectory) -> PlanReport:
+            """The tool over its time with the whole path, and in order with its poses; its speeds."""
+            kinematics = integral.kinematics
+            deviation, _ = tool_distances(trajectory.path(), trajectory.duration, kinematics, path, report.along, allowed)
+            missed = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
+            left = [f"{each}. {MORE_POSITIONS}" for each in missed if each]
+            unsteady = [
+                each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady
+            ]
+            speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
+            return replace(report, deviation=deviation, faults=(*report.faults, *left, *speeds))
+
+        return finish(
+            draft,
+            lambda: _time(motion, robot, integral, tool_speed, torque=torque),
+            taken=taken,
             clearance=clearance,
             torque=torque,
             throw=False,
-            progress=notify,
+            notify=notify,
+            begins=0.95,
+            amend=compare_with_path,
         )
-        return (
-            (made.path, made.trajectory) if isinstance(made, Plan) and made.status.has_path else Failure(message=made.message)
-        )
 
-    transits = TransitPlanner(
-        robot=robot,
-        scene=scene,
-        integral=integral,
-        objective=free_objective,
-        clearance=clearance,
-        torque=torque,
-        plan_free=plan_free,
-        seconds=seeding.time_limit,
-    )
-    joiner = PartsJoiner(
-        start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
-    )
-    motion = joiner.first_of(parts)
-    draft = replace(draft, candidates=motion.candidates)
-    if isinstance(motion, PartsFailure):
-        return failed(replace(draft, search=motion.search, status=Status.NO_PATH), throw, motion.message)
-    still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
-    if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
-        wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
-        raise InvalidInputError("objective", kinematics.task.name, wanted)
-    result = motion.result(integral, scene, clearance)
-    least = min((each.refined for each in motion.parts), key=lambda refined: refined.refinement.refined)
-    is_followed = not is_singular(result.path, integral, integral.cost(result.path))
-    draft = replace(
-        draft,
-        status=motion.status if is_followed else Status.SINGULAR,
-        search=least.search,
-        refinement=least.refinement,
-        path=result.path,
-        result=result,
-    )
-
-    def compare_with_path(report: PlanReport, trajectory: Trajectory) -> PlanReport:
-        """The tool over its time with the whole path, and in order with its poses; its speeds."""
-        kinematics = integral.kinematics
-        deviation, _ = tool_distances(trajectory.path(), trajectory.duration, kinematics, path, report.along)
-        missed = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
-        left = [f"{each}. {MORE_POSITIONS}" for each in missed if each]
-        unsteady = [each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady]
-        speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
-        return replace(report, deviation=deviation, faults=(*report.faults, *left, *speeds))
-
-    return finish(
-        draft,
-        lambda: _time(motion, robot, integral, tool_speed, torque=torque),
-        taken=taken,
-        clearance=clearance,
-        torque=torque,
-        throw=throw,
-        notify=notify,
-        begins=0.95,
-        amend=compare_with_path,
-    )
+    followed = attempt(SPARES[0])
+    for spare in SPARES[1:]:
+        if followed.status is Status.CHECK_FAILED:  # it may touch bodies between positions that nearly do
+            followed = attempt(spare)
+    return failed(followed, throw, followed.message) if followed.message else followed
 
 
 def _time(

@@ -15,6 +15,8 @@ from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 POSES = 2001
 #: Number of poses between two knots of a path at least, and of poses of a path that may be the nearest one.
 BETWEEN_KNOTS, CANDIDATES = 4, 16
+#: Number of places on a piece at which a pose outside the tolerance is compared with it.
+SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
 BESIDE = 1e-3
 #: Number of tool poses compared at a time, of pairs of a pose and a piece, and of pairs of which distances are estimated.
@@ -56,16 +58,20 @@ def deviation_from(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING
     return _largest(*deviations(path, poses, free))
 
 
-def deviations(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
+def deviations(
+    path: CartesianPath, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None
+) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
-    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces.
+    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces. Nearest is
+    what has the smallest sum of distance and angle, 1 rad counting as 10 cm; where that is outside a tolerance, what is within
+    it or exceeds it by the smallest factor.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
     counts = np.maximum(BETWEEN_KNOTS, np.ceil((POSES - 1) * np.diff(path.knots)).astype(np.int64))
     ends = np.concatenate([[0], np.cumsum(counts)])
-    return distances_from(path(np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free)
+    return distances_from(path(np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free, tolerance)
 
 
 def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
@@ -135,17 +141,40 @@ def _beyond_pieces(
     return least[0], least[1]
 
 
-def distances_from(line: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
+def distances_from(
+    line: Array, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None
+) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
         first, other = _nearest(some, line, free)
-        pieces = [np.clip(k, 0, len(line) - 2) for k in (first - 1, first, first + 1, other - 1, other, other + 1)]
+        pieces = np.clip([first - 1, first, first + 1, other - 1, other, other + 1], 0, len(line) - 2)
         found = np.array([_from_piece(some, line[k], line[k + 1], free) for k in pieces])  # (6, 2, …)
         best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
-        position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = found[best, :, np.arange(len(some))].T
+        own = found[best, :, np.arange(len(some))]
+        if tolerance is not None:
+            allowed = np.array([tolerance.position or np.inf, tolerance.rotation or np.inf])
+            outside = np.flatnonzero((own > allowed).any(axis=1))
+            own[outside] = _within(allowed, line, pieces[:, outside], some[outside], free)
+        position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = own.T
     return position, rotation
+
+
+def _within(allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array, free: FreeMotion) -> Array:
+    """Distances and angles (k, 2) of poses (k, 4, 4) from where on pieces (6, k) they exceed `allowed` (2,) the least."""
+    from scipy.spatial.transform import Rotation
+
+    best = np.full((len(poses), 2), np.inf)
+    for k in pieces if len(poses) else ():
+        start, along, offset, turn = _on_pieces(poses, line[k], line[k + 1], free)
+        for share in np.linspace(0.0, 1.0, SHARES):
+            rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
+            angles = _angles(poses[:, :3, :3], rotations, free)
+            found = np.column_stack([np.linalg.norm(offset - share * along, axis=1), angles])
+            better = (found / allowed).max(axis=1) < (best / allowed).max(axis=1)
+            best[better] = found[better]
+    return best
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
@@ -231,12 +260,7 @@ def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radi
     """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses; `radian`: weight of angles [m]."""
     from scipy.spatial.transform import Rotation
 
-    start = begins[:, :3, :3]
-    along, offset = ends[:, :3, 3] - begins[:, :3, 3], poses[:, :3, 3] - begins[:, :3, 3]
-    turn = Rotation.from_matrix(np.swapaxes(start, 1, 2) @ ends[:, :3, :3]).as_rotvec()
-    if free.in_tool:  # the directions of free shifts turn along the piece
-        along = along + np.cross((start @ turn[:, :, None])[:, :, 0], offset)
-    along, offset = free.offsets(along, start), free.offsets(offset, start)
+    start, along, offset, turn = _on_pieces(poses, begins, ends, free)
     if free.turns is Turns.NONE:
         turns, leans = turn, Rotation.from_matrix(np.swapaxes(start, 1, 2) @ poses[:, :3, :3]).as_rotvec()
     else:
@@ -246,6 +270,18 @@ def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radi
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
     rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
     return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, free)
+
+
+def _on_pieces(poses: Array, begins: Array, ends: Array, free: FreeMotion) -> tuple[Array, Array, Array, Array]:
+    """The rotations at the beginning of pieces, what counts of their ways and of the offsets of poses, and their turns."""
+    from scipy.spatial.transform import Rotation
+
+    start = begins[:, :3, :3]
+    along, offset = ends[:, :3, 3] - begins[:, :3, 3], poses[:, :3, 3] - begins[:, :3, 3]
+    turn = Rotation.from_matrix(np.swapaxes(start, 1, 2) @ ends[:, :3, :3]).as_rotvec()
+    if free.in_tool:  # the directions of free shifts turn along the piece
+        along = along + np.cross((start @ turn[:, :, None])[:, :, 0], offset)
+    return start, free.offsets(along, start), free.offsets(offset, start), turn
 
 
 def _angles(first: Array, second: Array, free: FreeMotion) -> Array:

@@ -38,7 +38,12 @@ STEP, LEAST, POSES = 2e-3, 1500, 2001
 
 
 def tool_distances(
-    path: JointPath, duration: float, kinematics: Kinematics, workspace_path: CartesianPath, along: Sequence[PathPart]
+    path: JointPath,
+    duration: float,
+    kinematics: Kinematics,
+    workspace_path: CartesianPath,
+    along: Sequence[PathPart],
+    tolerance: Tolerance | None = None,
 ) -> tuple[Deviation, Deviation]:
     """The largest distances of the tool from a workspace path, and of the path's poses from where the tool comes past.
 
@@ -51,6 +56,7 @@ def tool_distances(
         path: the motion over its time, in shares of the duration [s].
         kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
+        tolerance: what the distances are compared with: a pose within it counts as such.
     """
     free, fine = kinematics.free_motion, path.fine_samples(STEP)
     parts = along or (PathPart(begin=0.0, end=duration),)
@@ -60,17 +66,17 @@ def tool_distances(
         s = np.union1d(np.linspace(begin, end, LEAST // len(parts)), fine[(fine > begin) & (fine < end)])
         way, stretch = kinematics.pose(path(s)), workspace_path.part(part.s_begin, part.s_end)
         ways.append(way)
-        left.append((s, *deviations(stretch, way, free)))
+        left.append((s, *deviations(stretch, way, free, tolerance)))
         shares = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
         poses = stretch(shares)
-        position, rotation = distances_from(way, poses, free)
+        position, rotation = distances_from(way, poses, free, tolerance)
         ends = [0, -1]
         position[ends], rotation[ends] = distances_between(way[ends], poses[ends], free)
         missed.append((part.s_begin + shares * (part.s_end - part.s_begin), position, rotation))
     if workspace_path.given is not None:
         whole = np.concatenate(ways)
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free)))
-        missed.append((workspace_path.knots, *distances_from(whole, workspace_path.given, free)))
+        missed.append((workspace_path.knots, *distances_from(whole, workspace_path.given, free, tolerance)))
     return _largest(left), _largest(missed)
 
 
@@ -154,7 +160,7 @@ def measure(
     ]
     deviation = missed = None
     if workspace_path is not None:
-        deviation, missed = tool_distances(path, trajectory.duration, kinematics, workspace_path, along)
+        deviation, missed = tool_distances(path, trajectory.duration, kinematics, workspace_path, along, tolerance)
         for what, distances in (("the tool leaves the path", deviation), ("the tool misses a pose of the path", missed)):
             faults += _outside(what, distances, tolerance)
     return Report(

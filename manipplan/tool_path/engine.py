@@ -19,7 +19,7 @@ from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
 from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.errors import PlanningError
+from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
 
@@ -48,6 +48,9 @@ class RefinedToolPath:
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
+#: How often positions are added where a joint path touches bodies between them, and number of configurations between them at
+#: which that is seen.
+CLOSER, BETWEEN_POSITIONS = 5, 12
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
 
@@ -169,23 +172,57 @@ class ToolPathPlanner:
         turned = np.arange(first, last + 1)
         k, s = turned % len(layers.q), layers.s[turned % len(layers.q)] + turned // len(layers.q)
         begin, end = float(s[0]), float(s[-1])
+        path = self.path.part(begin, end)
         some = replace(
             layers,
+            sampling=None if layers.sampling is None else replace(layers.sampling, path=path),
             q=tuple(layers.q[i] for i in k),
             m=tuple(layers.m[i] for i in k),
             closed=False,
             s=np.concatenate([[0.0], (s[1:-1] - begin) / (end - begin), [1.0]]),
             poses=layers.poses[k],
         )
-        return replace(self, path=self.path.part(begin, end), layers=some)
+        return replace(self, path=path, layers=some)
 
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
+        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration.
+
+        Positions are added where it touches bodies between those there are.
+        """
+        made = self._refined(found, progress, hold_start=hold_start)
+        planner = self
+        for _ in range(CLOSER):
+            touching = planner._touching(made.path)
+            if not len(touching):
+                break
+            try:
+                planner = planner.halved(touching, silent)
+            except InvalidInputError:  # no configuration there keeps what candidates have to spare
+                break
+            again = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
+            if not again.connected:
+                break
+            made = planner._refined(again, progress, hold_start=hold_start)
+        return made
+
+    def _refined(self, found: SearchResult, progress: Progress, *, hold_start: bool) -> RefinedToolPath:
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
         path = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         seed = self._joined(found.q, None, hold_start=hold_start)
         return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed)
+
+    def _touching(self, path: JointPath) -> NDArray[np.int64]:
+        """The intervals between positions, by those at which they begin, in which a joint path comes too near to a body."""
+        sampler, s = self._sampler, self.layers.s
+        if sampler.collision is None or s is None:
+            return np.zeros(0, dtype=np.int64)
+        ends = np.append(s, 1.0) if self.layers.closed else s
+        between = ends[:-1, None] + np.diff(ends)[:, None] * (np.arange(BETWEEN_POSITIONS) + 0.5) / BETWEEN_POSITIONS
+        clearance = sampler.spec.clearance - sampler.spec.spare / 2
+        touches = sampler.collision.in_collision_rows(path(between.ravel()), clearance=clearance)
+        touched = np.asarray(touches).reshape(between.shape).any(axis=1)
+        return np.flatnonzero(touched | np.append(touched[1:], False) | np.append(False, touched[:-1]))
 
     def in_the_way(self, found: SearchResult) -> str:
         """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""

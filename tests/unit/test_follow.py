@@ -419,9 +419,9 @@ def test_a_motion_that_would_turn_back_early(panda, start):
 def test_positions_inside_an_obstacle(panda, start, line):
     scene = mp.Scene([mp.Sphere(radius=0.05, position=line(0.5)[:3, 3], name="ball")])
     named = r"path, position [12] of 0 to 4 .* reach it, and in the best of them panda_\w+ and ball (overlap by|are) [\d.]+ mm"
-    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: no collision and 3 mm to spare"):
+    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: no collision and 0.1 mm to spare"):
         mp.follow(panda, line, positions=5, scene=scene, **FEW)
-    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: clearance 20 mm and 3 mm to spare"):
+    with pytest.raises(mp.errors.InvalidInputError, match=named + ".*; needed: clearance 20 mm and 0.1 mm to spare"):
         mp.follow(panda, line, positions=5, scene=scene, clearance=0.02, **FEW)
 
 
