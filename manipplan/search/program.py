@@ -254,8 +254,8 @@ class PoseRows:
 #: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
 POINTS_BETWEEN_KNOTS = 4
 DOUBLINGS = 6
-#: Shares of the tube's width that are tried one after the other.
-TUBES = (1.0, 0.6, 0.3, 0.0)
+#: Shares of the tube's width that are tried where all of it does not help.
+NARROWER = (0.6, 0.3, 0.0)
 
 
 def joint_path(
@@ -277,8 +277,8 @@ def joint_path(
     bows out of it, the tube is made narrower for all knots, but for the first with `hold_start`. If the last one does not help
     either, its path is returned, and the caller has to check it.
     """
-    shares = TUBES if tube is not None and not solver.free.names else TUBES[:1]
-    for share in shares:
+    narrower = () if tube is None else (0.0,) if solver.free.names else NARROWER
+    for share in (1.0, *narrower):
         narrow = None if tube is None or share == 0 else tube.scaled(share)
         begun = q
         if share < 1:

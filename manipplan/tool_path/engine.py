@@ -220,8 +220,8 @@ class ToolPathPlanner:
         ends = np.append(s, 1.0) if self.layers.closed else s
         between = ends[:-1, None] + np.diff(ends)[:, None] * (np.arange(BETWEEN_POSITIONS) + 0.5) / BETWEEN_POSITIONS
         clearance = sampler.spec.clearance - sampler.spec.spare / 2
-        touches = sampler.collision.in_collision_rows(path(between.ravel()), clearance=clearance)
-        touched = np.asarray(touches).reshape(between.shape).any(axis=1)
+        touches = np.asarray(sampler.collision.in_collision_rows(path(between.ravel()), clearance=clearance))
+        touched = np.asarray(touches.reshape(between.shape).any(axis=1))
         return np.flatnonzero(touched | np.append(touched[1:], False) | np.append(False, touched[:-1]))
 
     def in_the_way(self, found: SearchResult) -> str:
