@@ -258,7 +258,7 @@ def follow(
         draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
-        parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), refines=positions is None, start=begin)
+        parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), connects=positions is None, start=begin)
         if isinstance(parts, SearchResult):
             planner_from_start = planner if begin is None else planner.starting_at(begin)
             prefix = "from the start, which is at the first pose of the path, " if stands else ""

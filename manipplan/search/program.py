@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 from scipy import sparse
 
 from manipplan.ik.solver import Solver
@@ -269,13 +270,14 @@ def joint_path(
     allowed: Array,
     tube: Tolerance | None = None,
     hold_start: bool = False,
-) -> JointPath:
+) -> tuple[JointPath, NDArray[np.bool_]]:
     """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
+
+    And in which of the intervals between them it does, (k - 1,).
 
     Where it does not, or leaves the position limits, knots are added half-way and projected onto the workspace path, or into a
     `tube` around it. Where that does not help within DOUBLINGS rounds, since a path from one side of the tube to the other
-    bows out of it, the tube is made narrower for all knots, but for the first with `hold_start`. If the last one does not help
-    either, its path is returned, and the caller has to check it.
+    bows out of it, the tube is made narrower for all knots, but for the first with `hold_start`.
     """
     narrower = () if tube is None else (0.0,) if solver.free.names else NARROWER
     for share in (1.0, *narrower):
@@ -284,10 +286,12 @@ def joint_path(
         if share < 1:
             begun = _onto_tube(solver, narrow, path(s), q, inside=0.0)
             begun[0] = q[0] if hold_start else begun[0]
-        joints, is_inside = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, tube=narrow)
-        if is_inside:
+        joints, loose = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, tube=narrow)
+        if not len(loose):
             break
-    return joints
+    is_inside = np.ones(len(s) - 1, dtype=np.bool_)
+    is_inside[np.searchsorted(s, loose, side="right") - 1] = False
+    return joints, is_inside
 
 
 def _with_knots(
@@ -300,8 +304,9 @@ def _with_knots(
     closed: bool,
     allowed: Array,
     tube: Tolerance | None,
-) -> tuple[JointPath, bool]:
-    """The joint path with knots added, and whether it follows the workspace path."""
+) -> tuple[JointPath, Array]:
+    """The joint path with knots added, and the s (w,) of intervals in which it does not follow the workspace path even so."""
+    middle = np.empty(0)
     for _ in range(DOUBLINGS):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
@@ -310,11 +315,11 @@ def _with_knots(
         outside = solver.robot.limits.outside(joints(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
         if not len(wide):
-            return joints, True
+            return joints, middle[:0]
         middle = (s[wide] + s[wide + 1]) / 2
         s = np.insert(s, wide + 1, middle)
         q = np.insert(q, wide + 1, _onto_tube(solver, tube, path(middle), joints(middle), inside=INSIDE_LIMITS / 2), axis=0)
-    return JointPath.spline(s, q, closed=closed), False
+    return JointPath.spline(s, q, closed=closed), middle
 
 
 def _onto_tube(solver: Solver, tube: Tolerance | None, targets: Array, q: Array, *, inside: float) -> Array:

@@ -7,7 +7,7 @@ import math
 import pickle
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import Executor, ThreadPoolExecutor, as_completed
+from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -244,30 +244,31 @@ class PathSampling:
 
     def at(self, poses: Array, name: Callable[[int], str], notify: Progress) -> "list[PositionSample]":
         """The candidates at poses (p, 4, 4), called name(k) in the error that says why there are none."""
-        sets, found = self.sets(poses), dict[int, PositionSample]()
+        sets, found = self.sets(poses), list[PositionSample]()
         with ExitStack() as stack:
             run = self.executor if self.executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
             count = max(1, min(JOB // max(map(len, sets)), -(-len(poses) // (4 * all_cores()))))
             blocks = [slice(k, k + count) for k in range(0, len(poses), count)]
-            jobs = {run.submit(self.sampler.sample, poses[each], sets[each], self.spacing): each.start for each in blocks}
+            jobs = [run.submit(self.sampler.sample, poses[each], sets[each], self.spacing) for each in blocks]
             stack.callback(lambda: [job.cancel() for job in jobs])
-            for job in as_completed(jobs):
-                for k, each in enumerate(job.result(), jobs[job]):
+            for job in jobs:
+                for each in job.result():
                     if not len(each.q):
+                        k = len(found)
                         raise _no_candidate(name(k), self.sampler, poses[k], self.values, each.reached)
-                    found[k] = each
-                candidates = sum(len(each.m) for each in found.values())
+                    found.append(each)
+                candidates = sum(len(each.m) for each in found)
                 notify(len(found) / len(poses), f"sampling positions: {candidates:,} candidates")
-        return [found[k] for k in range(len(poses))]
+        return found
 
     def halved(self, layers: Layers, intervals: NDArray[np.int64], notify: Progress) -> Layers:
         """The layers with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
         assert layers.s is not None and layers.poses is not None
         middle = (layers.s[intervals] + np.append(layers.s[1:], 1.0)[intervals]) / 2
         poses = self.path(middle)
-        found = iter(self.at(poses, lambda k: f"path, s = {middle[k]:.6g}", notify))
+        found = self.at(poses, lambda k: f"path, s = {middle[k]:.6g}", notify)
         q, m = list(layers.q), list(layers.m)
-        for k, each in zip(intervals[::-1] + 1, reversed(list(found)), strict=True):
+        for k, each in zip(intervals[::-1] + 1, reversed(found), strict=True):
             q.insert(k, each.q)
             m.insert(k, each.m)
         return replace(

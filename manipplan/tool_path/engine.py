@@ -38,18 +38,21 @@ class RefinedToolPath:
         refinement: that path, refined.
         path: the spline through its configurations.
         seed: the same for the path that the search found.
+        loose: (k,) the intervals between positions, by where they begin, in which the path does not follow the workspace path,
+            or touches a body.
     """
 
     search: SearchResult
     refinement: Refinement
     path: JointPath
     seed: JointPath
+    loose: NDArray[np.int64]
 
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
-#: How often positions are added where a joint path touches bodies between them, and number of configurations between them at
-#: which that is seen.
+#: How often positions are added where a joint path is loose between them, and number of configurations between them at which
+#: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
@@ -66,6 +69,7 @@ class ToolPathPlanner:
         samples: number of grid points of the redundancy, as in `sample_layers`.
         allowed: largest error between the positions, which are met exactly, where no refinement makes use of it; None: see
             `tolerance`.
+        halvings: how often the distance between two positions was halved, for each of them; None: never.
     """
 
     path: CartesianPath
@@ -73,6 +77,7 @@ class ToolPathPlanner:
     tolerance: Tolerance | None = None
     samples: int | Sequence[int] | None = None
     allowed: Tolerance | None = None
+    halvings: NDArray[np.int64] | None = None
 
     @property
     def _sampler(self) -> CandidateSampler:
@@ -127,11 +132,24 @@ class ToolPathPlanner:
             found.append(moved)
         return np.concatenate(found)
 
+    def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
+        return among[self._halvings[among] < halvings]
+
+    @property
+    def _halvings(self) -> NDArray[np.int64]:
+        if self.halvings is not None:
+            return self.halvings
+        return np.zeros(len(self.layers.q) - (not self.layers.closed), dtype=np.int64)
+
     def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
         assert self.layers.sampling is not None
         layers = self.layers.sampling.halved(self.layers, intervals, progress)
-        return replace(self, layers=layers.inside(self._sampler.spec.robot.limits))
+        halvings = self._halvings.copy()
+        halvings[intervals] += 1
+        halvings = np.insert(halvings, intervals + 1, halvings[intervals])
+        return replace(self, layers=layers.inside(self._sampler.spec.robot.limits), halvings=halvings)
 
     def beside(self, model: CollisionModel, joints: Sequence[int], q: Array, clearance: float) -> "ToolPathPlanner":
         """The same with only the candidates, of `joints` of a robot, that are free where its others are as in q (L, n).
@@ -155,7 +173,7 @@ class ToolPathPlanner:
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
         found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
-        return self.along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
+        return self.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
 
     def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
         """The same from q (n,), inside the limits also between the positions."""
@@ -185,44 +203,42 @@ class ToolPathPlanner:
         return replace(self, path=path, layers=some)
 
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration.
-
-        Positions are added where it touches bodies between those there are.
-        """
-        made = self._refined(found, progress, hold_start=hold_start)
-        planner = self
-        for _ in range(CLOSER):
-            touching = planner._touching(made.path)
-            if not len(touching):
-                break
-            try:
-                planner = planner.halved(touching, silent)
-            except InvalidInputError:  # no configuration there keeps what candidates have to spare
-                break
-            again = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
-            if not again.connected:
-                break
-            made = planner._refined(again, progress, hold_start=hold_start)
-        return made
-
-    def _refined(self, found: SearchResult, progress: Progress, *, hold_start: bool) -> RefinedToolPath:
+        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
-        path = self._joined(refined.q, self.tolerance, hold_start=hold_start)
-        seed = self._joined(found.q, None, hold_start=hold_start)
-        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed)
+        path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
+        seed, _ = self._joined(found.q, None, hold_start=hold_start)
+        loose = self._touching(path) | ~is_inside
+        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=np.flatnonzero(loose))
 
-    def _touching(self, path: JointPath) -> NDArray[np.int64]:
-        """The intervals between positions, by those at which they begin, in which a joint path comes too near to a body."""
+    def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
+        """The same with more positions where it is loose between those there are."""
+        made, planner = self.along(found, progress, hold_start=hold_start), self
+        for _ in range(CLOSER):
+            if not len(made.loose):
+                break
+            try:
+                planner = planner.halved(made.loose, silent)
+            except InvalidInputError:  # no configuration keeps what candidates have to spare there
+                break
+            found = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
+            if not found.connected:
+                break
+            made = planner.along(found, progress, hold_start=hold_start)
+        return made
+
+    def _touching(self, path: JointPath) -> NDArray[np.bool_]:
+        """In which intervals between positions, or beside which, a joint path comes too near to a body."""
         sampler, s = self._sampler, self.layers.s
-        if sampler.collision is None or s is None:
-            return np.zeros(0, dtype=np.int64)
+        assert s is not None
         ends = np.append(s, 1.0) if self.layers.closed else s
+        if sampler.collision is None:
+            return np.zeros(len(ends) - 1, dtype=np.bool_)
         between = ends[:-1, None] + np.diff(ends)[:, None] * (np.arange(BETWEEN_POSITIONS) + 0.5) / BETWEEN_POSITIONS
         clearance = sampler.spec.clearance - sampler.spec.spare / 2
         touches = np.asarray(sampler.collision.in_collision_rows(path(between.ravel()), clearance=clearance))
         touched = np.asarray(touches.reshape(between.shape).any(axis=1))
-        return np.flatnonzero(touched | np.append(touched[1:], False) | np.append(False, touched[:-1]))
+        return np.asarray(touched | np.append(touched[1:], False) | np.append(False, touched[:-1]))
 
     def in_the_way(self, found: SearchResult) -> str:
         """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""
@@ -250,8 +266,11 @@ class ToolPathPlanner:
         needed = f", and {1e3 * spec.clearance:.4g} mm are needed" if spec.clearance else ""
         return f"; without bodies in the way there is a motion, on which {nearest_pair(sampler.collision, free.q)}{needed}"
 
-    def _joined(self, q: Array, tolerance: Tolerance | None, *, hold_start: bool) -> JointPath:
-        """The joint path through q (L, n). With a tolerance they are joined as they are while their spline stays inside it."""
+    def _joined(self, q: Array, tolerance: Tolerance | None, *, hold_start: bool) -> tuple[JointPath, NDArray[np.bool_]]:
+        """The joint path through q (L, n), and in which intervals it follows the workspace path.
+
+        With a tolerance they are joined as they are while their spline stays inside it.
+        """
         layers = self.layers
         assert layers.s is not None
         rows, s = PoseRows(self._sampler.kinematics), layers.s

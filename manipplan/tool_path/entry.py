@@ -278,7 +278,7 @@ def choose_entry(
             continue
         left = 0.5**tried  # of the share of the work
         tried += 1
-        refined = planner.along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        refined = planner.closely_along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
         lead_in = plan_transit(
             refined.path.start, max(SHARE * seconds, min(LEAST, seconds)), part(notify, 1 - 0.7 * left, 1 - 0.5 * left)

@@ -5,8 +5,8 @@ The parts of a workspace path along which there are continuous motions: all of i
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
-from itertools import pairwise
+from functools import cached_property, partial
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -18,12 +18,12 @@ from manipplan.optimize.result import PathResult, make_result
 from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.interruptions import Gaps, fewest_interruptions, find_gaps
+from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
-from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
 
@@ -34,14 +34,23 @@ class FoundPart:
 
     Attributes:
         s_begin, s_end: where on the path it begins and ends; beyond 1 where it goes on around a closed one.
+        first: the index of its first position among those of the whole path.
         planner: of motions along it.
         found: the best motion through its positions.
+        is_held: whether its first configuration is given.
     """
 
     s_begin: float
     s_end: float
+    first: int
     planner: ToolPathPlanner
     found: SearchResult
+    is_held: bool
+
+    @cached_property
+    def refined(self) -> RefinedToolPath:
+        """The joint path along the best motion."""
+        return self.planner.along(self.found, silent, hold_start=self.is_held)
 
 
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
@@ -50,28 +59,23 @@ HALVED, HALVED_STEP = 3, 6
 MOST = 20_000_000
 
 
-def connect(
-    planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
-) -> tuple[ToolPathPlanner, Gaps]:
-    """The planner with as many more positions as a motion along the path needs, and the gaps that are left.
+def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None) -> ToolPathPlanner:
+    """The planner with as many more positions as a motion along the path needs.
 
-    Positions are added where a gap has to be closed, until there is none or they are as close as they may be.
+    They are added where a gap has to be closed, until there is none or they are as close as they may be.
     """
-    depth = np.zeros(len(planner.layers.q) - (not planner.layers.closed), dtype=np.int64)
     while True:
         begun = planner if start is None else planner.starting_at(start)
         gaps = find_gaps(begun.layers, epsilon)
-        wide = np.zeros(len(depth), dtype=np.bool_)
+        wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
-            span = np.arange(first, last) % len(depth)
-            wide[span] |= depth[span] < (HALVED_STEP if last - first == 1 else HALVED)
-        intervals = np.flatnonzero(wide)
-        if not len(intervals) or planner.layers.count * (1 + wide.mean()) > MOST:
-            return planner, gaps
-        notify(0.0, f"halving {len(intervals)} distances between positions")
+            spanned = np.arange(first, last) % (len(planner.layers.q) - (not planner.layers.closed))
+            wide.append(planner.intervals(HALVED_STEP if last - first == 1 else HALVED, spanned))
+        intervals = np.unique(np.concatenate(wide))
+        if not len(intervals) or planner.layers.count * (1 + len(intervals) / len(planner.layers.q)) > MOST:
+            return planner
+        notify(0.0, f"positions half-way in {len(intervals)} intervals")
         planner = planner.halved(intervals, silent)
-        depth[intervals] += 1
-        depth = np.insert(depth, intervals + 1, depth[intervals])
 
 
 def find_parts(
@@ -80,49 +84,69 @@ def find_parts(
     most: int,
     notify: Progress,
     *,
-    refines: bool = True,
+    connects: bool = True,
     start: Array | None = None,
 ) -> Iterator[list[FoundPart]] | SearchResult:
     """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
 
-    As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first.
+    As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
+    added where the joint path of a part is loose between those there are.
 
     Args:
         planner: of motions along the whole path.
         epsilon: as in `max_min_search`.
         most: maximum number of interruptions.
         notify: called with the share done.
-        refines: whether positions are added where no motion through the given ones is continuous.
+        connects: whether positions are added where no motion through the given ones is continuous.
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
     """
-    if refines:
-        planner, _ = connect(planner, epsilon, part(notify, 0.0, 0.5), start=start)
+    found: tuple[list[FoundPart], Iterator[list[FoundPart]]] | None = None
+    for k in range(CLOSER + 1):
+        share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
+        if connects:
+            planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
+        options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
+        if isinstance(options, SearchResult):
+            if connects or found is None:
+                return options
+            break  # more positions than the given ones only showed that they are too few
+        found = next(options), options
+        count = len(planner.layers.q)
+        loose = np.unique(np.concatenate([(each.first + each.refined.loose) % count for each in found[0]]))
+        loose = planner.intervals(HALVED_STEP, loose)
+        if not len(loose):
+            break
+        planner = planner.halved(loose, silent)
+    assert found is not None
+    return chain([found[0]], found[1])
+
+
+def _find_parts(
+    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
+) -> Iterator[list[FoundPart]] | SearchResult:
+    """The same for the positions there are."""
     begun = planner if start is None else planner.starting_at(start)
-    found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.5, 0.7))
+    found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.0, 0.4))
     if found.connected:
-        return iter([[FoundPart(s_begin=0.0, s_end=1.0, planner=begun, found=found)]])
+        return iter([[FoundPart(s_begin=0.0, s_end=1.0, first=0, planner=begun, found=found, is_held=start is not None)]])
     best = planner if planner.layers.closed else begun
     parts = find_gaps(best.layers, epsilon).parts
     if parts is None:
-        return _unconnected(planner, epsilon, start)
+        return found
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
-        found = _unconnected(planner, epsilon, start)
         return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
-    fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.8, 0.9))
-    return ([_part(best, *ends, epsilon) for ends in pairwise(edges)] for edges in (fewest.edges, *fewest.others))
+    fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
+    return (
+        [_part(best, *ends, epsilon, is_held=k == 0 and start is not None) for k, ends in enumerate(pairwise(edges))]
+        for edges in (fewest.edges, *fewest.others)
+    )
 
 
-def _unconnected(planner: ToolPathPlanner, epsilon: ArrayLike, start: Array | None) -> SearchResult:
-    """The result of the search that finds no path, with the smallest epsilon unless finding it can take minutes."""
-    begun = planner if start is None else planner.starting_at(start)
-    return max_min_search(begun.layers, epsilon, explain=not planner.layers.closed, throw=False)
-
-
-def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -> FoundPart:
+def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, *, is_held: bool) -> FoundPart:
     """The part from one position to another."""
     of_part, s = planner.between(first, last), planner.layers.s
     assert s is not None
@@ -130,8 +154,10 @@ def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike) -
     return FoundPart(
         s_begin=float(s[first % count]) + first // count,
         s_end=float(s[last % count]) + last // count,
+        first=first,
         planner=of_part,
         found=max_min_search(of_part.layers, epsilon),
+        is_held=is_held,
     )
 
 
@@ -262,8 +288,7 @@ class PartsJoiner:
             begin = pieces[-1].refined.path.goal if pieces else self.start
             # an interrupted motion around a closed path begins where that takes the fewest interruptions
             if begin is None or (not pieces and self.hold_start and not returns):
-                refined = each.planner.along(each.found, share, hold_start=begin is not None)
-                pieces.append(FollowedPart(part=each, refined=refined, transit=None))
+                pieces.append(FollowedPart(part=each, refined=each.refined, transit=None))
                 continue
             plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
