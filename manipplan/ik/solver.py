@@ -312,6 +312,12 @@ class Solver:
                 moved[rows] = self._move_onto(inner[rows], poses[rows], ~stopped)
         return np.clip(moved, limits.lower, limits.upper)
 
+    def moved_onto(self, q: Array, poses: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """As `onto`, whatever the limits, and which of the rows (k,) reach their pose."""
+        moved = self._move_onto(q, poses, np.ones(self.robot.n, dtype=np.bool_))
+        targets, rows = self.free.nearest(self.kinematics.pose(moved), poses), np.arange(len(q))
+        return moved, self._residual(moved, targets, rows) <= _allow_residual(poses)
+
     def _move_onto(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
         """Configurations (k, n) after minimum-norm Newton steps of the joints `moves` (n,) onto poses (k, 4, 4)."""
         if self.free.names and (self.by_rows or not self.robot.planar):

@@ -26,7 +26,7 @@ from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.configuration import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import SPARE_CLEARANCE, choose_positions
-from manipplan.search.max_min import SearchResult
+from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
@@ -40,7 +40,8 @@ from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import check_tool_speed, measure_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
-from manipplan.tool_path.parts import FollowingMotion, PartsFailure, PartsJoiner, find_parts
+from manipplan.tool_path.gap import explain_gap
+from manipplan.tool_path.parts import FollowingMotion, NotConnected, PartsFailure, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
@@ -259,10 +260,16 @@ def follow(
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
         parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), connects=positions is None, start=begin)
-        if isinstance(parts, SearchResult):
-            planner_from_start = planner if begin is None else planner.starting_at(begin)
+        if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
-            return failed(replace(draft, search=parts), False, prefix + parts.message + planner_from_start.in_the_way(parts))
+            search, where = parts.search, ""
+            if positions is None:
+                where = explain_gap(parts.planner, epsilon)
+            else:  # the smallest epsilon of a closed path can take minutes
+                search = max_min_search(parts.planner.layers, epsilon, explain=not closed, throw=False)
+                where = search.message
+            message = f"{prefix}{where}; {parts.message}{parts.planner.in_the_way(search)}"
+            return failed(replace(draft, search=search), False, message)
         free_objective = replace(objective, task=kinematics.task)
 
         def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:

@@ -224,6 +224,12 @@ class Layers:
         q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, inside, strict=True))
         return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, inside, strict=True)))
 
+    def part(self, first: int, last: int) -> Self:
+        """The open layers from one position to another one of these, both included."""
+        own = slice(first, last + 1)
+        s, poses = (None if each is None else each[own] for each in (self.s, self.poses))
+        return replace(self, q=self.q[own], m=self.m[own], closed=False, s=s, poses=poses)
+
     def _check_finite(self) -> None:
         # minimum and maximum propagate NaN and inf: no boolean array is needed
         if not (np.abs(self.extent) <= LARGEST).all():

@@ -238,18 +238,23 @@ def max_min_search(
     return last
 
 
-def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
-    """For each candidate of the first layer (k,), the largest minimum manipulability of a continuous path that begins there.
+def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
+    """For each candidate of the last layer (k,), the largest minimum manipulability of a continuous path that ends there.
 
-    At most `cap`; -inf where no path leads to the last layer. One pass, from the last layer to the first. The paths need not
-    close.
+    At most `cap`; -inf where no path leads there from the first layer. One pass. The paths need not close.
     """
     from manipplan.kinematics.batch import all_cores
 
     reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=strict)
-    backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], closed=False)
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        return ThresholdSearch(backwards, pool, silent, work=layers.count).last_values(Subset(cap=cap), reach)
+        return ThresholdSearch(replace(layers, closed=False), pool, silent, work=layers.count).last_values(
+            Subset(cap=cap), reach
+        )
+
+
+def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
+    """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer."""
+    return minimum_to_each(replace(layers, q=layers.q[::-1], m=layers.m[::-1]), epsilon, strict=strict, cap=cap)
 
 
 def _results(

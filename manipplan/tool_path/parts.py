@@ -53,6 +53,20 @@ class FoundPart:
         return self.planner.along(self.found, silent, hold_start=self.is_held)
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class NotConnected(Failure):
+    """Why there is no motion with so few interruptions.
+
+    Attributes:
+        message: whether more interruptions help.
+        search: through the candidates of all positions.
+        planner: of motions along the path, with the positions that were added.
+    """
+
+    search: SearchResult
+    planner: ToolPathPlanner
+
+
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
 HALVED, HALVED_STEP = 3, 6
 #: Maximum number of candidates up to which positions are added.
@@ -86,8 +100,8 @@ def find_parts(
     *,
     connects: bool = True,
     start: Array | None = None,
-) -> Iterator[list[FoundPart]] | SearchResult:
-    """The fewest parts, with the largest minimum manipulability; the result of the search where the interruptions are too many.
+) -> Iterator[list[FoundPart]] | NotConnected:
+    """The fewest parts, with the largest minimum manipulability, or why there are none with so few interruptions.
 
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
     added where the joint path of a part is loose between those there are.
@@ -107,7 +121,7 @@ def find_parts(
         if connects:
             planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
         options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
-        if isinstance(options, SearchResult):
+        if isinstance(options, NotConnected):
             if connects or found is None:
                 return options
             break  # more positions than the given ones only showed that they are too few
@@ -124,7 +138,7 @@ def find_parts(
 
 def _find_parts(
     planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
-) -> Iterator[list[FoundPart]] | SearchResult:
+) -> Iterator[list[FoundPart]] | NotConnected:
     """The same for the positions there are."""
     begun = planner if start is None else planner.starting_at(start)
     found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.0, 0.4))
@@ -133,12 +147,12 @@ def _find_parts(
     best = planner if planner.layers.closed else begun
     parts = find_gaps(best.layers, epsilon).parts
     if parts is None:
-        return found
+        return NotConnected(search=found, planner=begun, message="no interruption helps")
     interruptions = parts if best.layers.closed else parts - 1
     if interruptions > most:
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
-        return replace(found, message=f"{found.message}; with {times} there is a motion: {allowed}")
+        return NotConnected(search=found, planner=begun, message=f"with {times} there is a motion: {allowed}")
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
     return (
         [_part(best, *ends, epsilon, is_held=k == 0 and start is not None) for k, ends in enumerate(pairwise(edges))]
