@@ -31,6 +31,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, until
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
@@ -48,6 +49,8 @@ from manipplan.tool_path.transit import TransitPlanner
 LEAST_RETREAT = 1e-3
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
+#: Share of the time limit after which motions are no more improved, so that the rest suffices for timing and checks.
+IMPROVING = 0.6
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
 
@@ -72,6 +75,7 @@ def follow(
     torque: bool = ...,
     executor: Executor | None = ...,
     seeding: Seeding = ...,
+    time_limit: float | None = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -97,6 +101,7 @@ def follow(
     torque: bool = ...,
     executor: Executor | None = ...,
     seeding: Seeding = ...,
+    time_limit: float | None = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -123,6 +128,7 @@ def follow(
     torque: bool = False,
     executor: Executor | None = None,
     seeding: Seeding = Seeding(),
+    time_limit: float | None = None,
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
@@ -131,7 +137,8 @@ def follow(
     All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
     joined by a spline that stays on the workspace path, timed, and checked independently.
 
-    Where no configurations connect, finer samples are tried. Where these do not either, the tool can leave the path and come
+    Where branches of configurations turn back or move fast, samples are added; where a motion does not lead on, or leaves the
+    path or touches a body between positions, positions are. Where none connect even so, the tool can leave the path and come
     back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples allow,
     which is proven for them. With that number the minimum manipulability on the path is the largest. At an interruption the
     tool retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` tells when.
@@ -152,7 +159,8 @@ def follow(
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to 1 % between a ramp at either end; None: as
             fast as the limits allow. The path must move the tool's origin everywhere.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
-            apart, where 1 rad counts as 10 cm, at poses of the path as far as possible; half of that if nothing connects.
+            apart, where 1 rad counts as 10 cm, at poses of the path as far as possible, and down to an eighth of that where
+            nothing connects, or a 64th where not even one step does.
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
             and the way back to where it began counts as one.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
@@ -161,18 +169,20 @@ def follow(
             the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
             leave a motion of the tool free.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
-        samples: number of grid points of the redundancy; see `sample_layers`. None: its default, and ten times as many on
-            an arm with one degree of redundancy if nothing connects and they give at most 20 million candidates.
+        samples: number of grid points of the redundancy; see `sample_layers`. On an arm with one degree of redundancy more are
+            added where neighbouring ones are farther apart than half of epsilon.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
-        clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 3 mm more, for the
-            motion between them.
+        clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 0.1 mm more, for the
+            motion between them, or 3 mm where that is too little.
         closed: the path returns to its start, and the motion to its first configuration.
         torque: keep the joints' effort limits as well.
         executor: runs the sampling of positions; see `sample_layers`.
         seeding: how free motions to the path and between its parts are planned, as for `plan`; its `time_limit` holds for all
             that lead to one part, its `seed` also for the random starts of arms without closed-form inverse kinematics.
             `shifts` and `initial` stay at their defaults.
+        time_limit: time of the whole call [s]; None: none. A motion that was found by then is timed, checked and returned, with
+            a smaller minimum manipulability than it could have. What is built once per robot or scene does not count.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -218,6 +228,10 @@ def follow(
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
+    if time_limit is not None:
+        time_limit = number("time_limit", time_limit, above=0.0)
+    deadline = NEVER if time_limit is None else Deadline.within(time_limit)
+    improves_until = NEVER if time_limit is None else Deadline.within(IMPROVING * time_limit)
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()
     if given is not None:
@@ -241,9 +255,11 @@ def follow(
             near=q_start,
             executor=executor,
             seed=seeding.seed,
-            progress=part(notify, 0.0, 0.4),
+            progress=until(deadline, part(notify, 0.0, 0.4)),
         )
-        planner = ToolPathPlanner(path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples)
+        planner = ToolPathPlanner(
+            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=improves_until
+        )
         sampler = layers.sampler
         assert sampler is not None
         if max(float(m.max()) for m in planner.layers.m) < VANISHING:
@@ -259,7 +275,9 @@ def follow(
         draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
-        parts = find_parts(planner, epsilon, interruptions, part(notify, 0.4, 0.6), connects=positions is None, start=begin)
+        parts = find_parts(
+            planner, epsilon, interruptions, until(deadline, part(notify, 0.4, 0.6)), connects=positions is None, start=begin
+        )
         if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
             search, where = parts.search, ""
@@ -299,7 +317,7 @@ def follow(
             clearance=clearance,
             torque=torque,
             plan_free=plan_free,
-            seconds=seeding.time_limit,
+            seconds=min(seeding.time_limit, deadline.left),
         )
         joiner = PartsJoiner(
             start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
@@ -348,10 +366,18 @@ def follow(
             amend=compare_with_path,
         )
 
-    followed = attempt(SPARES[0])
-    for spare in SPARES[1:]:
-        if followed.status is Status.CHECK_FAILED:  # it may touch bodies between positions that nearly do
-            followed = attempt(spare)
+    try:
+        followed = attempt(SPARES[0])
+        for spare in SPARES[1:]:
+            if (
+                followed.status is Status.CHECK_FAILED and not deadline.passed
+            ):  # it may touch bodies that positions nearly touch
+                followed = attempt(spare)
+    except OutOfTimeError:
+        followed = PartialPlan(
+            robot=robot, scene=scene, status=Status.NO_PATH, workspace_path=path, tolerance=with_defaults(tolerance)
+        )
+        return failed(followed, throw, f"no motion along the path was found within time_limit = {time_limit:g} s")
     return failed(followed, throw, followed.message) if followed.message else followed
 
 

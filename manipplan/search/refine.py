@@ -10,7 +10,8 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.sweep import path_length, path_steps, steps_between, within
-from manipplan.support.checks import Array, flag, instance, whole_number
+from manipplan.support.checks import Array, flag, instance, number, whole_number
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, as_callback, interruptible
@@ -90,6 +91,7 @@ def refine(
     tolerance: Tolerance | None = None,
     resample: int = 2,
     hold_start: bool = False,
+    time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> Refinement:
     """Raise the minimum manipulability of a searched path beyond what its samples allow, within all constraints of the search.
@@ -105,6 +107,7 @@ def refine(
         tolerance: deviation of the tool allowed at each pose, in a box inside this ball; None: no deviation.
         resample: number of rounds of finer samples.
         hold_start: whether the first configuration stays as it is.
+        time_limit: time [s] after which the best path so far is returned; None: none. What is built once does not count.
         progress: called with the share done in [0, 1] and a text.
 
     Raises InvalidInputError for layers without robot and poses, or a search that found no path.
@@ -125,7 +128,8 @@ def refine(
     if tolerance is not None:
         instance("tolerance", tolerance, Tolerance)
     flag("hold_start", hold_start)
-    refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start)
+    deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
+    refiner = _Refiner(layers, found, layers.sampler, layers.poses, tolerance, hold_start, deadline)
     return refiner.run(resample, as_callback(progress))
 
 
@@ -140,13 +144,14 @@ class _Refiner:
         poses: Array,
         tolerance: Tolerance | None,
         hold_start: bool,
+        deadline: Deadline,
     ) -> None:
         from manipplan.search.program import level_program
 
         self.layers, self.found, self.sampler, self.poses = layers, found, sampler, poses
         self.robot, self.clearance = sampler.spec.robot, sampler.spec.clearance
         self.model, self.kinematics = sampler.collision, sampler.kinematics
-        self.hold_start = hold_start
+        self.hold_start, self.deadline = hold_start, deadline
         self.program = level_program(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance = self.program.rows.box(tolerance)
         self.history = [found.minimum]
@@ -156,6 +161,8 @@ class _Refiner:
         q = self.found.q
         fixed = self.sampler.solver.own is not None  # the user's inverse kinematics may leave out what is in between
         for k in range(0 if fixed else resample):
+            if self.deadline.passed:
+                break
             progress(0.3 * k / max(resample, 1), f"finer samples, minimum manipulability {self.least(q):.6g}")
             q = self._resample(q, self.found.epsilon * CLOSER**k)
         resampled = self.least(q)
@@ -209,7 +216,7 @@ class _Refiner:
         for k in range(SOLVES):
             progress(0.3 + 0.6 * k / SOLVES, f"raising the minimum manipulability, {self.least(q):.6g}")
             before = self.least(q)
-            if before >= self.bound - GAIN * abs(self.bound):
+            if self.deadline.passed or before >= self.bound - GAIN * abs(self.bound):
                 break
             new, _ = self._solve(q, trust, None)
             new = self._on_poses(new)
@@ -229,7 +236,7 @@ class _Refiner:
     def _shorten(self, q: Array, resampled: float) -> Array:
         level = max(self.least(q) - GIVEN * abs(self.least(q)), resampled)
         trust = TRUST
-        while trust > LEAST_TRUST:
+        while trust > LEAST_TRUST and not self.deadline.passed:
             new, _ = self._solve(q, trust, level)
             new = self._on_poses(new)
             if self._squares(new) > self._squares(q) * (1 - SHORTER):

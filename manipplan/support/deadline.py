@@ -3,7 +3,7 @@
 import os
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -105,3 +105,13 @@ def _of_clock(at: float) -> Deadline:
 
 #: No deadline.
 NEVER = Deadline()
+
+
+def until(deadline: Deadline, notify: Callable[[float, str], None]) -> Callable[[float, str], None]:
+    """A progress callback that raises OutOfTimeError once the deadline has passed."""
+
+    def check(share: float, text: str) -> None:
+        deadline.check()
+        notify(share, text)
+
+    return check

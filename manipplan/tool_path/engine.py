@@ -19,6 +19,7 @@ from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
 from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array, ArrayLike
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
@@ -54,6 +55,8 @@ MORE_POSITIONS = "Take more positions"
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
 #: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
+#: Time for a refinement that may take none [s].
+SHORTEST = 1e-3
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
 
@@ -70,6 +73,7 @@ class ToolPathPlanner:
         allowed: largest error between the positions, which are met exactly, where no refinement makes use of it; None: see
             `tolerance`.
         halvings: how often the distance between two positions was halved, for each of them; None: never.
+        deadline: from which on motions are no more improved.
     """
 
     path: CartesianPath
@@ -78,6 +82,7 @@ class ToolPathPlanner:
     samples: int | Sequence[int] | None = None
     allowed: Tolerance | None = None
     halvings: NDArray[np.int64] | None = None
+    deadline: Deadline = NEVER
 
     @property
     def _sampler(self) -> CandidateSampler:
@@ -205,7 +210,8 @@ class ToolPathPlanner:
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
-        refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, progress=progress)
+        limit = None if self.deadline is NEVER else max(self.deadline.left, SHORTEST)
+        refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         seed, _ = self._joined(found.q, None, hold_start=hold_start)
         loose = self._touching(path) | ~is_inside
@@ -215,7 +221,7 @@ class ToolPathPlanner:
         """The same with more positions where it is loose between those there are."""
         made, planner = self.along(found, progress, hold_start=hold_start), self
         for _ in range(CLOSER):
-            if not len(made.loose):
+            if not len(made.loose) or self.deadline.passed:
                 break
             try:
                 planner = planner.halved(made.loose, silent)

@@ -21,6 +21,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
+from manipplan.support.deadline import OutOfTimeError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
@@ -89,7 +90,7 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
         if not len(intervals) or planner.layers.count * (1 + len(intervals) / len(planner.layers.q)) > MOST:
             return planner
         notify(0.0, f"positions half-way in {len(intervals)} intervals")
-        planner = planner.halved(intervals, silent)
+        planner = planner.halved(intervals, notify)
 
 
 def find_parts(
@@ -118,9 +119,14 @@ def find_parts(
     found: tuple[list[FoundPart], Iterator[list[FoundPart]]] | None = None
     for k in range(CLOSER + 1):
         share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
-        if connects:
-            planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
-        options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
+        try:
+            if connects:
+                planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
+            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
+        except OutOfTimeError:
+            if found is None:
+                raise
+            break
         if isinstance(options, NotConnected):
             if connects or found is None:
                 return options
@@ -129,7 +135,7 @@ def find_parts(
         count = len(planner.layers.q)
         loose = np.unique(np.concatenate([(each.first + each.refined.loose) % count for each in found[0]]))
         loose = planner.intervals(HALVED_STEP, loose)
-        if not len(loose):
+        if not len(loose) or planner.deadline.passed:
             break
         planner = planner.halved(loose, silent)
     assert found is not None
