@@ -64,7 +64,8 @@ def cases() -> list[Case]:
     pose, free = mp.Task.pose(), mp.Task.pointing([0, 0, 1])
     panda, hand = mp.load_robot("panda"), tool_paths.robot()
     path, scene = seam()
-    cubes, recorded = tool_paths.load()
+    paths = {each.name: each for each in tool_paths.load()}
+    cubes, recorded = paths["CppFlow, panda__2cubes"], paths["IKLink"]
     return [
         Case(name="seam", robot=panda, path=path, scene=scene, task=pose),
         Case(name="seam, free axis", robot=panda, path=path, scene=scene, task=free),

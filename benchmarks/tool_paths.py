@@ -1,10 +1,14 @@
-"""Tool paths by `mp.follow`: whether a connected motion is found where there is one, the fewest interruptions, and time.
+"""Tool paths by `mp.follow`: whether a motion is found where there is one, the fewest interruptions, and time.
 
-Run with `make benchmark`. Writes docs/benchmarks/tool_paths.md. Paths that others made: CppFlow's two cubes and IKLink's
-recording; paths of that kind by a seeded script: 200 poses of a smooth path with two cubes beside it, for a Panda, an xArm7,
-and a UR5 whose tool may turn about its axis. They are judged by CppFlow's rule: each pose is met to 0.1 mm and 0.1°, no joint
-moves more than 7° from one pose to the next, and the motion is free, here by Pinocchio and coal alone. Whether a connected
-motion exists is searched on a grid ten times finer. Times are CPU times of whole calls.
+Run with `make benchmark`. Writes docs/benchmarks/tool_paths.md. Paths that others made: CppFlow's and TORM's on an arm of
+Fetch's geometry, CppFlow's of a Panda, and IKLink's recording; paths of that kind by a seeded script: 200 poses of a smooth
+path with two cubes beside it, for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and the arm of Fetch's geometry.
+All arguments are at their defaults but a tolerance of 0.1 mm and 0.1°.
+
+They are judged by CppFlow's rule: each pose is met to 0.1 mm and 0.1°, no joint moves more than 7° from one pose to the next,
+and the motion is free, all by Pinocchio and coal on the original description. A grid ten times finer, of 7,200 samples at each
+given pose, tells whether a motion may exist: its steps are not compared with bodies, so some of its motions do not exist. Times
+are CPU times.
 """
 
 import argparse
@@ -17,8 +21,10 @@ from pathlib import Path
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
+import coal
 import numpy as np
 import pinocchio as pin
+from description_judge import Judge
 from numpy.typing import NDArray
 from outside import tool_paths
 from rich.progress import track
@@ -30,25 +36,30 @@ import manipplan as mp
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "tool_paths.md"
 #: CppFlow's rule: distance of each pose [m, rad] and joint step between poses [rad].
 MET, STEP = (1e-4, np.deg2rad(0.1)), np.deg2rad(7.0)
-#: How many times finer the grid is on which a connected motion is searched.
-FINER = 10
+#: The largest step of a joint between neighbouring poses on the finer grid [rad], the default of `mp.follow`, and how many
+#: times finer it is.
+EPSILON, FINER = 0.2, 10
 #: Number of poses of a path made here, and of poses through which it is laid.
 POSES, VIA = 200, 5
 #: Corners of the long path [m].
 CORNERS = np.array([[0.45, -0.2, 0.35], [0.6, -0.2, 0.35], [0.6, 0.2, 0.35], [0.45, 0.2, 0.45], [0.45, -0.1, 0.45]])
-#: Number of times at which the tool is compared with the poses.
-TIMES = 4000
+#: Number of times at which the tool is compared with the poses, of configurations that are checked for collisions, and of
+#: random postures that show which links always touch.
+TIMES, CHECKED, POSTURES = 4000, 400, 100
+#: Depth of an overlap that counts as contact [m].
+CONTACT = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A path to follow among obstacles."""
+    """A path to follow among obstacles; `frame` is the frame of the description that is the tool."""
 
     name: str
     robot: mp.Robot
     path: mp.CartesianPath
     scene: mp.Scene
     task: mp.Task
+    frame: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,50 +70,77 @@ class Result:
         parts: number of parts; 0 without a motion.
         kept: whether CppFlow's rule holds.
         worst: largest distance of a pose [m, rad] and joint step [rad].
+        least: minimum manipulability along the path.
         seconds: CPU time.
-        finer: number of parts on the finer grid; 0 where no interruption helps.
+        finer: number of parts on the finer grid, 0 where no interruption helps, and minimum manipulability; None: not searched.
     """
 
     parts: int
     kept: bool
     worst: tuple[float, float, float]
+    least: float
     seconds: float
-    finer: int
+    finer: tuple[int, float] | None
 
 
-def follow(case: Case, interruptions: int) -> Result:
-    """Follow the path with positions at its poses, and judge the motion."""
+def follow(case: Case, interruptions: int, *, finer: bool) -> Result:
+    """Follow the path, and judge the motion."""
     began = time.process_time()
     plan = mp.follow(
         case.robot,
         case.path,
         case.scene,
-        positions=case.path.knots,
-        epsilon=STEP,
+        tolerance=mp.Tolerance(position=MET[0], rotation=MET[1]),
         objective=mp.PathObjective(task=case.task),
         interruptions=interruptions,
         retreat=0.0,
         throw=False,
     )
     seconds = time.process_time() - began
-    parts, worst, free = 0, (np.nan, np.nan, np.nan), False
+    parts, worst, kept, least = 0, (np.nan, np.nan, np.nan), False, np.nan
     if plan.status in (mp.Status.FOLLOWED, mp.Status.FOLLOWED_IN_PARTS):
-        parts = len(plan.report.along)
-        worst = judge(case, plan)
-        q = plan.trajectory(np.linspace(0, plan.trajectory.duration, TIMES))
-        free = not case.scene.collision_model(case.robot).in_collision_rows(q).any()
-    kept = free and worst[0] <= MET[0] and worst[1] <= MET[1] and worst[2] <= STEP
-    return Result(parts=parts, kept=kept, worst=worst, seconds=seconds, finer=on_finer_grid(case))
+        parts, least = len(plan.report.along), min(each.min_manipulability for each in plan.report.along)
+        judge = judge_of(case)
+        worst = deviations(case, plan, judge)
+        kept = worst[0] <= MET[0] and worst[1] <= MET[1] and worst[2] <= STEP and is_free(plan, judge)
+    return Result(
+        parts=parts, kept=kept, worst=worst, least=least, seconds=seconds, finer=on_finer_grid(case) if finer else None
+    )
 
 
-def judge(case: Case, plan: mp.Plan) -> tuple[float, float, float]:
+def judge_of(case: Case) -> Judge:
+    """Pinocchio and coal on the description of the arm, with the boxes."""
+    judge = Judge(case.robot.source.file, case.robot)
+    links = judge.geometry.ngeoms
+    for box in case.scene.obstacles:
+        placement = pin.SE3(box.pose)
+        shape = pin.GeometryObject(box.name, 0, 0, placement, coal.Box(*np.asarray(box.size)))
+        k = judge.geometry.addGeometryObject(shape)
+        for link in range(links):
+            if judge.geometry.geometryObjects[link].parentJoint:
+                judge.geometry.addCollisionPair(pin.CollisionPair(link, k))
+                judge.links.append(frozenset((judge.geometry.geometryObjects[link].name, box.name)))
+    judge.geometry_data = pin.GeometryData(judge.geometry)
+    return judge
+
+
+def is_free(plan: mp.Plan, judge: Judge) -> bool:
+    """Whether no links and boxes touch at CHECKED times but links that touch by construction."""
+    postures = plan.robot.random_configuration(np.random.default_rng(0), size=POSTURES)
+    always = judge.verdicts(postures).always
+    q = plan.trajectory(np.linspace(0, plan.trajectory.duration, CHECKED))
+    return min(judge.least(each, always) for each in q) > -CONTACT
+
+
+def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, float]:
     """The largest distance of the given poses from the motion [m, rad], and joint step from one to the next [rad]."""
-    robot, axis = case.robot, case.task.free_axis
-    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    axis = case.task.free_axis
+
+    def pose_at(t: float) -> NDArray[np.float64]:
+        return judge.pose_and_jacobian(plan.trajectory(t), case.frame)[0]
 
     def apart(t: float, pose: NDArray[np.float64]) -> tuple[float, float]:
-        pin.framesForwardKinematics(robot.model, data, plan.trajectory(t))
-        reached = data.oMf[frame].homogeneous
+        reached = pose_at(t)
         if axis is not None:
             angle = float(np.arccos(np.clip((reached[:3, :3] @ axis) @ (pose[:3, :3] @ axis), -1, 1)))
         else:
@@ -112,18 +150,33 @@ def judge(case: Case, plan: mp.Plan) -> tuple[float, float, float]:
     far = turned = step = 0.0
     for part in plan.report.along:
         t = np.linspace(part.begin, part.end, TIMES)
-        points = robot.kinematics().pose(plan.trajectory(t))[:, :3, 3]
+        reached = np.array([pose_at(each) for each in t])
         knots = case.path.knots[(case.path.knots >= part.s_begin - 1e-12) & (case.path.knots <= part.s_end + 1e-12)]
         before, last = None, 0
         for pose in case.path(knots):
-            near = np.linalg.norm(points[last:] - pose[:3, 3], axis=1)
-            best = last + int(near[: max(20, TIMES // 4)].argmin())
-            last = best
+            near = np.linalg.norm(reached[last:, :3, 3] - pose[:3, 3], axis=1)
+            turns = (
+                reached[last:, :3, :3] @ axis - pose[:3, :3] @ axis
+                if axis is not None
+                else reached[last:, :3, :3] - pose[:3, :3]
+            )
+            near = near + MET[0] / MET[1] * np.linalg.norm(turns.reshape(len(turns), -1), axis=1)
+            near = near[: max(20, TIMES // 4)]
+            # the first time the tool comes past: a path may come back to a pose
+            rough = int((near <= near.min() + np.abs(np.diff(near)).max(initial=0.0)).argmax())
+            while rough + 1 < len(near) and near[rough + 1] < near[rough]:
+                rough += 1
+            best = last = last + rough
             window = t[max(best - 1, 0)], t[min(best + 1, TIMES - 1)]
             found = minimize_scalar(
-                lambda x, pose=pose: sum(apart(x, pose)), bounds=window, method="bounded", options={"xatol": 1e-9}
+                lambda x, pose=pose: max(np.divide(apart(x, pose), MET)),
+                bounds=window,
+                method="bounded",
+                options={"xatol": 1e-9},
             )
-            position, angle = min((apart(each, pose) for each in (found.x, *window)), key=sum)
+            position, angle = min(
+                (apart(each, pose) for each in (found.x, *window)), key=lambda each: max(np.divide(each, MET))
+            )
             far, turned = max(far, position), max(turned, angle)
             q = plan.trajectory(found.x)
             step = max(step, 0.0 if before is None else float(np.abs(q - before).max()))
@@ -131,8 +184,8 @@ def judge(case: Case, plan: mp.Plan) -> tuple[float, float, float]:
     return far, turned, step
 
 
-def on_finer_grid(case: Case) -> int:
-    """The fewest parts on the finer grid; 0 where no interruption helps."""
+def on_finer_grid(case: Case) -> tuple[int, float]:
+    """The fewest parts on the finer grid, 0 where no interruption helps, and the largest minimum manipulability with so few."""
     layers = mp.sample_layers(
         case.robot,
         case.path,
@@ -142,28 +195,34 @@ def on_finer_grid(case: Case) -> int:
         scene=case.scene,
     )
     try:
-        return mp.fewest_interruptions(layers, STEP).parts
+        found = mp.fewest_interruptions(layers, EPSILON)
+        return found.parts, found.minimum
     except mp.errors.PlanningError:
-        return 0
+        return 0, np.nan
 
 
 def others() -> list[Case]:
     """The paths that others made."""
-    hand = tool_paths.robot()
     return [
-        Case(name=each.name, robot=hand, path=each.path, scene=each.scene, task=mp.Task.pose()) for each in tool_paths.load()
+        Case(name=each.name, robot=each.robot, path=each.path, scene=each.scene, task=mp.Task.pose(), frame=each.frame)
+        for each in tool_paths.load()
     ]
 
 
 def made(count: int) -> list[Case]:
     """Random smooth paths with two cubes beside them, whose poses are all within reach."""
-    arms = [("panda", mp.Task.pose()), ("xarm7", mp.Task.pose()), ("ur5", mp.Task.pointing([0, 0, 1]))]
+    panda, xarm7, ur5 = (mp.load_robot(name) for name in ("panda", "xarm7", "ur5"))
+    ur5 = ur5.with_limits(lower=-np.pi, upper=np.pi)  # two turns of each joint give up to 64 times the candidates
+    whole, pointing = mp.Task.pose(), mp.Task.pointing([0, 0, 1])
+    arms = [
+        ("panda", panda, whole, panda.tool),
+        ("xarm7", xarm7, whole, xarm7.tool),
+        ("ur5", ur5, pointing, ur5.tool),
+        ("like Fetch", tool_paths.fetch_like(), whole, "gripper"),
+    ]
     rng, cases = np.random.default_rng(0), []
     while len(cases) < count:
-        name, task = arms[len(cases) % len(arms)]
-        robot = mp.load_robot(name)
-        if name == "ur5":
-            robot = robot.with_limits(lower=-np.pi, upper=np.pi)  # two turns of each joint give up to 64 times the candidates
+        name, robot, task, frame = arms[len(cases) % len(arms)]
         begin = robot.kinematics(mp.Task.pose()).pose(robot.random_configuration(rng))
         via = [begin]
         for _ in range(VIA - 1):
@@ -178,7 +237,7 @@ def made(count: int) -> list[Case]:
             centre, side = points[rng.integers(POSES)] + rng.normal(0, 0.2, 3), rng.uniform(0.1, 0.2)
             if np.linalg.norm(points - centre, axis=1).min() > side and np.linalg.norm(centre[:2]) > 0.3:
                 cubes.append(mp.Box(size=(side,) * 3, position=centre, name=f"cube {len(cubes)}"))
-        case = Case(name=f"made, {name}", robot=robot, path=path, scene=mp.Scene(cubes), task=task)
+        case = Case(name=f"made, {name}", robot=robot, path=path, scene=mp.Scene(cubes), task=task, frame=frame)
         try:
             mp.sample_layers(robot, path, 40, task=task, samples=180, scene=case.scene, spare=0.003)
             mp.sample_layers(robot, path, path.knots, task=task, scene=case.scene, spare=0.003)
@@ -239,49 +298,65 @@ def free_rows() -> list[str]:
 
 def line(name: str, results: Sequence[Result]) -> str:
     """One row of the table."""
-    connected = [each for each in results if each.parts == 1]
-    possible = [each for each in results if each.finer == 1]
-    cut = [each for each in results if each.finer > 1]
+    compared = [each for each in results if each.finer is not None]
+    connected = [each for each in compared if each.finer[0] == 1]
+    cut = [each for each in compared if each.finer[0] > 1]
     moved = [each for each in results if each.parts]
-    times = [[each.seconds for each in results if (each.parts == 1) is whole] for whole in (True, False)]
     worst = np.max([each.worst for each in moved], axis=0) if moved else np.full(3, np.nan)
+    ratios = sorted(each.least / each.finer[1] for each in compared if each.parts and each.parts == each.finer[0])
+    times = [[each.seconds for each in results if (each.parts == 1) is whole] for whole in (True, False)]
     cells = [
         name,
         len(results),
-        f"{len(connected)} of {len(possible)}",
-        f"{sum(each.parts == each.finer for each in cut)} of {len(cut)}",
-        f"{max((each.parts for each in moved), default=1) - 1}",
+        f"{sum(each.parts == 1 for each in results)}",
+        f"{sum(each.parts == 1 for each in connected)} of {len(connected)}",
+        f"{sum(0 < each.parts <= each.finer[0] for each in cut)} of {len(cut)}",
+        f"{np.median(ratios):.3f}, {ratios[0]:.3f}" if ratios else "",
         f"{sum(each.kept for each in moved)} of {len(moved)}",
         f"{1e3 * worst[0]:.3f} mm, {np.rad2deg(worst[1]):.3f}°, {np.rad2deg(worst[2]):.1f}°",
-        *(f"{np.median(each):.1f} s, {max(each):.1f} s" if each else "" for each in times),
+        *(f"{np.median(each):.1f} s, {np.percentile(each, 95):.1f} s, {max(each):.1f} s" if each else "" for each in times),
     ]
     return "| " + " | ".join(map(str, cells)) + " |"
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--paths", type=int, default=12, help="number of paths made here")
+    parser.add_argument("--paths", type=int, default=200, help="number of paths made here")
+    parser.add_argument("--finer", type=int, default=24, help="number of them that are searched on the finer grid")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
-    follow(others()[0], 0)  # what is compiled at the first call does not count
-    outside = [follow(case, 2) for case in track(others(), "paths of others")]
+    given = others()
+    follow(given[0], 0, finer=False)  # what is compiled at the first call does not count
+    outside = [follow(case, 2, finer=True) for case in track(given, "paths of others")]
     cases = made(options.paths)
-    own = [follow(case, 9) for case in track(cases, "paths made here")]
+    own = [follow(case, 9, finer=k < options.finer) for k, case in enumerate(track(cases, "paths made here"))]
+    columns = [
+        "paths",
+        "number",
+        "followed without interruption",
+        "of those that connect on the finer grid",
+        "in as few parts as on the finer grid, of the others",
+        "minimum m over that of the finer grid: median, least",
+        "CppFlow's rule kept",
+        "worst pose, and joint step",
+        "time without interruption: median, 95 %, largest",
+        "time of the others",
+    ]
     lines = [
-        "| paths | number | connected, of those connected on the finer grid | as few parts as on the finer grid, of the others "
-        "| most interruptions | CppFlow's rule kept | worst pose, and joint step | time where connected: median, largest "
-        "| time of the others |",
-        "|---" * 9 + "|",
-        *(line(case.name, [result]) for case, result in zip(others(), outside, strict=True)),
+        "| " + " | ".join(columns) + " |",
+        "|---" * len(columns) + "|",
+        *(line(case.name, [result]) for case, result in zip(given, outside, strict=True)),
         *(
             line(name, [result for case, result in zip(cases, own, strict=True) if case.name == name])
             for name in dict.fromkeys(case.name for case in cases)
         ),
+        line("all made", own),
         "",
-        f"Positions at the given poses, joint steps below 7°, no retreat; finer grid: {FINER * 720} samples at each pose "
-        "and no spare clearance; the UR5's joints turn by ±180°. Where the tool leaves the path, the time has the planning of "
-        f"free motions in it. CPU time; Python {platform.python_version()}, "
-        f"{platform.machine()}; command: `make benchmark`.",
+        "Default arguments, but a tolerance of 0.1 mm and 0.1°, no retreat, and up to 9 interruptions, 2 of the paths of "
+        f"others. Finer grid: {FINER * 720} samples at each given pose, for the paths of others and {options.finer} made ones; "
+        "its motions may touch bodies between the poses. The UR5's joints turn by ±180°. Where the tool leaves the path, the "
+        "time has the planning of free motions in it. CPU time; "
+        f"Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
         "",
         *free_rows(),
         "",

@@ -1,8 +1,9 @@
-"""Paths of a Panda's hand that others made (README.md beside this file): `load()` reads them, `robot()` is their arm."""
+"""Tool paths that others made (see README.md): `load()` reads them, `robot()` and `fetch_like()` are their arms."""
 
 import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pinocchio as pin
@@ -15,9 +16,11 @@ HERE = Path(__file__).resolve().parent
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ToolPath:
-    """A path of the hand, with its name and the obstacles around it."""
+    """A path of a tool, with its name, the arm, the frame of its description that is the tool, and the obstacles around it."""
 
     name: str
+    robot: mp.Robot
+    frame: str
     path: mp.CartesianPath
     scene: mp.Scene
 
@@ -31,15 +34,30 @@ def robot() -> mp.Robot:
     return arm.with_tool((tool.inverse() * hand).homogeneous, name="hand")
 
 
+def fetch_like() -> mp.Robot:
+    """The arm of Fetch's geometry, without the torso."""
+    joints = json.loads((HERE / "fetch_like_paths.json").read_text())["fetch_arm__circle"]["joints"]
+    return mp.load_robot(HERE / "fetch_like.urdf", tool="gripper", joints=joints)
+
+
 def load() -> list[ToolPath]:
-    """The paths that are within reach of the arm."""
-    cubes = json.loads((HERE / "tool_paths_cppflow.json").read_text())["panda__2cubes"]
-    boxes = [mp.Box(**box, name=f"cube {k}") for k, box in enumerate(cubes["boxes"])]
+    """The paths that are within reach of the arms."""
+    hand, paths = robot(), list[ToolPath]()
+    for name, problem in json.loads((HERE / "tool_paths_cppflow.json").read_text()).items():
+        if name != "panda__square":  # beyond the limits of our Panda's fifth joint
+            paths.append(_tool_path(f"CppFlow, {name}", hand, "panda_hand", problem))
     recorded = json.loads((HERE / "tool_path_iklink_panda.json").read_text())["poses_t_xyz_xyzw"]
-    return [
-        ToolPath(name="CppFlow, two cubes", path=_path(np.array(cubes["poses_xyz_xyzw"])), scene=mp.Scene(boxes)),
-        ToolPath(name="IKLink", path=_path(np.array(recorded)[:, 1:]), scene=mp.Scene()),
-    ]
+    path = _path(np.array(recorded)[:, 1:])
+    paths.append(ToolPath(name="IKLink", robot=hand, frame="panda_hand", path=path, scene=mp.Scene()))
+    for name, problem in json.loads((HERE / "fetch_like_paths.json").read_text()).items():
+        paths.append(_tool_path(f"like {name}", fetch_like(), "gripper", problem))
+    return paths
+
+
+def _tool_path(name: str, robot: mp.Robot, frame: str, problem: dict[str, Any]) -> ToolPath:
+    boxes = [mp.Box(**box, name=f"box {k}") for k, box in enumerate(problem["boxes"])]
+    path = _path(np.array(problem["poses_xyz_xyzw"]))
+    return ToolPath(name=name, robot=robot, frame=frame, path=path, scene=mp.Scene(boxes))
 
 
 def _path(rows: np.ndarray) -> mp.CartesianPath:
