@@ -47,6 +47,8 @@ from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
+#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
+SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
 #: Share of the time limit after which motions are no more improved, so that the rest suffices for timing and checks.
@@ -170,7 +172,7 @@ def follow(
             leave a motion of the tool free.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
         samples: number of grid points of the redundancy; see `sample_layers`. On an arm with one degree of redundancy more are
-            added where neighbouring ones are farther apart than half of epsilon.
+            added where joints of neighbouring ones differ by more than 0.05.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 0.1 mm more, for the
@@ -250,7 +252,7 @@ def follow(
             scene=scene,
             clearance=clearance,
             spare=spare,
-            spacing=epsilon / 2,
+            spacing=SPACING,
             closed=closed,
             near=q_start,
             executor=executor,

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from manipplan.search import max_min, sweep
-from manipplan.search.interruptions import fewest_interruptions
+from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search, minimum_from_each
 from manipplan.support.errors import PlanningError
@@ -268,3 +268,24 @@ def test_the_minimum_from_each_first_candidate_is_that_of_brute_force():
         reached += np.isfinite(best).sum()
         lost += np.isinf(best).sum()
     assert reached > 100 and lost > 100
+
+
+def test_gaps_are_where_the_way_from_the_start_ends_and_the_way_to_the_next_position_begins():
+    rng, seen = np.random.default_rng(5), 0
+    for _ in range(300):
+        layers, epsilon = layered.random_layers(rng)
+        found = find_gaps(layers, epsilon)
+        assert bool(found.ranges) == (layered.widest(layers, epsilon, True) == -np.inf)
+        if not found.ranges:
+            assert found.parts == 1
+            continue
+        edges = [layered.neighbours(layers, i, i + 1, epsilon, True) for i in range(len(layers.q) - 1)]
+        reached, last = np.ones(len(layers.q[0]), dtype=bool), 0
+        while (reached := edges[last][reached].any(axis=0)).any():
+            last += 1
+        leading, begin = np.ones(len(layers.q[last + 1]), dtype=bool), last + 1
+        while begin > 0 and (leading := edges[begin - 1][:, leading].any(axis=1)).any():
+            begin -= 1
+        assert found.ranges[0] == (max(begin - 1, 0), last + 1)
+        seen += begin < last + 1
+    assert seen > 10

@@ -6,7 +6,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import deviation_at, deviation_from
+from manipplan.paths.deviation import _from_piece as from_piece
+from manipplan.paths.deviation import deviation_at, deviation_from, deviations, distances_from
 from manipplan.symbolic.free_motion import FreeMotion
 
 RNG = np.random.default_rng(7)
@@ -194,3 +195,55 @@ def test_a_closed_spline_of_three_rows():
 def test_wrong_splines(s, q, closed, message):
     with pytest.raises(mp.errors.InvalidInputError, match=message):
         mp.JointPath.spline(s, q, closed=closed)
+
+
+# ---- against all pieces of the line
+
+
+@pytest.mark.parametrize("task", [mp.Task.pose(), mp.Task.pointing([0, 0, 1]), mp.Task.position()], ids=lambda task: task.name)
+def test_the_nearest_piece_is_found_among_all_also_where_a_path_passes_beside_itself(task):
+    free, rng = FreeMotion.of(task), np.random.default_rng(4)
+    s = np.linspace(0, 1, 160)
+    line = np.tile(START, (len(s), 1, 1))
+    line[:, :3, 3] += 0.1 * np.stack([np.sin(7 * s), np.sin(16 * s), 0.01 * s], axis=1)  # crosses itself
+    line = np.array([turned(pose, [0.2 * x, 0, x]) for pose, x in zip(line, s, strict=True)])
+    poses = np.array(
+        [
+            shifted(turned(line[k], v), w)
+            for k, v, w in zip(
+                rng.integers(0, len(s), 300), rng.normal(0, 0.02, (300, 3)), rng.normal(0, 2e-3, (300, 3)), strict=True
+            )
+        ]
+    )
+    found = np.array(distances_from(line, poses, free))
+    every = np.array([from_piece(poses, line[[k] * 300], line[[k + 1] * 300], free) for k in range(len(s) - 1)])
+    least = (every[:, 0] + 0.1 * every[:, 1]).min(axis=0)
+    np.testing.assert_allclose(found[0] + 0.1 * found[1], least, rtol=0.05, atol=1e-9)
+    assert np.median((found[0] + 0.1 * found[1]) / least) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_corners_between_evenly_spaced_poses_are_no_deviation():
+    """Poses 21 mm apart on a zigzag of 12 m: of 2000 evenly spaced pieces of it, each corner is beside the middle of one."""
+    corners = np.array([[0.5 * k, 0.3 * (k % 2), 0] for k in range(21)])
+    way = np.append(0.0, np.linalg.norm(np.diff(corners, axis=0), axis=1).cumsum())
+    s = np.union1d(np.linspace(0, way[-1], 561), way)
+    given = np.tile(START, (len(s), 1, 1))
+    given[:, :3, 3] += np.array([np.interp(s, way, column) for column in corners.T]).T
+    path = CartesianPath.through(given)
+    assert deviation_from(path, path(np.sort(RNG.uniform(size=4000)))).position < 3e-4
+    assert deviation_from(path, path(path.knots)).position < 1e-7
+
+
+def test_a_pose_within_the_tolerance_of_some_pose_of_the_path_is_within_it():
+    """The nearest pose by distance and angle together turns less, and is farther away than the tolerance allows."""
+    tolerance = mp.Tolerance(position=1e-4, rotation=2e-3)
+    turning = CartesianPath.line(START, turned(shifted(START, [0.1, 0, 0]), [0, 0, 3.0]))
+    s = np.linspace(0.1, 0.9, 50)
+    poses = turned(shifted(turning(s), [0, 0.96e-4, 0]), [0, 0, 1.9e-3])
+    plain = deviations(turning, poses)
+    assert plain[0].max() > tolerance.position
+    position, rotation = deviations(turning, poses, tolerance=tolerance)
+    assert position.max() <= tolerance.position and rotation.max() <= tolerance.rotation
+    beyond = turned(shifted(turning(s), [0, 1.5e-4, 0]), [0, 0, 2.9e-3])
+    position, rotation = deviations(turning, beyond, tolerance=tolerance)
+    assert ((position > tolerance.position) | (rotation > tolerance.rotation)).all()

@@ -5,7 +5,6 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.jobs import follow
 from manipplan.paths.cartesian import CartesianPath
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -364,34 +363,11 @@ def test_steps_too_small_to_connect(panda, line):
 
 
 @pytest.mark.slow
-def test_finer_samples_that_cannot_be_had_are_a_reason_and_no_error(panda, line, monkeypatch):
-    """The caller gave no samples, so an error about them would name an argument that was not there."""
-    calls, sampled = [], follow.sample_layers
-
-    def fails_when_finer(*arguments, **options):
-        calls.append(options["samples"])
-        if len(calls) > 1:
-            raise mp.errors.InvalidInputError("samples", "7,200 at each of 4 positions", "fewer")
-        return sampled(*arguments, **options)
-
-    monkeypatch.setattr(follow, "sample_layers", fails_when_finer)
-    plan = mp.follow(panda, line, positions=4, epsilon=0.01, throw=False)
-    assert plan.status is mp.Status.NOT_CONNECTED and len(calls) == 2
-    assert "can be reached from position" in plan.message
-    assert plan.message.endswith("; finer samples: samples: got '7,200 at each of 4 positions'; allowed: fewer")
-
-
-@pytest.mark.slow
 def test_a_path_out_of_reach_between_its_positions(panda, start):
-    """Both ends are reached, the middle a metre further is not: knots cannot mend that, and the check tells."""
+    """Both ends are reached, the middle a metre further is not: a position that is added tells."""
     path = CartesianPath.through([start, moved(start, [1.0, 0, 0]), moved(start, [0, 0.1, 0])])
-    plan = mp.follow(panda, path, positions=2, throw=False, **FEW)
-    assert plan.status is mp.Status.CHECK_FAILED and not plan.status.has_path
-    assert "leaves the path by" in plan.message and "Take more positions" in plan.message
-    assert not plan.report.passed and "CHECK FAILED" in str(plan.report)
-    with pytest.raises(mp.errors.PlanningError, match="leaves the path by") as caught:
-        mp.follow(panda, path, positions=2, **FEW)
-    assert caught.value.result.status is mp.Status.CHECK_FAILED
+    with pytest.raises(mp.errors.OutOfReachError, match=r"^path, s = 0\.5: got .* the arm stays 5\d\d\.?\d* mm"):
+        mp.follow(panda, path, positions=2, throw=False, **FEW)
 
 
 class OutAndBack(CartesianPath):
@@ -412,8 +388,8 @@ def test_a_motion_that_would_turn_back_early(panda, start):
     plan = mp.follow(panda, OutAndBack(start, 0.15), positions=4, samples=48, epsilon=1.0, tolerance=tube)
     poses = assert_followed(panda, plan)
     assert poses[:, 0, 3].max() - start[0, 3] > 0.14
-    far = mp.follow(panda, OutAndBack(start, 1.0), positions=2, throw=False, **FEW)
-    assert far.status is mp.Status.CHECK_FAILED  # out of reach
+    with pytest.raises(mp.errors.OutOfReachError, match="^path, s = 0"):
+        mp.follow(panda, OutAndBack(start, 1.0), positions=2, throw=False, **FEW)
 
 
 def test_positions_inside_an_obstacle(panda, start, line):
@@ -426,12 +402,11 @@ def test_positions_inside_an_obstacle(panda, start, line):
 
 
 @pytest.mark.slow
-def test_an_obstacle_between_positions_fails_the_check(panda, start, line):
+def test_an_obstacle_between_positions_is_found(panda, start, line):
     """Thin enough to stand between two positions: candidates are free, the motion between them is not."""
     scene = mp.Scene([mp.Sphere(radius=0.01, position=line(0.5)[:3, 3], name="bead")])
-    plan = mp.follow(panda, line, positions=2, scene=scene, throw=False, **FEW)
-    assert plan.status is mp.Status.CHECK_FAILED
-    assert not plan.report.collision_free and not plan.report.passed
+    with pytest.raises(mp.errors.InvalidInputError, match=r"^path, s = 0\.5: .*and bead overlap by"):
+        mp.follow(panda, line, positions=2, scene=scene, throw=False, **FEW)
 
 
 def test_a_path_without_length(panda, start):

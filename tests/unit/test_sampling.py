@@ -394,3 +394,40 @@ def test_the_search_over_samples_equals_all_pairs(six):
         near = (np.abs(q[:, None] - before[None]) < 0.5).all(axis=2)
         best = {k: min(m[k], max((best[j] for j in np.flatnonzero(near[k])), default=-np.inf)) for k in range(len(q))}
     assert mp.max_min_search(layers, 0.5).minimum == max(best.values()) > 0
+
+
+@pytest.mark.parametrize(("name", "task"), [("panda", None), ("xarm7", None), ("ur5", mp.Task.pointing([0, 0, 1]))])
+def test_branches_are_sampled_as_closely_as_the_spacing_says(name, task):
+    """Each solution has one at the next value of the parameter nearby, unless the values are as close as they may be."""
+    robot, spacing, samples = mp.load_robot(name), 0.2, 90
+    if name == "ur5":
+        robot = robot.with_limits(lower=-np.pi, upper=np.pi)
+    rng = np.random.default_rng(3)
+    q = robot.random_configuration(rng, size=2)
+    path = CartesianPath.line(*tool_poses(robot, q))
+    options = {"task": task, "samples": samples, "collisions": False}
+    grid, closely = (mp.sample_layers(robot, path, [0.0, 1.0], **options, spacing=each) for each in (None, spacing))
+    solver, finest = closely.sampler.solver, 4 * np.pi / samples / 64
+    left = 0
+    for few, many, pose in zip(grid.q, closely.q, closely.poses, strict=True):
+        assert len(many) >= len(few) and {tuple(each) for each in few.round(9)} <= {tuple(each) for each in many.round(9)}
+        values = solver.parameters_of(many, np.tile(pose, (len(many), 1, 1)))[:, 0]
+        values = np.where(values > np.pi - 1e-9, values - 2 * np.pi, values) if task else values
+        for a, b in itertools.pairwise(np.unique(values.round(9))):
+            own, following = (many[np.abs(values - each) < 2e-9] for each in (a, b))
+            apart = np.abs(own[:, None] - following[None])
+            apart = np.abs(apart - 2 * np.pi * np.round(apart / (2 * np.pi))).max(axis=2)
+            is_close = max(apart.min(axis=1).max(), apart.min(axis=0).max()) < spacing + 1e-9
+            if not is_close and b - a > finest:
+                between = solver.solve_once(pose[None], np.zeros(1, dtype=np.int64), np.array([[(a + b) / 2]]))
+                assert not len(between.q)  # a range without solutions
+            left += not is_close
+        assert len(many) > len(few) or not left
+
+
+def test_a_spacing_that_is_no_distance_is_refused():
+    robot = mp.load_robot("panda")
+    path = CartesianPath.line(*tool_poses(robot, np.array([robot.neutral, robot.neutral + 0.1])))
+    for value in (0.0, -1.0, np.nan, [0.1] * 3, "fine"):
+        with pytest.raises(mp.errors.InvalidInputError, match="^spacing: got"):
+            mp.sample_layers(robot, path, 3, spacing=value)

@@ -1,0 +1,186 @@
+"""follow on tool paths that others made, where a few positions or samples do not suffice; judged by Pinocchio and coal."""
+
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from scipy.spatial.transform import Rotation
+
+import manipplan as mp
+from manipplan.search.interruptions import find_gaps
+from manipplan.search.layers import choose_positions
+from manipplan.support.progress import silent
+from manipplan.tool_path.engine import ToolPathPlanner
+from manipplan.tool_path.parts import connect
+
+FOLDER = Path(__file__).parents[2] / "benchmarks" / "outside"
+CLOSE = mp.Tolerance(position=1e-4, rotation=np.deg2rad(0.1))
+
+
+def read(file, name):
+    """The path and the boxes of a problem."""
+    problem = json.loads((FOLDER / file).read_text())[name]
+    rows = np.array(problem["poses_xyz_xyzw"])
+    poses = np.tile(np.eye(4), (len(rows), 1, 1))
+    poses[:, :3, 3], poses[:, :3, :3] = rows[:, :3], Rotation.from_quat(rows[:, 3:]).as_matrix()
+    boxes = [mp.Box(**box, name=f"box {k}") for k, box in enumerate(problem["boxes"])]
+    return mp.CartesianPath.through(poses), mp.Scene(boxes), problem.get("joints")
+
+
+@pytest.fixture(scope="module")
+def flappy():
+    """The Panda with its hand as tool, and CppFlow's path between boxes."""
+    arm = mp.load_robot("panda")
+    data = arm.model.createData()
+    pin.framesForwardKinematics(arm.model, data, arm.neutral)
+    tool, hand = (data.oMf[arm.model.getFrameId(name)] for name in (arm.tool, "panda_hand"))
+    path, scene, _ = read("tool_paths_cppflow.json", "panda__flappy_bird")
+    return arm.with_tool((tool.inverse() * hand).homogeneous, name="hand"), path, scene
+
+
+def farthest(robot, plan, path):
+    """The largest distance [m] and angle [rad] of given poses from where the tool comes past in their order, by Pinocchio."""
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+
+    def ratios(times, pose):
+        found = []
+        for q in plan.trajectory(times):
+            pin.framesForwardKinematics(robot.model, data, q)
+            reached = data.oMf[frame].homogeneous
+            distance = np.linalg.norm(reached[:3, 3] - pose[:3, 3])
+            angle = np.linalg.norm(pin.log3(reached[:3, :3].T @ pose[:3, :3]))
+            found.append((distance / CLOSE.position, angle / CLOSE.rotation))
+        return np.array(found)
+
+    t, worst, last = np.linspace(0, plan.trajectory.duration, 4000), np.zeros(2), 0
+    for pose in path(path.knots):
+        ahead = ratios(t[last : last + 400], pose).max(axis=1)
+        step = np.abs(np.diff(ahead)).max()
+        best = int((ahead <= ahead.min() + step).argmax())
+        while best + 1 < len(ahead) and ahead[best + 1] < ahead[best]:
+            best += 1
+        last += best
+        near = ratios(np.linspace(t[max(last - 1, 0)], t[min(last + 1, len(t) - 1)], 101), pose)
+        worst = np.maximum(worst, near[near.max(axis=1).argmin()])
+    return worst
+
+
+def test_branches_that_meet_between_samples_are_connected(flappy):
+    """Without the samples at which branches meet, as many positions do not connect."""
+    robot, path, scene = flappy
+    s = choose_positions(path, stride=0.0075, closed=False)
+    layers = [mp.sample_layers(robot, path, s, scene=scene, spare=1e-4, spacing=each) for each in (None, 0.05)]
+    assert [find_gaps(each, 0.2).parts for each in layers] == [2, 1]
+
+
+def test_positions_are_added_only_where_gaps_have_to_be_closed(flappy):
+    robot, path, scene = flappy
+    s = choose_positions(path, closed=False)
+    layers = mp.sample_layers(robot, path, s, scene=scene, spare=1e-4, spacing=0.05)
+    planner = ToolPathPlanner(path=path, layers=layers)
+    (first, last), *_ = find_gaps(layers, 0.2).ranges
+    connected = connect(planner, 0.2, silent).layers
+    assert find_gaps(connected, 0.2).ranges == ()
+    added = np.setdiff1d(connected.s, s)
+    assert len(added) and (added > s[first]).all() and (added < s[last]).all()
+    assert np.isin(s, connected.s).all() and np.diff(connected.s).min() > np.diff(s).min() / 64.01
+    for k, each in enumerate(connected.s):
+        pose = path(np.array([each]))[0]
+        np.testing.assert_allclose(connected.poses[k], pose, atol=1e-12)
+        data = robot.model.createData()
+        pin.framesForwardKinematics(robot.model, data, connected.q[k][0])
+        np.testing.assert_allclose(data.oMf[robot.model.getFrameId(robot.tool)].homogeneous, pose, atol=1e-6)
+
+
+def test_cppflows_path_between_boxes_is_followed_without_interruption(flappy):
+    robot, path, scene = flappy
+    plan = mp.follow(robot, path, scene, tolerance=CLOSE)
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert (farthest(robot, plan, path) <= 1.0).all()
+    q = plan.trajectory(np.linspace(0, plan.trajectory.duration, 2000))
+    assert not scene.collision_model(robot).in_collision_rows(q).any()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["fetch_arm__rot_yz", "fetch_arm__hello_mini", "fetch_arm__hello"])
+def test_paths_of_an_arm_like_fetch_are_followed_within_a_tenth_of_a_millimetre(name):
+    path, scene, joints = read("fetch_like_paths.json", name)
+    robot = mp.load_robot(FOLDER / "fetch_like.urdf", tool="gripper", joints=joints)
+    plan = mp.follow(robot, path, scene, tolerance=CLOSE)
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert (farthest(robot, plan, path) <= 1.0).all()
+
+
+# ---- no motion
+
+
+def turning(pose, angle):
+    """The tool turns about its own z-axis where it stands."""
+    poses = np.tile(pose, (40, 1, 1))
+    for k, each in enumerate(np.linspace(0, angle, 40)):
+        poses[k, :3, :3] = pose[:3, :3] @ pin.exp3(np.array([0, 0, each]))
+    return mp.CartesianPath.through(poses)
+
+
+def test_a_motion_that_a_joint_limit_ends_names_the_place_the_joint_and_the_resolution():
+    panda = mp.load_robot("panda")
+    pose = panda.kinematics().pose(panda.states["default"])
+    found = mp.follow(panda, turning(pose, 11.0), throw=False)
+    assert found.status is mp.Status.NOT_CONNECTED
+    assert found.message.startswith("no motion leads on from s = 0.")
+    assert "limit of panda_joint" in found.message and "values of panda_joint7 0.00806 apart" in found.message
+    apart = float(found.message.split("positions at most ")[1].split(" mm")[0])
+    assert apart < 1e-6  # the tool turns on the spot
+    assert "with 2 interruptions there is a motion: interruptions=2 allows them" in found.message
+
+
+def test_a_wall_that_ends_all_motions_is_named():
+    panda = mp.load_robot("panda")
+    begin = panda.kinematics().pose(panda.states["default"])
+    end = begin.copy()
+    end[:3, 3] += [0, 0.3, 0]
+    wall = mp.Box(size=(0.6, 0.02, 0.6), position=begin[:3, 3] + [0, 0.15, -0.25], name="wall")
+    with pytest.raises(mp.errors.ManipplanError) as caught:
+        mp.follow(panda, mp.CartesianPath.line(begin, end), mp.Scene([wall]))
+    assert "wall" in str(caught.value)
+
+
+# ---- the time limit
+
+
+def test_a_time_limit_that_is_too_short_finds_nothing_and_says_so(flappy):
+    robot, path, scene = flappy
+    began = time.monotonic()
+    found = mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=0.05, throw=False)
+    assert time.monotonic() - began < 2.0
+    assert found.status is mp.Status.NO_PATH and found.trajectory is None
+    assert found.message == "no motion along the path was found within time_limit = 0.05 s"
+    with pytest.raises(mp.errors.PlanningError, match="time_limit = 0.05 s"):
+        mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=0.05)
+
+
+def test_a_time_limit_that_is_not_reached_changes_nothing(flappy):
+    robot, path, scene = flappy
+    free, limited = (mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=each) for each in (None, 600.0))
+    np.testing.assert_array_equal(free.trajectory.q, limited.trajectory.q)
+
+
+def test_a_motion_that_is_found_in_time_is_returned_without_improvement(flappy, monkeypatch):
+    from manipplan.jobs import follow
+
+    robot, path, scene = flappy
+    best = mp.follow(robot, path, scene, tolerance=CLOSE)
+    monkeypatch.setattr(follow, "IMPROVING", 1e-9)
+    plan = mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=600.0)
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert plan.refinement.refined == pytest.approx(plan.refinement.discrete)
+    assert plan.report.min_manipulability <= best.report.min_manipulability * (1 + 1e-6)
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, np.nan, np.inf, "soon", True])
+def test_a_time_limit_that_is_none_is_refused(flappy, value):
+    with pytest.raises(mp.errors.InvalidInputError, match="^time_limit: got"):
+        mp.follow(*flappy, time_limit=value)
