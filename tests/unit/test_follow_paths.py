@@ -42,29 +42,13 @@ def flappy():
 
 
 def farthest(robot, plan, path):
-    """The largest distance [m] and angle [rad] of given poses from where the tool comes past in their order, by Pinocchio."""
-    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
-
-    def ratios(times, pose):
-        found = []
-        for q in plan.trajectory(times):
-            pin.framesForwardKinematics(robot.model, data, q)
-            reached = data.oMf[frame].homogeneous
-            distance = np.linalg.norm(reached[:3, 3] - pose[:3, 3])
-            angle = np.linalg.norm(pin.log3(reached[:3, :3].T @ pose[:3, :3]))
-            found.append((distance / CLOSE.position, angle / CLOSE.rotation))
-        return np.array(found)
-
-    t, worst, last = np.linspace(0, plan.trajectory.duration, 4000), np.zeros(2), 0
-    for pose in path(path.knots):
-        ahead = ratios(t[last : last + 400], pose).max(axis=1)
-        step = np.abs(np.diff(ahead)).max()
-        best = int((ahead <= ahead.min() + step).argmax())
-        while best + 1 < len(ahead) and ahead[best + 1] < ahead[best]:
-            best += 1
-        last += best
-        near = ratios(np.linspace(t[max(last - 1, 0)], t[min(last + 1, len(t) - 1)], 101), pose)
-        worst = np.maximum(worst, near[near.max(axis=1).argmin()])
+    """The largest distance and angle of given poses from the tool there, by Pinocchio, as shares of what is allowed."""
+    data, frame, worst = robot.model.createData(), robot.model.getFrameId(robot.tool), np.zeros(2)
+    for q, pose in zip(plan.path(path.knots), path(path.knots), strict=True):
+        pin.framesForwardKinematics(robot.model, data, q)
+        reached = data.oMf[frame].homogeneous
+        angle = np.linalg.norm(pin.log3(reached[:3, :3].T @ pose[:3, :3]))
+        worst = np.maximum(worst, [np.linalg.norm(reached[:3, 3] - pose[:3, 3]) / CLOSE.position, angle / CLOSE.rotation])
     return worst
 
 
