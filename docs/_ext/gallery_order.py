@@ -6,7 +6,7 @@ from typing import Any
 ORDER = {
     "first_steps": ("first_plan", "own_robot", "trajectory_files"),
     "plan": ("shelf", "cell", "rivals", "power_and_degree", "singular", "home", "timing"),
-    "follow": ("all_solutions", "weld_seam", "talos_circle"),
+    "follow": ("all_solutions", "weld_seam", "talos_circle", "interruptions", "no_motion"),
     "track": ("tracking", "improve_recording", "avoidance", "live_follow"),
     "measure": ("measures", "workspace_map", "own_measure", "planar_postures", "pictures"),
     "deploy": ("certificate", "export_c", "mujoco_playback", "cluster"),

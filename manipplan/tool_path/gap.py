@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from manipplan.search.interruptions import find_gaps
 from manipplan.search.layers import INSIDE_LIMITS
 from manipplan.search.max_min import minimum_to_each
-from manipplan.search.sweep import steps_between
+from manipplan.search.sweep import check_epsilon, steps_between
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.tool_path.engine import ToolPathPlanner
 
@@ -37,7 +37,7 @@ def explain_gap(planner: ToolPathPlanner, epsilon: ArrayLike) -> str:
     where = f"no motion leads on from s = {s[beyond - 1]:.5g} to s = {s[beyond]:.5g} (x = {x}, y = {y}, z = {z} m)"
     reached = minimum_to_each(layers.part(0, beyond - 1), epsilon) > -np.inf
     q = layers.q[beyond - 1][reached]
-    reasons = _reasons(planner, q[:: -(-len(q) // TRIED)], beyond, epsilon)
+    reasons = _reasons(planner, q[:: -(-len(q) // TRIED)], beyond, check_epsilon(epsilon, layers.continuous))
     ends = f"the {len(q):,} configurations in which motions come there end at {reasons}"
     return f"{where}; {ends}; {_resolution(planner, np.arange(first, beyond))}"
 
@@ -58,7 +58,7 @@ def _resolution(planner: ToolPathPlanner, intervals: NDArray[np.int64]) -> str:
     return f"this was searched with {' and '.join(text)}"
 
 
-def _reasons(planner: ToolPathPlanner, q: Array, beyond: int, epsilon: ArrayLike) -> str:
+def _reasons(planner: ToolPathPlanner, q: Array, beyond: int, epsilon: Array) -> str:
     """What ends the motions at configurations q (k, n), with the share of each, largest first."""
     layers = planner.layers
     assert layers.sampler is not None and layers.poses is not None
@@ -72,16 +72,18 @@ def _reasons(planner: ToolPathPlanner, q: Array, beyond: int, epsilon: ArrayLike
     low, high = limits.lower + INSIDE_LIMITS - moved, moved - limits.upper + INSIDE_LIMITS
     free = sampler.free(np.clip(moved, limits.lower, limits.upper))
     pairs = _pairs(planner, moved)
+    # a motion that leads on inside the limits, but to no sample, goes along a limit
+    beyond = np.where(free & (np.maximum(low, high).max(axis=1) <= 0), -epsilon.min() / 2, 0.0)
     for k in range(len(q)):
         joint = int(np.maximum(low[k], high[k]).argmax())
         if far[k]:
             found.append("the end of a branch of solutions")
-        elif max(low[k, joint], high[k, joint]) > 0:
+        elif max(low[k, joint], high[k, joint]) > beyond[k]:
             found.append(f"the {'lower' if low[k, joint] > high[k, joint] else 'upper'} limit of {names[joint]}")
         elif not free[k]:
             found.append(f"a collision of {pairs[k]}")
         else:
-            found.append("a position whose samples are too far from where they lead")
+            found.append("a place with no sample near enough")
     return _shares(found)
 
 

@@ -285,7 +285,7 @@ def test_bodies_in_the_way_are_named(panda, line):
     scene = mp.Scene([mp.Box(size=(0.02, 0.02, 0.9), position=(0.29, 0.0, 0.45), name="pole")])
     free = mp.follow(panda, line, positions=6, throw=False, **FEW)
     assert free.status is mp.Status.FOLLOWED
-    plan = mp.follow(panda, line, scene, positions=6, throw=False, **FEW)
+    plan = mp.follow(panda, line, scene, positions=6, clearance=0.003, throw=False, **FEW)
     assert plan.status is mp.Status.NOT_CONNECTED
     assert "without bodies in the way there is a motion, on which" in plan.message and "pole overlap by" in plan.message
 
