@@ -73,12 +73,12 @@ def _reasons(planner: ToolPathPlanner, q: Array, beyond: int, epsilon: Array) ->
     free = sampler.free(np.clip(moved, limits.lower, limits.upper))
     pairs = _pairs(planner, moved)
     # a motion that leads on inside the limits, but to no sample, goes along a limit
-    beyond = np.where(free & (np.maximum(low, high).max(axis=1) <= 0), -epsilon.min() / 2, 0.0)
+    nearly = np.where(free & (np.maximum(low, high).max(axis=1) <= 0), -epsilon.min() / 2, 0.0)
     for k in range(len(q)):
         joint = int(np.maximum(low[k], high[k]).argmax())
         if far[k]:
             found.append("the end of a branch of solutions")
-        elif max(low[k, joint], high[k, joint]) > beyond[k]:
+        elif max(low[k, joint], high[k, joint]) > nearly[k]:
             found.append(f"the {'lower' if low[k, joint] > high[k, joint] else 'upper'} limit of {names[joint]}")
         elif not free[k]:
             found.append(f"a collision of {pairs[k]}")

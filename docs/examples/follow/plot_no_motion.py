@@ -112,9 +112,9 @@ print(free.status.name, len(free.report.along), "part")
 assert free.status.name == "FOLLOWED"
 
 # %%
-# The third one: another path. A tool that turns by 3 rad is followed; so may be a path
+# The third one: another path. A tool that turns by 2 rad is followed; so may be a path
 # that is shifted, or that an arm on another base follows.
 
-less = mp.follow(robot, line(3.0))
+less = mp.follow(robot, line(2.0))
 print(less.status.name, len(less.report.along), "part")
 assert less.status.name == "FOLLOWED"
