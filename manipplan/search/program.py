@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics
@@ -196,10 +195,11 @@ def _diagonal(blocks: ca.MX, n: int) -> ca.MX:
 
 def _differences(n: int, positions: int, *, closed: bool) -> ca.DM:
     """The matrix of the steps between configurations (n, positions), column by column."""
-    along = ca.DM(sparse.eye(positions, k=1) - sparse.eye(positions)) if positions > 1 else ca.DM(1, 1)
-    if closed and positions > 1:
-        along[-1, 0] = 1.0
-    return ca.kron(along if closed else along[:-1, :], ca.DM.eye(n))
+    count = positions if closed else positions - 1
+    rows = [*range(count), *range(count)]
+    columns = [*range(count), *((k + 1) % positions for k in range(count))]
+    along = ca.DM.triplet(rows, columns, ca.DM([-1.0] * count + [1.0] * count), count, positions)
+    return ca.kron(along, ca.DM.eye(n))
 
 
 @making_expressions()
