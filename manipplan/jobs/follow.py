@@ -38,7 +38,7 @@ from manipplan.support.progress import Progress, as_callback, interruptible, par
 from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
-from manipplan.timing.constant_speed import check_tool_speed, measure_speed, retime_steady
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
@@ -65,6 +65,7 @@ def follow(
     *,
     start: ArrayLike | str | None = ...,
     tool_speed: float | None = ...,
+    slowdown: float = ...,
     positions: int | ArrayLike | None = ...,
     interruptions: int = ...,
     retreat: float | ArrayLike = ...,
@@ -91,6 +92,7 @@ def follow(
     *,
     start: ArrayLike | str | None = ...,
     tool_speed: float | None = ...,
+    slowdown: float = ...,
     positions: int | ArrayLike | None = ...,
     interruptions: int = ...,
     retreat: float | ArrayLike = ...,
@@ -118,6 +120,7 @@ def follow(
     *,
     start: ArrayLike | str | None = None,
     tool_speed: float | None = None,
+    slowdown: float = STEADY,
     positions: int | ArrayLike | None = None,
     interruptions: int = 0,
     retreat: float | ArrayLike = 0.05,
@@ -158,8 +161,10 @@ def follow(
         scene: obstacles; None: none. The arm is always checked against itself.
         start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`; None: the motion
             begins where the best motion along the path does.
-        tool_speed: constant speed of the tool's origin along the path [m/s], kept to 1 % between a ramp at either end; None: as
-            fast as the limits allow. The path must move the tool's origin everywhere.
+        tool_speed: constant speed of the tool's origin along the path [m/s], kept to `slowdown` between a ramp at either end;
+            None: as fast as the limits allow. The path must move the tool's origin everywhere.
+        slowdown: share by which the tool may be slower than `tool_speed` where the arm's limits do not allow it, from 0.01 to
+            0.99. `report.along` tells the smallest speed, and when.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
             apart, where 1 rad counts as 10 cm, at poses of the path as far as possible, and down to an eighth of that where
             nothing connects, or a 64th where not even one step does.
@@ -190,7 +195,8 @@ def follow(
 
     Raises:
         InvalidInputError: an argument is invalid, a position is out of reach or too near to a body, or the tool speed is not
-            reached (also with throw=False); the message names the two bodies and their distance, or the fastest speed.
+            kept (also with throw=False); the message names the two bodies and their distance, or the fastest speed, and the
+            place, joint and limit that allow no faster one. What a corner of the path rules out is refused before work starts.
         UnknownNameError: no state has the name given as `start`; the nearest names are listed.
         PlanningError: no continuous motion, no lead-in, or none that passes its checks; its `result` is the Plan so far.
     """
@@ -223,8 +229,14 @@ def follow(
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
     given = None if start is None else read_configuration("start", start, robot)
+    slowdown = number("slowdown", slowdown, least=STEADY, most=MOST_SLOWDOWN)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
+        position = with_defaults(tolerance).position
+        assert position is not None
+        check_corners(tool_speed * (1 - slowdown), path, robot, position=position)
+    elif slowdown != STEADY:
+        raise InvalidInputError("slowdown", slowdown, f"{STEADY:g} where no tool_speed is asked for")
     interruptions = whole_number("interruptions", interruptions, least=0)
     way = _retreat(retreat)
     if interruptions and robot.planar and way[2]:
@@ -358,7 +370,7 @@ def follow(
 
         return finish(
             draft,
-            lambda: _time(motion, robot, integral, tool_speed, torque=torque),
+            lambda: _time(motion, robot, integral, tool_speed, slowdown, torque=torque),
             taken=taken,
             clearance=clearance,
             torque=torque,
@@ -371,9 +383,8 @@ def follow(
     try:
         followed = attempt(SPARES[0])
         for spare in SPARES[1:]:
-            if (
-                followed.status is Status.CHECK_FAILED and not deadline.passed
-            ):  # it may touch bodies that positions nearly touch
+            # a motion may touch bodies between positions that nearly touch them
+            if followed.status is Status.CHECK_FAILED and not deadline.passed:
                 followed = attempt(spare)
     except OutOfTimeError:
         followed = PartialPlan(
@@ -384,7 +395,7 @@ def follow(
 
 
 def _time(
-    followed: FollowingMotion, robot: Robot, integral: PathIntegral, tool_speed: float | None, *, torque: bool
+    followed: FollowingMotion, robot: Robot, integral: PathIntegral, tool_speed: float | None, slowdown: float, *, torque: bool
 ) -> tuple[Trajectory, tuple[PathPart, ...]]:
     """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
     pieces: list[Trajectory] = []
@@ -398,9 +409,9 @@ def _time(
         if tool_speed is None:
             motion = retime(path, robot, torque=torque)
         else:
-            motion = retime_steady(path, robot, tool_speed, torque=torque)
-            found = measure_speed(motion, robot, tool_speed)
-            speed = replace(found, begin=clock + found.begin, end=clock + found.end)
+            ends = (each.part.s_begin, each.part.s_end)
+            motion, speed = retime_steady(path, robot, tool_speed, slowdown=slowdown, torque=torque, ends=ends)
+            speed = speed.later(clock)
         pieces.append(motion)
         along.append(
             PathPart(

@@ -80,9 +80,8 @@ class Timing:
             if not speed.is_steady:
                 own = cut(self.path, *self.own[k])
 
-                def keep(value: float, k: int = k) -> SteadySpeed | None:
-                    other = self._timed({k: value}, GRIDS).speeds[k]
-                    return other if other.is_steady else None
+                def keep(value: float, k: int = k) -> bool:
+                    return self._timed({k: value}, GRIDS).speeds[k].is_steady
 
                 wanted = slower(own, self.robot, speed.asked, keep, torque=self.torque)
                 raise InvalidInputError(f"steps[{self.motions[k].step}].tool_speed", speed.asked, wanted)

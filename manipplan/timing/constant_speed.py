@@ -1,4 +1,4 @@
-"""retime_steady: times a path at a constant speed of the tool, or names the fastest such speed that it has.
+"""retime_steady: times a path at a constant speed of the tool, or names the fastest such speed, and what limits it where.
 
 check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there.
 
@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import CartesianPath
@@ -20,16 +19,18 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, number
 from manipplan.support.display import one_line, round_down
 from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.timing.dynamics import ArcLength, path_dynamics
+from manipplan.timing.piece import LEAST_PACE
 from manipplan.timing.retime import retime
-from manipplan.timing.stops import Segment, ToolSpeed
+from manipplan.timing.stops import STANDSTILL, LimitsAlong, MovingPath, Segment, ToolSpeed, stops
 
-#: Share by which a constant speed may be below the one that was asked for.
-STEADY = 0.01
+#: Share by which a constant speed may be below the one that was asked for, unless more is allowed, and the most that can be.
+STEADY, MOST_SLOWDOWN = 0.01, 0.99
 #: Largest share of the tool's way that a ramp may take. Until SETTLES times the way to the speed, and on the share SHORT of the
 #: whole way, dips still belong to the ramp.
 RAMP, SETTLES, SHORT = 0.1, 4.0, 1e-3
 #: Number of times per sample interval at which speeds are measured, and of places at which a path's speed is compared.
-BETWEEN, SPEED_PLACES = 4, 2001
+BETWEEN, SPEED_PLACES = 8, 2001
 #: The tool turns in place where it moves slower along the path than this share of the mean.
 IN_PLACE = 0.01
 
@@ -39,18 +40,22 @@ IN_PLACE = 0.01
 class SteadySpeed:
     """The speed of the tool on a motion that is to have a constant one, measured on the motion.
 
-    A ramp ends where the speed has settled at the one asked for, to a hundredth; it is at most a tenth of the tool's way.
+    A ramp ends where the speed has settled at the one asked for, to the share `slowdown`. It is at most a tenth of the way.
 
     Attributes:
         asked: the constant speed asked for [m/s].
+        slowdown: share by which the tool may be slower.
         slowest, fastest: smallest and largest speed between the ramps [m/s].
+        slowest_at: time of the smallest one [s].
         begin, end: times at which the first ramp ends and the last one begins [s].
         ramps: lengths of the tool's way on the two ramps [m].
         length: length of the tool's way [m].
     """
 
     asked: float
+    slowdown: float
     slowest: float
+    slowest_at: float
     fastest: float
     begin: float
     end: float
@@ -59,39 +64,58 @@ class SteadySpeed:
 
     @property
     def is_steady(self) -> bool:
-        """Whether the speed is the one asked for, to a hundredth, between the ramps."""
-        return self.slowest >= (1 - STEADY) * self.asked
+        """Whether the speed is the one asked for between the ramps, to the share `slowdown`."""
+        return self.slowest >= (1 - self.slowdown) * self.asked
 
     def later(self, by: float) -> "SteadySpeed":
         """The same with times from an earlier zero [s]."""
-        return replace(self, begin=self.begin + by, end=self.end + by)
+        return replace(self, slowest_at=self.slowest_at + by, begin=self.begin + by, end=self.end + by)
 
     def __str__(self) -> str:
+        slowest = f", slowest at {self.slowest_at:.3f} s" if self.slowest < (1 - STEADY) * self.asked else ""
         return (
             f"{1e3 * self.slowest:.4g} to {1e3 * self.fastest:.4g} mm/s from {self.begin:.3f} s to {self.end:.3f} s "
-            f"({1e3 * self.asked:.4g} asked for); ramps of {1e3 * self.ramps[0]:.2g} and {1e3 * self.ramps[1]:.2g} mm"
+            f"({1e3 * self.asked:.4g} asked for{slowest}); ramps of {1e3 * self.ramps[0]:.2g} and {1e3 * self.ramps[1]:.2g} mm"
         )
 
 
 def check_tool_speed(speed: float, path: CartesianPath) -> float:
-    """The speed [m/s] of a tool along a path. Raises InvalidInputError for no such speed, or where the tool turns in place."""
+    """The speed [m/s] of a tool along a path.
+
+    Raises InvalidInputError for no such speed, or where the tool turns in place or back.
+    """
     value = number("tool_speed", speed, above=0.0)
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
-    steps = np.linalg.norm(np.diff(path.sample(SPEED_PLACES)[:, :3, 3], axis=0), axis=1)
+    positions = path.sample(SPEED_PLACES)[:, :3, 3]
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
     if not (steps > IN_PLACE * steps.mean()).all():
-        s = (int(steps.argmin()) + 0.5) / len(steps)
-        wanted = f"None for this path: at s = {s:.3f} it turns the tool in place, where its speed cannot be constant; split it"
+        k = int(steps.argmin())
+        where = place((k + 0.5) / len(steps), positions[k])
+        wanted = f"a path that moves the tool all along: {where}, it turns the tool in place or back; split it there"
         raise InvalidInputError("tool_speed", speed, wanted)
     return value
 
 
+def place(s: float, position: Array) -> str:
+    """A place of a path, for a message: s and the position (3,) of the tool [m]."""
+    return f"at s = {s:.3f}, x y z = {' '.join(f'{each:.3f}' for each in position)} m"
+
+
 def measure_speed(
-    trajectory: Trajectory, robot: Robot, asked: float, *, begin: float = 0.0, end: float | None = None, short: float = SHORT
+    trajectory: Trajectory,
+    robot: Robot,
+    asked: float,
+    *,
+    slowdown: float = STEADY,
+    begin: float = 0.0,
+    end: float | None = None,
+    short: float = SHORT,
 ) -> SteadySpeed:
     """The speed of the tool from time `begin` to time `end` [s] of a motion, by Pinocchio's Jacobians; None: to its end.
 
-    `short`: the share of the tool's way at either end on which dips belong to the ramp in any case.
+    `slowdown`: the share by which the tool may be slower. `short`: the share of the tool's way at either end on which dips
+    belong to the ramp in any case.
     """
     end = trajectory.duration if end is None else end
     samples = np.unique(np.append(trajectory.t[(trajectory.t > begin) & (trajectory.t < end)], [begin, end]))
@@ -99,13 +123,15 @@ def measure_speed(
     t = np.minimum(t, end)
     speeds = ToolSpeed(robot)(trajectory(t), trajectory(t, 1))
     way = np.concatenate([[0.0], np.cumsum((speeds[1:] + speeds[:-1]) / 2 * np.diff(t))])
-    slow = speeds < (1 - STEADY) * asked
+    slow = speeds < (1 - slowdown) * asked
     first = _ramp_end(slow, way, short)
     last = len(t) - 1 - _ramp_end(slow[::-1], way[-1] - way[::-1], short)
     between = speeds[first : last + 1]
     return SteadySpeed(
         asked=asked,
+        slowdown=slowdown,
         slowest=float(between.min()),
+        slowest_at=float(t[first + int(between.argmin())]),
         fastest=float(between.max()),
         begin=float(t[first]),
         end=float(t[last]),
@@ -144,17 +170,18 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
         return
     at = np.linspace(left_out, way[-1] - left_out, INTERVALS + 1)
     points = np.stack([np.interp(at, way, points[:, k]) for k in range(3)], axis=1)
-    worst, place = 0.0, 0.0
+    worst, at_worst = 0.0, 0.0
     for lag in 2 ** np.arange(int(np.log2(INTERVALS))):
         second = np.linalg.norm(points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag], axis=1)
         bend = (second - 4 * position) / (lag * (at[1] - at[0]) + 2 * position) ** 2  # acceleration at 1 m/s
         if bend.max() > worst:
-            worst, place = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
+            worst, at_worst = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
     most = np.sqrt(most_acceleration(robot) / worst) / (1 - STEADY) if worst > 0 else np.inf
     if speed > most:
         wanted = (
-            f"at most {most:.3g} m/s: at s = {place:.3f} the path turns a corner that no motion within the acceleration limits "
-            "takes faster. Round the corner, allow a larger tolerance, or split the path there into two steps with a blend"
+            f"at most {round_down(most, 3):g} m/s: {place(at_worst, path(at_worst)[:3, 3])}, the path turns a corner that no "
+            "motion within the acceleration limits takes faster. Round the corner, allow a larger tolerance, or split the path "
+            "there into two steps with a blend"
         )
         raise InvalidInputError("tool_speed", speed, wanted)
 
@@ -173,47 +200,68 @@ def most_acceleration(robot: Robot) -> float:
     return float(acceleration @ levers + (np.outer(velocity, velocity) * levers[later]).sum())
 
 
-#: Number of places at which limits are compared.
-DEVIATION_PLACES = 2001
 #: Places near the start, and as far from the end, at which a ramp can end: they lie between the first two points of the grid.
 EDGES = tuple(1.5 ** -np.arange(16.0) / 300)
-#: Numbers of grid points that are tried in turn.
-GRIDS = (300, 600, 1200)
-#: Share to which the fastest speed is found, maximum number of motions timed for it, and share of the first guess in each.
-CLOSE, TRIES, LESS = 1.02, 14, 0.6
-#: Shares of the limits' bound above which the limits are said to bind, and up to which speeds are tried: it is an estimate.
-BINDS, ABOVE = 0.9, 1.1
+#: Numbers of grid points that are tried in turn, and the share of the speed below which limits slow the tool, and not the grid.
+GRIDS, HOPELESS = (300, 600, 1200), 0.97
+#: Number of points at which limits are compared.
+LIMIT_POINTS = 2000
+#: Share to which the fastest speed is found, maximum number of motions timed for it, share of the speed before where none is
+#: kept, and factor by which a speed that is kept is raised, squared each time.
+CLOSE, TRIES, LESS, MORE = 1.02, 14, 0.6, 1.1
+#: Share of the limits' bound above which the limits are said to bind: it is an estimate.
+BINDS = 0.9
 
 
-def retime_steady(path: JointPath, robot: Robot, speed: float, *, torque: bool = False) -> Trajectory:
+def retime_steady(
+    path: JointPath,
+    robot: Robot,
+    speed: float,
+    *,
+    slowdown: float = STEADY,
+    torque: bool = False,
+    ends: tuple[float, float] = (0.0, 1.0),
+) -> tuple[Trajectory, SteadySpeed]:
     """The motion along a joint path on which the tool has a constant speed [m/s], but for the ramps at its ends.
 
-    Ramps are as short as the limits allow.
+    Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most a share.
+
+    Args:
+        path: joint path from rest to rest.
+        robot: the arm.
+        speed: of the tool's origin [m/s].
+        slowdown: share by which the tool may be slower than that.
+        torque: keep the joints' effort limits as well.
+        ends: s of the ends on the path of the tool, for messages.
 
     Raises:
-        InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is.
+        InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is, and what limits it.
         PlanningError: as in `retime`.
     """
-    trajectory = _steady(path, robot, speed, torque=torque)
-    if trajectory is not None:
-        return trajectory
-    raise InvalidInputError(
-        "tool_speed", speed, slower(path, robot, speed, lambda each: _steady(path, robot, each, torque=torque), torque=torque)
-    )
+    made = _steady(path, robot, speed, slowdown, torque=torque)
+    if made[1].is_steady:
+        return made
+
+    def keep(each: float) -> bool:
+        return _steady(path, robot, each, slowdown, torque=torque)[1].is_steady
+
+    wanted = slower(path, robot, speed, keep, torque=torque, ends=ends, slowest=made[1].slowest)
+    raise InvalidInputError("tool_speed", speed, wanted)
 
 
-def slower(path: JointPath, robot: Robot, speed: float, keep: Callable[[float], object | None], *, torque: bool) -> str:
-    """What is allowed instead of a constant speed [m/s] that is not possible on a path: the fastest that is, and why.
-
-    `keep` gives None for a speed that is not kept.
-    """
-    bound, reason = limits_bound(path, robot, torque=torque)
-    fastest = _fastest(keep, min(bound, speed), min(ABOVE * bound, speed))
-    if fastest is None:
-        return f"None for this motion: it has no constant speed of the tool; {reason}"
-    if fastest < BINDS * bound:
-        reason = "a faster one is not reached from rest, and braked to rest, on a tenth of the path each"
-    return f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {reason}"
+def _steady(path: JointPath, robot: Robot, speed: float, slowdown: float, *, torque: bool) -> tuple[Trajectory, SteadySpeed]:
+    """The motion with a constant speed [m/s] by the first grid on which it is constant, else the one that slows least."""
+    segments = steady_segments(0.0, 1.0, speed)
+    best: tuple[Trajectory, SteadySpeed] | None = None
+    for grid in GRIDS:
+        trajectory = retime(path, robot, torque=torque, segments=segments, grid=grid)
+        found = measure_speed(trajectory, robot, speed, slowdown=slowdown)
+        if best is None or found.slowest > best[1].slowest:
+            best = trajectory, found
+        if found.is_steady or found.slowest < HOPELESS * (1 - slowdown) * speed:
+            break
+    assert best is not None
+    return best
 
 
 def steady_segments(begin: float, end: float, speed: float) -> list[Segment]:
@@ -225,60 +273,120 @@ def steady_segments(begin: float, end: float, speed: float) -> list[Segment]:
     return [Segment(begin=begin + edge * width, end=end - edge * width, tool_speed=speed) for edge in (0.0, *EDGES)]
 
 
-def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[float, str]:
-    """Estimate of the fastest constant speed of the tool [m/s] between the ends of a path, and the limit that sets it.
+def slower(
+    path: JointPath,
+    robot: Robot,
+    speed: float,
+    keep: Callable[[float], bool],
+    *,
+    torque: bool,
+    ends: tuple[float, float] = (0.0, 1.0),
+    slowest: float = 0.0,
+) -> str:
+    """What is allowed instead of a constant speed [m/s] that is not possible on a path: the fastest that is, and why.
 
-    At a constant speed v of the tool the joints' velocities are v dq/dσ, their accelerations v² d²q/dσ² and their jerks
-    v³ d³q/dσ³, where σ is the length of the tool's way.
+    Args:
+        keep: tells whether a speed is kept.
+        torque, ends: as in `retime_steady`.
+        slowest: speed to which the tool slows where it may [m/s]; 0: it may not.
     """
-    s = np.linspace(0.0, 1.0, DEVIATION_PLACES)
-    q, first, second = path(s), path(s, 1), path(s, 2)
-    way = np.maximum(ToolSpeed(robot)(q, first), 1e-12)[:, None]
-    slope = first / way
-    bend = (second - np.gradient(way[:, 0], s)[:, None] * slope) / way**2
-    inside = slice(1, -1)
-    limits, names = robot.limits, robot.joint_names
+
+    def where(s: float) -> str:
+        pose = np.array(robot.kinematics().pose(path(np.array([s]))))[0]
+        return place(ends[0] + s * (ends[1] - ends[0]), pose[:3, 3])
+
+    still = standing(path, robot)
+    if still is not None:
+        return f"a path that is split {where(still)}: the tool stands still there on this motion"
+    inside, ramp = limits_bound(path, robot, torque=torque)
+    fastest = _fastest(keep, min(inside.speed, ramp.speed), speed)
+    if fastest is None:
+        return f"a speed below {round_down(LESS**TRIES * speed, 2):g} m/s: {inside.reason(where)}"
+    binds = inside if fastest >= BINDS * inside.speed else ramp
+    wanted = f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {binds.reason(where)}"
+    share = np.ceil(1e3 * (1 - slowest / speed) + 1) / 1e3
+    if slowest >= BINDS * fastest and share <= MOST_SLOWDOWN:
+        wanted += f". With slowdown={share:g} the tool slows to {slowest:.3g} m/s where limits demand it"
+    return wanted
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpeedBound:
+    """Estimate of the fastest constant speed of the tool [m/s], and the limit that sets it: kind, joint and s of the path."""
+
+    speed: float
+    kind: str
+    joint: str
+    s: float
+    on_ramp: bool = False
+
+    def reason(self, where: Callable[[float], str]) -> str:
+        """The limit as a clause; `where` names a place."""
+        ramp = " to or from rest on a tenth of the path," if self.on_ramp else ""
+        return f"the {self.kind} limit of {self.joint} allows no faster one{ramp} {where(self.s)}"
+
+
+def standing(path: JointPath, robot: Robot) -> float | None:
+    """An s inside a joint path at which the tool has to stand still; None for none."""
+    moving = MovingPath(path)
+    stopped = stops(moving.path, STANDSTILL)[1:-1]
+    if stopped:
+        return moving.given(stopped[0])
+    s = np.linspace(0.0, 1.0, SPEED_PLACES)
+    pace = ToolSpeed(robot)(path(s), path(s, 1))[1:-1]
+    return float(s[1 + int(pace.argmin())]) if pace.min() <= LEAST_PACE * pace.mean() else None
+
+
+def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[SpeedBound, SpeedBound]:
+    """What limits a constant speed of the tool on a path without stops: between its ends, and on the ramps.
+
+    At a constant speed v of the tool the joints' velocities are v dq/dl, their accelerations v² d²q/dl² and their jerks
+    v³ d³q/dl³, where l is the length of the tool's way. On a straight ramp of length d, v² <= 2 d a with the acceleration a
+    along it, and v³ <= d² j with the jerk j.
+    """
+    curve = ArcLength(path, 0.0, 1.0, ToolSpeed(robot))
+    length, limits, n = curve.fine(LIMIT_POINTS), robot.limits, path.n
+    along = LimitsAlong(limits, (), np.empty((0, 2)))
+    rows = path_dynamics(curve, length, along, robot.model if torque else None, None)
+    unit, size, ramp = rows.speed_unit, curve.length, RAMP * curve.length
+    tangent, curvature = rows.tangent / size, rows.curvature / size**2
     with np.errstate(divide="ignore"):
-        bounds = {"velocity": limits.velocity / np.abs(slope), "acceleration": np.sqrt(limits.acceleration / np.abs(bend))}
-        bounds["jerk"] = np.cbrt(limits.jerk * way / np.maximum(np.abs(np.gradient(bend, s, axis=0)), 1e-300))
-        if torque:
-            bounds["effort"] = np.sqrt(_torque_bounds(robot, q, slope, bend))
-    kind = min(bounds, key=lambda each: float(bounds[each][inside].min()))
-    k, joint = np.unravel_index(int(bounds[kind][inside].argmin()), bounds[kind][inside].shape)
-    place = f"the {kind} limit of {names[joint]} allows no faster one after {100 * s[k + 1]:.0f} % of the path"
-    return float(bounds[kind][inside].min()), place
+        squared = (1 - np.sign(rows.x) * rows.constant) / np.maximum(np.abs(rows.x), 1e-300) * unit**2
+        rise = (1 - np.abs(rows.constant)) / np.maximum(np.abs(rows.u), 1e-300) * unit**2 / size
+        third = np.gradient(curvature, length, axis=0)
+        jerks = {"jerk": np.cbrt(limits.jerk / np.maximum(np.abs(third), 1e-300))}
+        inside = {"velocity": limits.velocity / np.maximum(np.abs(tangent), 1e-300)} | jerks
+        begun = {"jerk": np.cbrt(ramp**2 * limits.jerk / np.maximum(np.abs(tangent), 1e-300))}
+    for k, kind in enumerate(("acceleration", "effort")[: rows.u.shape[1] // n]):
+        inside[kind] = np.sqrt(np.maximum(squared[:, k * n : (k + 1) * n], 0.0))
+        begun[kind] = np.sqrt(2 * ramp * np.maximum(rise[:, k * n : (k + 1) * n], 0.0))
+    on_ramp = (length < ramp) | (length > size - ramp)
+    s = curve.s(length)
+
+    def smallest(bounds: dict[str, Array], some: NDArray[np.bool_], on_ramp: bool) -> SpeedBound:
+        kind = min(bounds, key=lambda each: float(bounds[each][some].min()))
+        k, joint = np.unravel_index(int(bounds[kind][some].argmin()), bounds[kind][some].shape)
+        value = float(bounds[kind][some][k, joint])
+        return SpeedBound(speed=value, kind=kind, joint=robot.joint_names[joint], s=float(s[some][k]), on_ramp=on_ramp)
+
+    between = np.ones(len(s), dtype=np.bool_)
+    between[[0, -1]] = False
+    return smallest(inside, between, False), smallest(begun, on_ramp, True)
 
 
-def _torque_bounds(robot: Robot, q: Array, slope: Array, bend: Array) -> Array:
-    """Bounds (k, n) on the square of the tool's speed by the effort limits."""
-    data, still = robot.model.createData(), np.zeros(robot.n)
-    gravity = np.array([pin.rnea(robot.model, data, each, still, still).copy() for each in q])
-    moving = np.array([pin.rnea(robot.model, data, *state).copy() for state in zip(q, slope, bend, strict=True)]) - gravity
-    return np.asarray(np.maximum(robot.limits.effort - np.sign(moving) * gravity, 0.0) / np.maximum(np.abs(moving), 1e-300))
-
-
-def _steady(path: JointPath, robot: Robot, speed: float, *, torque: bool) -> Trajectory | None:
-    """The motion with a constant speed [m/s]; None where it is not constant on any grid."""
-    segments = steady_segments(0.0, 1.0, speed)
-    for grid in GRIDS:  # slow motions need more points, as the tool turns between two of them
-        trajectory = retime(path, robot, torque=torque, segments=segments, grid=grid)
-        if measure_speed(trajectory, robot, speed).is_steady:
-            return trajectory
-    return None
-
-
-def _fastest(keep: Callable[[float], object | None], guess: float, most: float) -> float | None:
-    """The fastest constant speed, in three digits, found by bisection up to `most`; None for none."""
-    low, high, speed = 0.0, most, round_down(0.999 * guess, 3)
+def _fastest(keep: Callable[[float], bool], guess: float, asked: float) -> float | None:
+    """The fastest constant speed below one that is not kept, in three digits, found by bisection; None for none."""
+    low, high, speed, more = 0.0, asked, round_down(min(0.999 * guess, LESS**0.5 * asked), 3), MORE
     for _ in range(TRIES):
         try:
-            holds = keep(speed) is not None
+            holds = keep(speed)
         except PlanningError:
             holds = False
         low, high = (speed, high) if holds else (low, speed)
         if high <= CLOSE * low:
             break
-        speed = round_down(np.sqrt(low * high) if low else LESS * high, 3)
+        speed = round_down(min(np.sqrt(low * high), more * low) if low else LESS * high, 3)
+        more = more**2 if holds else more
         if speed <= low:
             break
     return low or None

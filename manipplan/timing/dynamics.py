@@ -1,11 +1,12 @@
 """Demands of motion along a path on the joints, and tightening of limits where a motion exceeds them.
 
-At each grid point the demands are rows that are linear in x = (dl/dt)² and u = d²l/dt². Acceleration is t u + κ x with unit
-tangent t and curvature κ; torque is M t u + (M κ + C) x + g. Rows are divided by their limit, so each has to stay in [-1, 1].
-Lengths are shares of the piece's length, and the unit of time makes the largest row of acceleration one, so that tiny and
-huge paths give the solver the same problem.
+At each grid point the demands are rows that are linear in x = (dl/dt)² and u = d²l/dt². Acceleration is t u + κ x with tangent
+t = dq/dl and curvature κ = d²q/dl²; torque is M t u + (M κ + C) x + g. Rows are divided by their limit, so each has to stay in
+[-1, 1]. Lengths are shares of the piece's length, and the unit of time makes the largest row of acceleration one, so that tiny
+and huge paths give the solver the same problem.
 
-A path between two stops as a function of its arc length l: q(l), unit tangents, curvature, and a grid along it.
+A path between two stops as a function of its length l: q(l), tangents, curvature, and a grid along it. The length is that of
+the joint path, or that of the tool's way: then a constant speed of the tool is a constant dl/dt, however the joints turn.
 """
 
 from collections.abc import Mapping
@@ -23,6 +24,8 @@ from manipplan.timing.stops import Bounds, LimitsAlong, ToolSpeed
 
 #: Share by which ‖q'‖ jumps where it does not count as continuous, and minimum number of nodes between two such jumps.
 JUMP, EACH = 1e-6, 60
+#: Relative error of dl/ds above which an interval between nodes is halved, and maximum number of times.
+SLOPE, ROUNDS = 1e-6, 5
 #: Minimum number of nodes per polynomial piece: a sharp bend may be a short piece of a long path.
 PER_PIECE = 24
 #: Number of samples that tell where the path turns: a thousand per piece up to the first number, at least the second per piece.
@@ -32,19 +35,21 @@ BESIDE = 0.1
 
 
 class ArcLength:
-    """The path from s = a to s = b as q(l), where l is its arc length: a geometric path in toppra's terms."""
+    """The path from s = a to s = b as q(l): a geometric path in toppra's terms.
 
-    def __init__(self, path: JointPath, a: float, b: float) -> None:
+    l is the arc length in joint space, where the tangent is a unit vector; with a `tool`, the length of the tool's way.
+    """
+
+    def __init__(self, path: JointPath, a: float, b: float, tool: ToolSpeed | None = None) -> None:
         with building():
             from scipy.interpolate import CubicSpline, PPoly
 
-        self.path = path
+        self.path, self._tool = path, tool
         #: where polynomial pieces begin or end, between the ends
         self.breaks = path.breaks[np.searchsorted(path.breaks, a, side="right") : np.searchsorted(path.breaks, b)]
         pieces = 1 + len(self.breaks)
         nodes_along = max(1200, 12 * pieces)
         self._samples = max(4000, min(1000 * pieces, MOST_SAMPLES), EACH_SAMPLES * pieces)
-        nodes, weights = gauss_rule(6)
         ends = np.concatenate([[a], _jumps(path, self.breaks), [b]])
         at, splines = [0.0], []
         for begin, end in pairwise(ends):
@@ -52,12 +57,22 @@ class ArcLength:
             count = max(EACH, PER_PIECE * (1 + int(inside)), int(np.ceil(nodes_along * (end - begin) / (b - a))))
             # dense near the ends, where a path may start from q' = 0
             s = begin + (end - begin) * (1 - np.cos(np.linspace(0.0, np.pi, count + 1))) / 2
-            half = np.diff(s) / 2
-            between = (s[:-1] + s[1:])[:, None] / 2 + half[:, None] * nodes
-            length = at[-1] + np.concatenate([[0.0], np.cumsum(half * (_norms(path(between, 1)) @ weights))])
-            rises = np.concatenate([[True], np.diff(length) > 1e-14 * length[-1]])
-            rises[-1] = True
-            splines.append(CubicSpline(length[rises], s[rises]))
+            ways = self._way(s[:-1], s[1:])
+            for rounds in range(ROUNDS + 1):
+                length = at[-1] + np.concatenate([[0.0], np.cumsum(ways)])
+                rises = np.concatenate([[True], np.diff(length) > 1e-14 * length[-1]])
+                rises[-1] = True
+                spline = CubicSpline(length[rises], s[rises])
+                between = (length[1:] + length[:-1]) / 2
+                coarse = np.abs(spline(between, 1) * self.rate(spline(between)) - 1) > SLOPE
+                if rounds == ROUNDS or not rises.all() or not coarse.any():
+                    break
+                middle = (s[1:] + s[:-1])[coarse] / 2
+                halves = self._way(s[:-1][coarse], middle), self._way(middle, s[1:][coarse])
+                k = np.flatnonzero(coarse)
+                ways[k] = halves[1]
+                ways, s = np.insert(ways, k, halves[0]), np.insert(s, k + 1, middle)
+            splines.append(spline)
             at += length[rises][1:].tolist()
         self.length = at[-1]
         self._at = np.array(at)
@@ -68,27 +83,42 @@ class ArcLength:
         self._inside = (a + margin, b - margin)
         self._shares: dict[int, tuple[Array, Array]] = {}
 
+    def _way(self, begin: Array, end: Array) -> Array:
+        """Lengths (k,) from path parameters to others (k,) close by."""
+        nodes, weights = gauss_rule(6)
+        half = (end - begin) / 2
+        s = (begin + end)[:, None] / 2 + half[:, None] * nodes
+        return np.asarray(half * (self.rate(s.ravel()).reshape(s.shape) @ weights))
+
     def s(self, length: Array) -> Array:
         """Path parameter at lengths."""
         return np.asarray(np.clip(self._s(length), *self.ends))
+
+    def rate(self, s: Array) -> Array:
+        """dl/ds at path parameters (k,): ‖q'‖, or ‖J q'‖ with the tool's Jacobian J."""
+        first = self.path(s, 1)
+        return np.maximum(_norms(first) if self._tool is None else self._tool(self.path(s), first), 1e-300)
 
     def q(self, length: Array) -> Array:
         """Configurations (k, n) at lengths (k,)."""
         return self.path(self.s(length))
 
     def tangent(self, length: Array) -> Array:
-        """dq/dl, a unit vector."""
-        derivative = self.path(np.clip(self.s(length), *self._inside), 1)
-        return np.asarray(derivative / np.maximum(_norms(derivative), 1e-300)[..., None])
+        """dq/dl."""
+        s = np.clip(self.s(length), *self._inside)
+        return np.asarray(self.path(s, 1) / self.rate(s)[:, None])
 
     def bends(self, s: Array) -> tuple[Array, Array]:
-        """Unit tangents t and curvatures d²q/dl² = (q'' - t (t·q'')) / ‖q'‖² at path parameters (k,), (k, n) each."""
+        """Tangents t = dq/dl and curvatures d²q/dl² = (q'' - l'' t) / l'² at path parameters (k,), (k, n) each."""
         s = np.clip(s, *self._inside)
         first, second = self.path(s, 1), self.path(s, 2)
-        norm = np.maximum(_norms(first), 1e-300)[..., None]
-        tangent = first / norm
-        along = np.einsum("...i,...i->...", tangent, second)[..., None]
-        return tangent, (second - along * tangent) / norm**2
+        rate = self.rate(s)
+        if self._tool is None:
+            grows = np.einsum("ij,ij->i", first, second) / rate
+        else:
+            grows = self._tool.rises(self.path(s), first, second)
+        tangent = first / rate[:, None]
+        return tangent, (second - grows[:, None] * tangent) / rate[:, None] ** 2
 
     def lengths_of(self, s: Array) -> Array:
         """Lengths at which the path parameter is s, for each s strictly between the ends."""
@@ -98,7 +128,7 @@ class ArcLength:
         even = np.linspace(0, self.length, 4001)
         length = np.interp(s, self.s(even), even)
         for _ in range(3):
-            length += (s - self.s(length)) * _norms(self.path(s, 1))
+            length += (s - self.s(length)) * self.rate(s)
             length = np.clip(length, 0.0, self.length)
         return np.asarray(length)
 

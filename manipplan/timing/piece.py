@@ -150,6 +150,8 @@ def straight_ends(path: JointPath, first: int, last: int) -> tuple[Array, Array]
 
 #: Grid points closer to a mark than this share of the grid spacing are dropped.
 BESIDE = 0.4
+#: Minimum mean time between grid points that are placed by changes of speed [s]: rounding shows in the jerk of shorter steps.
+RAMP_STEP = 2e-4
 
 
 def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bool]) -> Array:
@@ -184,7 +186,10 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, r
     dense = np.sort(np.concatenate([fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths), begin, end]))
     share = np.interp(dense, fine, 0.7 * at + 0.3 * even)
     if ramps:
-        changed = np.append(0.0, np.cumsum(np.abs(np.diff(profile.speed))))
+        changes = np.abs(np.diff(profile.speed))
+        changed = np.append(0.0, np.cumsum(changes))
+        shortest = float(changed[-1] / (changes / np.diff(profile.time)).max())  # time that all changes take at least
+        ramps = min(ramps, shortest / (RAMP_STEP * count))
         share = (1 - ramps) * share + ramps * np.interp(dense, lengths, changed / changed[-1])
     return _thin(curve, dense, share, count, edges)
 
@@ -220,6 +225,8 @@ ROUNDS_MOVING = 25
 SMOOTH_LEAST = 40
 #: Minimum mean time per grid interval [s]: below it, rounding to nanoseconds would show in the jerk.
 SHORTEST_STEP = 2e-5
+#: Number of places at which the tool's speed along a path is compared with its mean, and the share of it that is near zero.
+TOOL_SAMPLES, LEAST_PACE = 1001, 1e-3
 #: Share of the grid points that are placed by changes of speed where the tool's speed is limited.
 RAMPS = 0.3
 #: When a motion uses less than this share of the jerk limit, a finer grid lets acceleration rise faster.
@@ -242,6 +249,19 @@ class TimingProblem:
         inside = np.searchsorted(edges, b) > np.searchsorted(edges, a, side="right")
         tool = self.limits.at(np.array([(a + b) / 2])).tool_speed[0]
         return self.torque_model is None and not inside and bool(np.isinf(tool))
+
+    def curve(self, a: float, b: float, *, moving: bool) -> ArcLength:
+        """The path from s = a to s = b: along the tool's way where the tool's speed is limited all along and never near zero.
+
+        Then this limit is constant, and no grid is too coarse for it. Given speeds are those of the joints.
+        """
+        if self.tool is not None and not moving:
+            s = np.linspace(a, b, TOOL_SAMPLES)
+            path = self.moving.path
+            pace = self.tool(path(s), path(s, 1))
+            if np.isfinite(self.limits.at(s).tool_speed).all() and pace[1:-1].min() > LEAST_PACE * pace.mean():
+                return ArcLength(path, a, b, self.tool)
+        return ArcLength(self.moving.path, a, b)
 
     def dynamics(self, curve: ArcLength, points: Array) -> PathDynamics:
         """The demand rows at grid points of a piece."""
@@ -266,10 +286,10 @@ class TimedPiece:
 
 def stepped_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """The motion from s = a to s = b without jerk limits, by toppra. `start` and `end` are speeds [rad/s]; 0: a stop."""
-    curve = ArcLength(problem.moving.path, a, b)
+    moving = start > 0 or end > 0
+    curve = problem.curve(a, b, moving=moving)
     points = curve.grid(grid, problem.limits.edges)
     asked = problem.dynamics(curve, points)
-    moving = start > 0 or end > 0
 
     def solve(tightening: LimitTightening) -> Profile | None:
         try:
@@ -308,10 +328,10 @@ def straight_piece(problem: TimingProblem, a: float, b: float, ends: tuple[Array
 
 def smooth_piece(problem: TimingProblem, a: float, b: float, grid: int, start: float, end: float) -> TimedPiece:
     """As `stepped_piece`, with jerk limits: solved on two grids, the second made for the motion found on the first."""
-    curve = ArcLength(problem.moving.path, a, b)
     edges = problem.limits.edges
     grid = max(grid, SMOOTH_LEAST)
     moving = start > 0 or end > 0
+    curve = problem.curve(a, b, moving=moving)
 
     def motion(asked: PathDynamics, factors: Array, guess: Array | None = None) -> SquaredSpeed | None:
         s, unit = curve.s((asked.length[:-1] + asked.length[1:]) / 2), asked.speed_unit

@@ -215,7 +215,7 @@ def check_segments(segments: Any, limits: JointLimits) -> tuple[Segment, ...]:
 
 
 class ToolSpeed:
-    """Speed of a robot's tool: ‖J(q) qd‖ with the translational rows of J."""
+    """Speed of a robot's tool: ‖v‖ with the velocity v = J(q) qd of its origin."""
 
     def __init__(self, robot: Robot) -> None:
         self.model = robot.model
@@ -224,6 +224,21 @@ class ToolSpeed:
 
     def __call__(self, q: Array, qd: Array) -> Array:
         """Speeds [m/s] (k,) at q, qd (k, n)."""
-        frame = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        rows = (pin.computeFrameJacobian(self.model, self.data, x, self.frame, frame)[:3] for x in q)
-        return np.array([np.linalg.norm(J @ v) for J, v in zip(rows, qd, strict=True)])
+        found = np.empty((len(q), 3))
+        for k, state in enumerate(zip(q, qd, strict=True)):
+            pin.forwardKinematics(self.model, self.data, *state)
+            found[k] = self._velocity()
+        return np.asarray(np.linalg.norm(found, axis=1))
+
+    def rises(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Rates of change of these speeds [m/s²] (k,) at accelerations qdd (k, n)."""
+        found = np.empty(len(q))
+        for k, state in enumerate(zip(q, qd, qdd, strict=True)):
+            pin.forwardKinematics(self.model, self.data, *state)
+            velocity = self._velocity()
+            acceleration = pin.getFrameClassicalAcceleration(self.model, self.data, self.frame, pin.LOCAL_WORLD_ALIGNED).linear
+            found[k] = velocity @ acceleration / max(float(np.linalg.norm(velocity)), 1e-300)
+        return found
+
+    def _velocity(self) -> Array:
+        return np.asarray(pin.getFrameVelocity(self.model, self.data, self.frame, pin.LOCAL_WORLD_ALIGNED).linear)

@@ -85,8 +85,8 @@ def test_the_fastest_speed_is_named_and_kept(panda, line):
 def test_the_limits_that_bound_a_constant_speed():
     """On a circle of a metre the joint's velocity is the tool's speed."""
     arm, path = one_joint()
-    bound, reason = limits_bound(path, arm)
-    assert bound == pytest.approx(2.0, rel=1e-9) and "velocity limit of joint1" in reason
+    bound, _ = limits_bound(path, arm)
+    assert bound.speed == pytest.approx(2.0, rel=1e-9) and (bound.kind, bound.joint) == ("velocity", "joint1")
     with pytest.raises(mp.errors.InvalidInputError, match="velocity limit of joint1") as told:
         retime_steady(path, arm.with_limits(acceleration=50.0), 3.0)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
@@ -96,7 +96,7 @@ def test_the_limits_that_bound_a_constant_speed():
 def test_a_path_too_short_for_its_ramps():
     """From rest v takes v² / 2a, and a tenth of the path is 0.157 m: v = √(2a · 0.157 m)."""
     arm, path = one_joint()
-    with pytest.raises(mp.errors.InvalidInputError, match="not reached from rest") as told:
+    with pytest.raises(mp.errors.InvalidInputError, match="to or from rest") as told:
         retime_steady(path, arm.with_limits(velocity=10.0), 3.0)
     most = np.sqrt(2 * 5.0 * np.pi / 20)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(most, rel=0.03)
@@ -107,15 +107,15 @@ def test_effort_limits_bound_the_speed_as_well(panda):
     strong = panda.with_limits(velocity=50.0, acceleration=500.0, jerk=np.inf)
     free, _ = limits_bound(path, strong)
     weak = strong.with_limits(effort=panda.limits.effort * 0.6)
-    bound, reason = limits_bound(path, weak, torque=True)
-    assert bound < free and "effort limit" in reason
+    bound, _ = limits_bound(path, weak, torque=True)
+    assert bound.speed < free.speed and bound.kind == "effort"
 
 
 @pytest.mark.slow
 def test_a_motion_that_turns_back_has_no_constant_speed():
     arm = mp.planar_arm([0.6, 0.4])
     there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])
-    with pytest.raises(mp.errors.InvalidInputError, match="no constant speed of the tool"):
+    with pytest.raises(mp.errors.InvalidInputError, match="a path that is split at s = 0.5.*stands still"):
         retime_steady(there, arm, 0.1)
 
 

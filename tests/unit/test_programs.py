@@ -249,7 +249,7 @@ BAD = {
             mp.MoveTo("default"),
             mp.MoveAlong(mp.CartesianPath.line(pose_at(0.4, 0.3, 0.4), pose_at(0.4, 0.3, 0.4, 1)), tool_speed=0.1),
         ],
-        r"steps\[1\]\.tool_speed: got 0.1; allowed: None for this path: at s = .* it turns the tool in place",
+        r"steps\[1\]\.tool_speed: got 0.1; allowed: a path that moves the tool all along: at s = .*, it turns the tool in place",
     ),
     "path out of reach": (
         [mp.MoveAlong(mp.CartesianPath.line(pose_at(0.5, 0.3, 0.4), pose_at(1.5, 0.3, 0.4)))],
