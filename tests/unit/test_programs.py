@@ -414,7 +414,7 @@ def test_a_corner_that_no_motion_takes_is_refused_before_work_starts(hand, monke
     path = mp.CartesianPath.through(poses)
     monkeypatch.setattr("manipplan.jobs.sequence.nodes_of", None)  # where work starts
     with pytest.raises(
-        mp.errors.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d the path turns"
+        mp.errors.InvalidInputError, match=r"steps\[1\]\.tool_speed: got 0\.6; .* at s = 0\.66\d, x y z = .*, the path turns"
     ) as caught:
         mp.sequence(hand, "default", [mp.Wait(0.1), mp.MoveAlong(path, tool_speed=0.6)])
     assert "split the path there" in caught.value.allowed
