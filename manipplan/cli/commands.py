@@ -40,6 +40,7 @@ from manipplan.support.files import place_for
 from manipplan.support.json_data import json_ready
 from manipplan.support.progress import part
 from manipplan.support.untrusted import terminal_text
+from manipplan.timing.constant_speed import STEADY
 
 
 def plan(
@@ -176,6 +177,7 @@ def follow(
     /,
     start: tuple[str, ...] = (),
     tool_speed: float | None = None,
+    slowdown: float = STEADY,
     positions: int | None = None,
     interruptions: int = 0,
     retreat: tuple[float, ...] = (0.05,),
@@ -202,6 +204,7 @@ def follow(
         poses: CSV file with the columns x, y, z [m], qx, qy, qz, qw.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         tool_speed: Constant speed of the tool along the path [m/s].
+        slowdown: Share by which the tool may be slower than that where the arm's limits do not allow it.
         positions: Number of positions at which configurations are enumerated; default: at most 3 cm apart.
         interruptions: Maximum number of times that the tool leaves the path, if no continuous motion follows it.
         retreat: Straight way of the tool off the path and back [m]: a distance against its z-axis, or a vector in its frame.
@@ -230,6 +233,7 @@ def follow(
             world,
             start=configuration_of("start", start, arm) if start else None,
             tool_speed=tool_speed,
+            slowdown=slowdown,
             positions=positions,
             interruptions=interruptions,
             retreat=retreat[0] if len(retreat) == 1 else retreat,
@@ -258,6 +262,7 @@ def improve(
     column: tuple[str, ...] = (),
     clearance: float = 0.0,
     measure: str | None = None,
+    time_limit: float | None = None,
     out: Path = Path("improve"),
     options: WithRobotOptions = RobotOptions(),
 ) -> int:
@@ -274,6 +279,7 @@ def improve(
         column: Column of the CSV file for a joint, or for time, that has another name: joint=column, time=column.
         clearance: Distance to keep from obstacles and between the arm's own links [m].
         measure: Name of the manipulability measure; default: Yoshikawa's.
+        time_limit: Time after which the search ends [s]; the best motion that was proven by then is written.
         out: Folder for the files that are written.
     """
     folder = place_for("out", out)
@@ -290,6 +296,7 @@ def improve(
             columns=columns_of(column),
             clearance=clearance,
             tolerance=Tolerance(position=tolerance[0], rotation=tolerance[1]),
+            time_limit=time_limit,
             progress=part(notify, 0.0, 0.95),
         )
         notify(1.0, "writing files")

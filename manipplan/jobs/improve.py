@@ -18,6 +18,7 @@ from manipplan.recordings.read import noise_beyond_limits, read_recording
 from manipplan.recordings.smooth import smooth
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
@@ -38,6 +39,7 @@ def improve(
     clearance: float = ...,
     degrees: bool = ...,
     columns: Mapping[str, str] | None = ...,
+    time_limit: float | None = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -55,6 +57,7 @@ def improve(
     clearance: float = ...,
     degrees: bool = ...,
     columns: Mapping[str, str] | None = ...,
+    time_limit: float | None = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -73,6 +76,7 @@ def improve(
     clearance: float = 0.0,
     degrees: bool = False,
     columns: Mapping[str, str] | None = None,
+    time_limit: float | None = None,
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
@@ -85,7 +89,8 @@ def improve(
 
     The status is IMPROVED if the minimum or the mean manipulability rose by at least 0.1 %, the minimum did not fall, and
     neither g nor the jerk rose (the jerk may where `duration` is shorter than recorded). Otherwise it is NOT_BETTER, and the
-    motion is the smoothed recording.
+    motion is the smoothed recording. Where the time limit ended the search before a better motion was found, the smoothed
+    recording has the status SMOOTHED_OUT_OF_TIME.
 
     Args:
         robot: the arm.
@@ -101,6 +106,9 @@ def improve(
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         degrees: the angles of the recording are in degrees, and their velocities in degrees per second.
         columns: of a CSV file, the column of each joint and of "time", as for `Trajectory.from_csv`.
+        time_limit: time after which the search ends [s]; None: no limit. The best motion that was proven by then is returned.
+            The recording without its noise is proven in any case, also if that takes longer. What is built once for a robot or
+            a scene does not count.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -108,8 +116,8 @@ def improve(
         InvalidInputError, FileFormatError: an argument is invalid, also with throw=False. The message names row, joint and
             value of a recorded number, the shortest duration if the limits do not allow the one that is asked for, and the
             smallest tolerance if the noise exceeds it.
-        PlanningError: the tube leaves no motion clear of collisions, or the motion failed its checks; `result` is the Plan so
-            far.
+        PlanningError: the tube leaves no motion clear of collisions, none was proven in time, or the motion failed its checks;
+            `result` is the Plan so far.
     """
     instance("robot", robot, Robot)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
@@ -119,6 +127,7 @@ def improve(
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:
         duration = number("duration", duration, above=0.0)
+    deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     notify = as_callback(progress)
     motion = read_recording(robot, recorded, degrees=degrees, columns=columns)
     integral, model = objective.integral(robot), scene.collision_model(robot)
@@ -139,14 +148,21 @@ def improve(
         tolerance=tolerance,
         clearance=clearance,
         duration=duration or motion.duration,
+        deadline=deadline,
     )
     notify(0.2, "raising the manipulability")
     found = best_motion(tube, curve)
+    if found is None and deadline.passed:
+        return failed(replace(draft, status=Status.NOT_IN_TIME), throw, f"{Status.NOT_IN_TIME.value}; got {time_limit:g} s")
     if found is None:
         bodies, row = model.nearest_bodies(motion.q)
         return failed(draft, throw, f"{Status.NOT_FOLLOWED.value}: on the recording {bodies} at {motion.t[row]:.3f} s")
-    trajectory, comparison = found
-    status = Status.IMPROVED if comparison.better else Status.NOT_BETTER
+    trajectory, comparison = found.motion, found.comparison
+    if found.out_of_time:
+        text = f"the time limit of {time_limit:g} s ended the search; this is the best motion that was proven by then"
+        draft = replace(draft, message=text)
+    unchanged = Status.SMOOTHED_OUT_OF_TIME if found.out_of_time else Status.NOT_BETTER
+    status = Status.IMPROVED if comparison.better else unchanged
     path, seed = trajectory.path(), motion.path()
     result = make_result(
         path,

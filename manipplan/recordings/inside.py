@@ -4,7 +4,8 @@ Whether a body that moves with the tool stays in an obstacle wherever in the tub
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,7 @@ from manipplan.recordings.program import TubeProgram, Weights
 from manipplan.recordings.smooth import Smooth
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, work_time
 from manipplan.support.display import round_up
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
@@ -101,6 +103,8 @@ NOISE = 0.9
 ROUNDS, NARROWER, LEAST = 8, 1.5, 0.02
 #: Shares of the tube in which the best motion is looked for, until it is valid and better than the recording.
 SHARES = (1.0, 0.5, 0.25)
+#: Time that the ending takes, as a multiple of that of the proof and the comparison of one motion.
+ENDING = 5.0
 #: Factors by which the number of pieces rises while no motion keeps the limits, and share by which a limit counts as kept.
 FINER, ROUNDING = (1, 2, 4), 1e-8
 
@@ -117,6 +121,7 @@ class Tube:
         tolerance: of the tool from the recorded poses.
         clearance: required clearance [m].
         duration: of the motion [s].
+        deadline: when the search has to end.
     """
 
     recorded: Trajectory
@@ -126,6 +131,7 @@ class Tube:
     tolerance: Tolerance
     clearance: float
     duration: float
+    deadline: Deadline = NEVER
 
     @property
     def radii(self) -> Array:
@@ -148,8 +154,17 @@ class Tube:
         return path_clearance(self.model, path, clearance=self.clearance, tolerance=None)
 
 
-def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | None:
-    """The best motion in the tube, and its comparison with the recording; None if no motion is clear of collisions.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MotionFound:
+    """A motion in the tube, its comparison with the recording, and whether the deadline ended the search for a better one."""
+
+    motion: Trajectory
+    comparison: Comparison
+    out_of_time: bool = False
+
+
+def best_motion(tube: Tube, smooth: Smooth) -> MotionFound | None:
+    """The best motion in the tube, at the deadline the best that was proven; None if none is clear of collisions or in time.
 
     Raises InvalidInputError where noise takes most of the tolerance, and for a duration that is too short for the limits.
     """
@@ -159,6 +174,8 @@ def best_motion(tube: Tube, smooth: Smooth) -> tuple[Trajectory, Comparison] | N
         first, ratio = search.within_limits()
         if ratio <= 1.0:
             return search.run(first)
+        if tube.deadline.passed:
+            return None
         shortest = min(shortest, ratio)
     robot = tube.model.robot.name
     least = f"{round_up(shortest * tube.duration, 4):g}"
@@ -179,26 +196,40 @@ class _PieceSearch:
         self.poses = tube.integral.kinematics.pose(self.program.values @ smooth.control)
         self.spacing = float(np.median(np.diff(tube.recorded.t))) * max(tube.duration / tube.recorded.duration, 1.0)
         self.room = tube.radii - self._scatter()
+        self.deadline = tube.deadline
 
-    def run(self, first: Array) -> tuple[Trajectory, Comparison] | None:
+    def run(self, first: Array) -> MotionFound | None:
         """The first valid motion that is better than the recording, or else the first that is valid; None if there is none."""
-        valid: list[tuple[Trajectory, Comparison]] = []
-        for control in self._candidates(first):
-            motion = self._motion(control)
-            if self._is_valid(motion):
-                found = self.tube.judge(motion)
-                if found.better:
-                    return motion, found
-                valid.append((motion, found))
+        valid: list[MotionFound] = []
+        timed = np.isfinite(self.tube.deadline.at)
+        if timed:  # the one that needs no search is proven first, and shows how long the ending takes
+            began = work_time()
+            valid += self._judged(first)
+            self.deadline = replace(self.deadline, at=self.deadline.at - ENDING * (work_time() - began))
+        for control in self._candidates(first, last=not timed):
+            valid += self._judged(control)
+            if valid and valid[-1].comparison.better:
+                break
         # from the last candidate on, those in which nothing got worse first
-        return min(reversed(valid), key=lambda each: len(each[1].worse), default=None)
+        best = min(reversed(valid), key=lambda each: len(each.comparison.worse), default=None)
+        return None if best is None else replace(best, out_of_time=self.deadline.passed)
 
-    def _candidates(self, first: Array) -> Iterator[Array]:
-        """Control points of the best motion in narrower and narrower tubes, of the smoothest one, and the first ones."""
-        for share in SHARES:
-            yield self._solve_share(first, BEST, self._least, share)
-        yield self._solve_share(first, SMOOTHEST, self._least, 1.0)
-        yield first
+    def _judged(self, control: Array) -> list[MotionFound]:
+        """The motion with its comparison if it is valid, else nothing."""
+        motion = self._motion(control)
+        return [MotionFound(motion=motion, comparison=self.tube.judge(motion))] if self._is_valid(motion) else []
+
+    def _candidates(self, first: Array, *, last: bool) -> Iterator[Array]:
+        """Control points of the best motion in narrower and narrower tubes, of the smoothest one, and the first ones.
+
+        None is sought after the deadline. `last`: whether the first ones are among them.
+        """
+        for weights, share in (*((BEST, share) for share in SHARES), (SMOOTHEST, 1.0)):
+            if self.deadline.passed:
+                return
+            yield self._solve_share(first, weights, self._least, share)
+        if last:
+            yield first
 
     @property
     def _least(self) -> float:
@@ -250,8 +281,9 @@ class _PieceSearch:
         if inside and self.program.used(control) <= 1.0:
             return control, 1.0
         first = np.clip(control, limits.lower, limits.upper)
-        control, _ = self.program.solve(first, SHORTEST, poses=self.poses, tube=self.room)
-        return control, self.program.used(control) * (1 - ROUNDING)
+        with suppress(OutOfTimeError):
+            first, _ = self.program.solve(first, SHORTEST, poses=self.poses, tube=self.room, deadline=self.deadline)
+        return first, self.program.used(first) * (1 - ROUNDING)
 
     def _solve_share(self, first: Array, weights: Weights, least: float, share: float) -> Array:
         """The solution in this share of the tube, with more clearance rows and a narrower tube until it is free and inside."""
@@ -261,7 +293,14 @@ class _PieceSearch:
         places: tuple[Place, ...] = ()
         room, control = share * self.room, first
         for _ in range(ROUNDS):
-            control, _ = self.program.solve(first, weights, poses=self.poses, tube=room, least=least, rows=rows)
+            try:
+                control, _ = self.program.solve(
+                    first, weights, poses=self.poses, tube=room, least=least, rows=rows, deadline=self.deadline
+                )
+            except OutOfTimeError:
+                break
+            if self.deadline.passed:
+                break
             motion = self._motion(control)
             path = motion.path()
             proof = self.tube.proof(path)

@@ -13,7 +13,7 @@ keeps all matrices banded.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import casadi as ca
 import numpy as np
@@ -25,10 +25,13 @@ from manipplan.recordings.smooth import Ends, SplineBasis
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.expressions import making_expressions
 
 #: Tolerance and maximum number of iterations of IPOPT, and margin by which the tube is kept, as a share.
 CONVERGED, STEPS, SPARE = 1e-5, 150, 1e-3
+#: Smallest time that IPOPT accepts [s].
+LEAST_TIME = 1e-3
 #: Largest change of the duration when it is free, as a multiple.
 LONGEST = 1e4
 
@@ -71,8 +74,11 @@ class TubeProgram:
         tube: Array,
         least: float = 0.0,
         rows: ClearanceRows | None = None,
+        deadline: Deadline = NEVER,
     ) -> tuple[Array, float]:
         """Control points (size, n) and τ of the solution from `control`; what they keep has to be checked.
+
+        At the deadline it is the last iterate; OutOfTimeError is raised where it passes before the first one.
 
         Args:
             control: (size, n) first curve.
@@ -81,19 +87,27 @@ class TubeProgram:
             tube: (k, 2) radii of the tube in position [m] and rotation [rad]; inf: not bounded.
             least: minimum manipulability to keep.
             rows: clearance rows.
+            deadline: no iteration is begun after it.
         """
         n = self.limits.n
         z = ca.MX.sym("z", control.size + self.basis.size)
         c, tau = ca.reshape(z[: control.size], n, self.basis.size), z[control.size :]
         lam_f = ca.MX.sym("lam_f")
-        parts = [
-            *([self._limits(c, tau)] if self._bounds else []),
-            *([self._equal(tau)] if weights.time > 0 else []),
-            self._tube(c, poses, tube),
-            *([self._least(c, least)] if least > 0 else []),
-            *([] if rows is None else [self._clearance(c, rows)]),
-        ]
-        f, grad_f, hess_f = self._objective(c, tau, control, weights)
+        makers: list[Callable[[], _Rows]] = []
+        if self._bounds:
+            makers.append(lambda: self._limits(c, tau))
+        if weights.time > 0:
+            makers.append(lambda: self._equal(tau))
+        makers.append(lambda: self._tube(c, poses, tube))
+        if least > 0:
+            makers.append(lambda: self._least(c, least))
+        if rows is not None:
+            makers.append(partial(self._clearance, c, rows))
+        parts = []
+        for make in makers:
+            deadline.check()
+            parts.append(make())
+        f, grad_f, hess_f = self._objective(c, tau, control, weights, deadline)
         g = ca.vertcat(*(part.value for part in parts))
         jac_g = ca.vertcat(*(part.jacobian for part in parts))
         lam_g = ca.MX.sym("lam_g", g.numel())
@@ -102,6 +116,7 @@ class TubeProgram:
             hessian += part.hessian(lam_g[begin : begin + part.value.numel()])
             begin += part.value.numel()
         p = ca.MX.sym("p", 0)
+        deadline.check()
         options = {
             "grad_f": ca.Function("grad_f", [z, p], [f, grad_f]),
             "jac_g": ca.Function("jac_g", [z, p], [g, jac_g]),
@@ -121,6 +136,7 @@ class TubeProgram:
                 "constr_viol_tol": 1e-9,
                 "bound_relax_factor": 0.0,
                 "acceptable_iter": 0,
+                **({"max_wall_time": max(deadline.left, LEAST_TIME)} if np.isfinite(deadline.at) else {}),
                 "max_hessian_perturbation": 1e6,  # beyond it the factors of the matrix fill up: a step takes seconds
             },
         }
@@ -129,6 +145,7 @@ class TubeProgram:
         fixed = self.ends.control(self.basis)
         lower = np.where(np.isnan(fixed), self.limits.lower, fixed).ravel()
         upper = np.where(np.isnan(fixed), self.limits.upper, fixed).ravel()
+        deadline.check()
         result = solver(
             x0=np.append(control.ravel(), np.full(self.basis.size, self.used(control) if free else 1.0)),
             lbx=np.append(lower, np.full(self.basis.size, 0.0 if free else 1.0)),
@@ -152,7 +169,9 @@ class TubeProgram:
             (order, self.basis.slopes(order), most * self.duration**order) for order, most in kinds if np.isfinite(most).any()
         ]
 
-    def _objective(self, c: ca.MX, tau: ca.MX, control: Array, weights: Weights) -> tuple[ca.MX, ca.MX, ca.MX]:
+    def _objective(
+        self, c: ca.MX, tau: ca.MX, control: Array, weights: Weights, deadline: Deadline
+    ) -> tuple[ca.MX, ca.MX, ca.MX]:
         """Value, gradient and Hessian in (c, τ)."""
         n = self.limits.n
         third = self.basis.slopes(3)
@@ -166,6 +185,7 @@ class TubeProgram:
         one_way[0] = 1.0
         for weight, fixed in ((weights.energy, None), (weights.room, one_way)):
             if weight > 0:
+                deadline.check()
                 one, gradient, curved = self._energy(c, control, fixed)
                 value += weight * one
                 slope += weight * gradient

@@ -57,6 +57,10 @@ class Status(Enum):
         "smoothed: the manipulability of the recorded motion could not be raised without a lower minimum, a higher g or more "
         "jerk; the motion is the recording without its noise, inside the limits, and every check passed; allow more tolerance"
     )
+    SMOOTHED_OUT_OF_TIME = (
+        "smoothed, out of time: the time limit ended the work before the manipulability of the recorded motion was raised; the "
+        "motion is the recording without its noise, inside the limits, and every check passed; raise time_limit"
+    )
     NOT_FOLLOWED = "failed: no motion inside the tolerance around the recorded one is clear of collisions; allow more tolerance"
     # tool paths
     FOLLOWED = (
@@ -80,6 +84,7 @@ class Status(Enum):
         "failed: the finished trajectory did not pass its own check of limits, collisions or goal; "
         "please report it with the robot, start and goal, unless it names a constraint of yours, which needs more width"
     )
+    NOT_IN_TIME = "failed: the time limit ended the work before a motion was proven; raise time_limit"
     # one of many problems
     NOT_VALID = (
         "failed: this robot and scene do not allow the start, the goal or the first path; the message names the joint or the "
@@ -130,6 +135,7 @@ FAILED = (
     Status.NOT_CONNECTED,
     Status.NO_PATH,
     Status.NO_TIMING,
+    Status.NOT_IN_TIME,
     Status.CHECK_FAILED,
     Status.NOT_VALID,
     Status.WORKER_LOST,
@@ -141,7 +147,7 @@ FAILED = (
 #: Statuses of motions along a workspace path.
 ALONG = (Status.FOLLOWED, Status.FOLLOWED_IN_PARTS)
 #: Statuses of motions that `improve` returns: they start from a recording, not from a planner's seed.
-RECORDED = (Status.IMPROVED, Status.NOT_BETTER)
+RECORDED = (Status.IMPROVED, Status.NOT_BETTER, Status.SMOOTHED_OUT_OF_TIME)
 
 
 @dataclass(frozen=True, kw_only=True)

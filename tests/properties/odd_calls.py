@@ -533,6 +533,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "scene": scene,
                 "start": q,
                 "tool_speed": 0.01,
+                "slowdown": 0.1,
                 "positions": 6,
                 "interruptions": 0,
                 "retreat": 0.05,

@@ -1,11 +1,16 @@
 """Laws of timing: verified limits, scaling of time, reversal, and no limit that makes a motion faster by being tighter."""
 
+import re
+
 import numpy as np
+import pinocchio as pin
+import pytest
 from examples import examples
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import manipplan as mp
+from manipplan.timing.constant_speed import limits_bound, retime_steady, standing
 
 seeds = st.integers(0, 2**32 - 1)
 ARM = mp.planar_arm([1.0, 1.0, 1.0])
@@ -85,3 +90,42 @@ def test_a_segment_takes_between_the_whole_at_both_limits(seed, begin, width, sh
     free, held, slow = (mp.retime(path, ARM, limits=limits, segments=each).duration for each in ([], [part], [everywhere]))
     assert 0.99 * free <= held <= 1.01 * slow
     np.testing.assert_allclose(slow, free / share, rtol=1e-2)
+
+
+ARMS = (
+    mp.planar_arm([0.6, 0.4, 0.3]).with_limits(acceleration=5.0),
+    *(mp.load_robot(each) for each in ("panda", "ur5", "xarm7")),
+)
+
+
+@pytest.mark.slow
+@examples(25)
+@given(seeds, st.sampled_from(ARMS), st.sampled_from([None, 50.0, np.inf]), st.floats(-3.0, 0.5))
+def test_a_constant_speed_is_kept_or_the_fastest_is_named(seed, arm, jerk, magnitude):
+    """On splines through random waypoints; the speeds by Pinocchio, from the samples of the motion."""
+    rng = np.random.default_rng(seed)
+    arm = arm if jerk is None else arm.with_limits(jerk=jerk)
+    steps = rng.normal(size=(rng.integers(2, 6), arm.n)) * 0.25 + 0.3 * rng.normal(size=arm.n)
+    path = mp.JointPath.spline(
+        np.linspace(0, 1, len(steps) + 1), arm.neutral + np.vstack([0 * steps[:1], np.cumsum(steps, axis=0)])
+    )
+    assume(standing(path, arm) is None)
+    bound = min(each.speed for each in limits_bound(path, arm))
+    speed = 10**magnitude * bound
+    try:
+        motion, kept = retime_steady(path, arm, speed)
+    except mp.errors.InvalidInputError as refused:
+        assert magnitude > np.log10(0.7), "limits allow this speed"
+        fastest = float(re.search(r"at most ([\d.e-]+) m/s, .* limit of \w+ allows no faster", refused.allowed).group(1))
+        assert fastest > 0.5 * bound
+        speed = 0.9 * fastest
+        motion, kept = retime_steady(path, arm, speed)
+    assert kept.is_steady and max(kept.ramps) <= 0.1 * kept.length
+    data, frame = arm.model.createData(), arm.model.getFrameId(arm.tool)
+    t = np.linspace(kept.begin, kept.end, 4001)
+    speeds = []
+    for q, qd in zip(motion(t), motion(t, 1), strict=True):
+        pin.forwardKinematics(arm.model, data, q, qd)
+        speeds.append(np.linalg.norm(pin.getFrameVelocity(arm.model, data, frame, pin.LOCAL).linear))
+    assert min(speeds) >= 0.9899 * speed and max(speeds) <= speed * (1 + 1e-3)
+    assert worst(motion, arm.limits) <= 1 + 1e-6

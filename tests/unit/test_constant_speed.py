@@ -134,6 +134,78 @@ def test_the_measure_tells_a_dip():
         assert sum(found.ramps) < 0.03 and found.length == pytest.approx(1.0, rel=1e-3)
 
 
+@pytest.mark.slow
+def test_a_winding_seam_is_followed_at_a_constant_speed(panda):
+    """Redundancy winds between the positions, so that the tool's way per joint motion changes within millimetres."""
+    u = np.linspace(0, 1, 400)
+    angle, radius = -2.6 + 7.4 * u, 0.45 + 0.05 * np.sin(9 * u)
+    poses = np.tile(np.diag([1.0, -1.0, -1.0, 1.0]), (400, 1, 1))
+    poses[:, :3, 3] = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.25 + 0.25 * u], axis=1)
+    objective = mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
+    plan = mp.follow(panda, mp.CartesianPath.through(poses), objective=objective)
+    for arm in (panda, panda.with_limits(jerk=np.inf)):
+        for speed in (0.015, 0.09):
+            motion, kept = retime_steady(plan.path, arm, speed)
+            t, speeds = tool_speeds(arm, motion)
+            between = speeds[(t > kept.begin + 0.02) & (t < kept.end - 0.02)]
+            assert kept.is_steady and between.min() >= 0.9899 * speed and speeds.max() <= speed * (1 + 1e-4)
+
+
+def bent_path():
+    """An arm and a joint path that bends in its second half."""
+    arm = mp.planar_arm([0.6, 0.4]).with_limits(velocity=2.0, acceleration=5.0, jerk=100.0)
+    return arm, mp.JointPath.spline([0.0, 0.45, 0.5, 0.55, 1.0], [[0, 1.0], [0.45, 1.0], [0.5, 1.02], [0.53, 1.1], [0.7, 1.6]])
+
+
+@pytest.mark.slow
+def test_the_tool_slows_where_it_may():
+    arm, path = bent_path()
+    with pytest.raises(
+        mp.errors.InvalidInputError, match="acceleration limit of joint2 allows no faster one at s = "
+    ) as refused:
+        retime_steady(path, arm, 0.4)
+    share = float(re.search(r"slowdown=([\d.]+)", refused.value.allowed).group(1))
+    fastest = float(refused.value.allowed.split()[2])
+    assert 0.05 < share < 1 and fastest == pytest.approx(0.4 * (1 - share), rel=0.25)
+    motion, kept = retime_steady(path, arm, 0.4, slowdown=share)
+    t, speeds = tool_speeds(arm, motion)
+    inside = (t > kept.begin) & (t < kept.end)
+    assert kept.is_steady and kept.slowdown == share and speeds[inside].min() >= 0.4 * (1 - share) * (1 - 1e-3)
+    assert abs(t[inside][speeds[inside].argmin()] - kept.slowest_at) < 0.01 and kept.fastest > 0.395
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
+        retime_steady(path, arm, 0.4, slowdown=share - 0.02)
+    _, steady = retime_steady(path, arm, fastest)
+    assert steady.is_steady
+
+
+@pytest.mark.slow
+def test_the_message_names_the_place_on_the_tools_path():
+    arm, path = bent_path()
+    with pytest.raises(mp.errors.InvalidInputError) as refused:
+        retime_steady(path, arm, 0.4, ends=(0.2, 0.4))
+    s, *position = (float(each) for each in re.findall(r"-?\d\.\d{3}\b", refused.value.allowed.split(" allows ")[1])[:4])
+    assert 0.3 < s < 0.4
+    np.testing.assert_allclose(position, arm.kinematics().pose(path(np.array([(s - 0.2) / 0.2])))[0][:3, 3], atol=2e-3)
+
+
+def test_a_sharp_corner_is_refused_before_the_work(panda):
+    begin = np.array(panda.kinematics().pose(panda.neutral))
+    poses = np.tile(begin, (31, 1, 1))
+    poses[:, :3, 3] += 0.01 * np.stack([np.minimum(np.arange(31), 15), np.maximum(np.arange(31) - 15, 0), np.zeros(31)], axis=1)
+    told = []
+    with pytest.raises(mp.errors.InvalidInputError, match=r"at s = 0\.5\d*, x y z = .* turns a corner"):
+        mp.follow(panda, mp.CartesianPath.through(poses), tool_speed=2.0, progress=lambda *each: told.append(each))
+    assert told == []
+
+
+@pytest.mark.parametrize("slowdown", [0.0, 1.0, -0.1, np.nan, "half"])
+def test_wrong_slowdowns_are_refused_before_the_work(panda, line, slowdown):
+    with pytest.raises(mp.errors.InvalidInputError, match="slowdown"):
+        mp.follow(panda, line, tool_speed=0.1, slowdown=slowdown, positions=3, **FEW)
+    with pytest.raises(mp.errors.InvalidInputError, match=r"slowdown: got 0\.2; allowed: 0\.01 where no tool_speed"):
+        mp.follow(panda, line, slowdown=0.2, positions=3, **FEW)
+
+
 def test_a_tool_that_turns_in_place(panda):
     begin = np.array(panda.kinematics().pose(panda.neutral))
     turned = begin.copy()
