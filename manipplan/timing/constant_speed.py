@@ -7,6 +7,7 @@ SteadySpeed: the speed of the tool on a motion that is to have a constant one, m
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,6 @@ from manipplan.support.checks import Array, number
 from manipplan.support.display import one_line, round_down
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.timing.dynamics import ArcLength, path_dynamics
-from manipplan.timing.piece import LEAST_PACE
 from manipplan.timing.retime import retime
 from manipplan.timing.stops import STANDSTILL, LimitsAlong, MovingPath, Segment, ToolSpeed, stops
 
@@ -202,8 +202,8 @@ def most_acceleration(robot: Robot) -> float:
 
 #: Places near the start, and as far from the end, at which a ramp can end: they lie between the first two points of the grid.
 EDGES = tuple(1.5 ** -np.arange(16.0) / 300)
-#: Numbers of grid points that are tried in turn, and the share of the speed below which limits slow the tool, and not the grid.
-GRIDS, HOPELESS = (300, 600, 1200), 0.97
+#: Numbers of grid points that are tried in turn, up to this multiple of the speed that limits allow by estimate.
+GRIDS, HOPELESS = (300, 600, 1200), 1.2
 #: Number of points at which limits are compared.
 LIMIT_POINTS = 2000
 #: Share to which the fastest speed is found, maximum number of motions timed for it, share of the speed before where none is
@@ -238,19 +238,32 @@ def retime_steady(
         InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is, and what limits it.
         PlanningError: as in `retime`.
     """
-    made = _steady(path, robot, speed, slowdown, torque=torque)
-    if made[1].is_steady:
-        return made
+
+    @cache
+    def estimate() -> float:
+        stands = standing(path, robot) is not None
+        return 0.0 if stands else min(each.speed for each in limits_bound(path, robot, torque=torque))
+
+    def steady(each: float) -> tuple[Trajectory, SteadySpeed]:
+        return _steady(path, robot, each, slowdown, estimate, torque=torque)
 
     def keep(each: float) -> bool:
-        return _steady(path, robot, each, slowdown, torque=torque)[1].is_steady
+        return steady(each)[1].is_steady
 
+    made = steady(speed)
+    if made[1].is_steady:
+        return made
     wanted = slower(path, robot, speed, keep, torque=torque, ends=ends, slowest=made[1].slowest)
     raise InvalidInputError("tool_speed", speed, wanted)
 
 
-def _steady(path: JointPath, robot: Robot, speed: float, slowdown: float, *, torque: bool) -> tuple[Trajectory, SteadySpeed]:
-    """The motion with a constant speed [m/s] by the first grid on which it is constant, else the one that slows least."""
+def _steady(
+    path: JointPath, robot: Robot, speed: float, slowdown: float, estimate: Callable[[], float], *, torque: bool
+) -> tuple[Trajectory, SteadySpeed]:
+    """The motion with a constant speed [m/s] by the first grid on which it is constant, else the one that slows least.
+
+    `estimate` gives the fastest speed that limits allow, about: no finer grid helps far above it.
+    """
     segments = steady_segments(0.0, 1.0, speed)
     best: tuple[Trajectory, SteadySpeed] | None = None
     for grid in GRIDS:
@@ -258,7 +271,7 @@ def _steady(path: JointPath, robot: Robot, speed: float, slowdown: float, *, tor
         found = measure_speed(trajectory, robot, speed, slowdown=slowdown)
         if best is None or found.slowest > best[1].slowest:
             best = trajectory, found
-        if found.is_steady or found.slowest < HOPELESS * (1 - slowdown) * speed:
+        if found.is_steady or (1 - slowdown) * speed > HOPELESS * estimate():
             break
     assert best is not None
     return best
@@ -297,7 +310,7 @@ def slower(
 
     still = standing(path, robot)
     if still is not None:
-        return f"a path that is split {where(still)}: the tool stands still there on this motion"
+        return f"a path that is split {where(still)}: the tool stands still there on this motion, or nearly"
     inside, ramp = limits_bound(path, robot, torque=torque)
     fastest = _fastest(keep, min(inside.speed, ramp.speed), speed)
     if fastest is None:
@@ -334,7 +347,7 @@ def standing(path: JointPath, robot: Robot) -> float | None:
         return moving.given(stopped[0])
     s = np.linspace(0.0, 1.0, SPEED_PLACES)
     pace = ToolSpeed(robot)(path(s), path(s, 1))[1:-1]
-    return float(s[1 + int(pace.argmin())]) if pace.min() <= LEAST_PACE * pace.mean() else None
+    return float(s[1 + int(pace.argmin())]) if pace.min() <= IN_PLACE * pace.mean() else None
 
 
 def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[SpeedBound, SpeedBound]:

@@ -167,10 +167,14 @@ class ArcLength:
         """The sum of the shares of length and turn up to each of the samples, in which a grid is even, and lengths there."""
         s = np.linspace(*self._inside, samples)
         tangent = self.path(s, 1)
-        tangent /= np.maximum(_norms(tangent), 1e-300)[:, None]
+        pace = np.maximum(_norms(tangent), 1e-300)
+        tangent /= pace[:, None]
         turned = np.concatenate([[0.0], np.cumsum(_norms(np.diff(tangent, axis=0)))])
         length = np.interp(s, self._s(self._at), self._at)
-        return length / self.length + turned / max(turned[-1], 0.1), length
+        share = length / self.length + turned / max(turned[-1], 0.1)
+        if self._tool is not None:  # the joints may move far while the tool hardly does
+            share += np.cumsum(pace) / pace.sum()
+        return share, length
 
 
 def _jumps(path: JointPath, breaks: Array) -> Array:

@@ -184,7 +184,8 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, r
     ramp = np.linspace(0, 1, 9) ** 3
     begin, end = lengths[1] * ramp, curve.length - (curve.length - lengths[-2]) * ramp
     dense = np.sort(np.concatenate([fine, np.interp(np.linspace(0, 1, 8 * count), times, lengths), begin, end]))
-    share = np.interp(dense, fine, 0.7 * at + 0.3 * even)
+    in_time = 0.3 if ramps else 0.7
+    share = np.interp(dense, fine, in_time * at + (1 - in_time) * even)
     if ramps:
         changes = np.abs(np.diff(profile.speed))
         changed = np.append(0.0, np.cumsum(changes))
