@@ -6,8 +6,9 @@ Compiled checks of every pose and every solution: a pose is a rigid motion, and 
 """
 
 import logging
+import math
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from manipplan.ik.bridge import as_bool, as_float64, as_int64, ik_functions
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, number, pose_matrix, whole_number
-from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.deadline import NEVER, Deadline, work_time
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.tolerances import COINCIDENT, EXACT
 from manipplan.symbolic.task import Task
@@ -27,6 +28,10 @@ if TYPE_CHECKING:
     from manipplan.ik.solver import Solver
 
 log = logging.getLogger(__name__)
+#: Number of samples that are solved first where a deadline is set, and time that the next ones may take at once [s].
+FIRST, STEP = 256, 0.02
+#: Time to put one solution of such samples into its place among all, by estimate [s].
+JOIN = 6e-7
 #: Time for one pose from which on the log says how to get its solutions faster [s].
 SLOW = 1.0
 
@@ -125,8 +130,8 @@ def inverse_kinematics(
             there is one.
         turns: False lists only one of the configurations that differ by full turns, the one with the smallest angles.
         time_limit: time after which the search ends [s]; None: no limit. What was found until then is returned, as
-            "statistical" with `missing` above zero if the search was cut off. At least one sample is solved, also if that takes
-            longer.
+            "statistical" with `missing` above zero if the search was cut off. The grid of parameters is made and at least one
+            part of it solved, also if that takes longer.
         seed: seed of the random starts.
 
     Raises:
@@ -143,44 +148,50 @@ def inverse_kinematics(
     began = time.monotonic()
     deadline = NEVER if time_limit is None else Deadline.within(number("time_limit", time_limit, above=0.0))
     solver = Solver.of(robot, task=task, held=held, method=method, seed=seed)
-    found = _solve(solver, poses, parameters, samples, deadline)
+    found = _solve(solver, poses, parameters, samples, turns, deadline)
     if parameters is None and samples is None:
-        for count in solver.finer_counts():
+        finer = solver.finer_counts()
+        for count in finer:
             none = np.setdiff1d(np.arange(len(poses)), found.owners)
-            if not len(none) or deadline.passed:
+            if not len(none) or found.cut or deadline.passed:
                 break
-            found = found.with_more(_solve(solver, poses[none], None, count, deadline), none)
+            found = found.with_more(_solve(solver, poses[none], None, count, turns, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
+            if finer and (found.cut or deadline.passed):  # finer samples or random starts might have reached this pose
+                share = 1 - len(np.unique(found.owners)) / len(poses)
+                found = replace(found, complete=Completeness.STATISTICAL, missing=max(found.missing, share))
+                break
             q = solver.random_solutions(poses[k])
-            if len(q) and not deadline.passed:
-                more = _with_these(solver, poses[k], q, deadline)
+            if len(q):
+                more = _with_these(solver, poses[k], q, turns, deadline)
                 part = replace(more, complete=Completeness.STATISTICAL, missing=max(found.missing, 1 / (1 + len(more.q))))
                 found = found.with_more(part, np.array([k]))
-    keep = distinct(found.q, found.source)
-    if not turns:
-        keep = keep[np.argsort(np.linalg.norm(found.q[keep], axis=1), kind="stable")]
-        keep = np.sort(keep[distinct(_directions(robot, found.q[keep]), found.source[keep])])
-    keep = keep[np.argsort(found.owners[keep], kind="stable")]
+    if (np.diff(found.owners) < 0).any():
+        found = found.of(np.argsort(found.owners, kind="stable"))
     if parameters is None and samples is None and time_limit is None:
         count = max(len(poses), 1)
         _hint(robot, solver.method, (time.monotonic() - began) / count, found.tried // count)
     return SolutionSet(
-        q=found.q[keep],
-        pose_index=found.owners[keep],
-        parameters=found.parameters[keep],
+        q=found.q,
+        pose_index=found.owners,
+        parameters=found.parameters,
         parameter_names=solver.names,
-        residual=found.residual[keep],
+        residual=found.residual,
         complete=found.complete,
         method=solver.method,
         missing=found.missing,
     )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+#: Attributes of a `_Solved` with one row per configuration.
+ARRAYS = ("q", "owners", "source", "parameters", "residual")
+
+
+@dataclass(frozen=True, eq=False)
 class _Solved:
     """Configurations (k, n) with the pose (k,), sample (k,), parameters (k, r) and residual (k,) of each.
 
-    Besides the number of samples, and how complete their solutions are.
+    Besides the number of samples, how complete their solutions are, and whether the deadline cut off some samples.
     """
 
     q: Array
@@ -189,27 +200,43 @@ class _Solved:
     parameters: Array
     residual: Array
     tried: int
-    complete: Completeness
-    missing: float
+    complete: Completeness = Completeness.STATISTICAL
+    missing: float = 0.0
+    cut: bool = False
+
+    def of(self, rows: NDArray[np.int64]) -> "_Solved":
+        """Some of the configurations."""
+        return self.with_arrays(lambda name: getattr(self, name)[rows])
+
+    def with_arrays(self, make: Callable[[str], Any]) -> "_Solved":
+        """The same with other configurations: `make` gives each array by its name."""
+        arrays: dict[str, Any] = {name: make(name) for name in ARRAYS}
+        return replace(self, **arrays)
 
     def with_more(self, more: "_Solved", poses: NDArray[np.int64]) -> "_Solved":
         """Together with the solutions `more` of further samples; `poses` maps its pose indices to ours."""
-        return _Solved(
-            q=np.concatenate([self.q, more.q]),
-            owners=np.concatenate([self.owners, poses[more.owners]]),
-            source=np.concatenate([self.source, self.tried + more.source]),
-            parameters=np.concatenate([self.parameters, more.parameters]),
-            residual=np.concatenate([self.residual, more.residual]),
-            tried=self.tried + more.tried,
-            complete=more.complete,
-            missing=max(self.missing, more.missing) if more.complete == Completeness.STATISTICAL else more.missing,
-        )
+        both = _joined([self, replace(more, owners=poses[more.owners], source=self.tried + more.source)])
+        missing = max(self.missing, more.missing) if more.complete == Completeness.STATISTICAL else more.missing
+        return replace(both, tried=self.tried + more.tried, complete=more.complete, missing=missing, cut=more.cut)
+
+
+def _joined(parts: Sequence[_Solved]) -> _Solved:
+    """The configurations of several parts, with the number of samples and the completeness of the first."""
+    return parts[0].with_arrays(lambda name: np.concatenate([getattr(each, name) for each in parts]))
 
 
 def _solve(
-    solver: "Solver", poses: Array, parameters: ArrayLike | None, samples: int | Sequence[int] | None, deadline: Deadline
+    solver: "Solver",
+    poses: Array,
+    parameters: ArrayLike | None,
+    samples: int | Sequence[int] | None,
+    turns: bool,
+    deadline: Deadline,
 ) -> _Solved:
-    """All solutions of poses (p, 4, 4) for given parameters or a grid; each pose has its own grid where slides are in it."""
+    """All solutions of poses (p, 4, 4) for given parameters or a grid; each pose has its own grid where slides are in it.
+
+    Those found until the deadline are of samples that are spread over the grid.
+    """
     each = poses[:, None] if solver.sweeps_slides and len(poses) else poses[None]
     grids = [solver.values(parameters, samples, some) for some in each]
     if len(grids) == 1:
@@ -217,33 +244,56 @@ def _solve(
     else:
         owners = np.repeat(np.arange(len(poses)), [len(grid.values) for grid in grids])
         values = np.concatenate([grid.values for grid in grids])
-    found = solver.solve(poses, owners, values, deadline)
-    cut = found.solved < 1 or any(grid.complete == Completeness.STATISTICAL for grid in grids)
-    return _Solved(
-        q=found.q,
-        owners=owners[found.source],
-        source=found.source,
-        parameters=values[found.source],
-        residual=found.residual,
-        tried=len(values),
-        complete=Completeness.STATISTICAL if cut else solver.complete or grids[0].complete,
-        missing=1 - found.solved * (1 - found.missing) * (1 - float(np.mean([grid.missing for grid in grids]))),
-    )
+    count, timed = len(values), np.isfinite(deadline.at) and solver.solves_together
+    order, size = (spread(count), FIRST) if timed else (np.arange(count), count)
+    parts: list[_Solved] = []
+    begin, missing, cut = 0, 0.0, False
+    while not parts or (begin < count and deadline.left > JOIN * sum(len(each.q) for each in parts)):
+        some, began = order[begin : begin + size], work_time()
+        found = solver.solve(poses, owners[some], values[some], deadline)
+        keep = _different(solver.robot, found.q, found.source, turns)
+        source = some[found.source[keep]]
+        parts.append(_Solved(found.q[keep], owners[source], source, values[source], found.residual[keep], tried=count))
+        missing += len(some) * (1 - found.solved * (1 - found.missing))
+        cut = cut or found.solved < 1
+        begin += len(some)
+        size = max(min(int(size * STEP / max(work_time() - began, 1e-6)), 2 * size), 1)
+    cut = cut or begin < count
+    missing = 1 - (1 - (missing + count - begin) / max(count, 1)) * (1 - float(np.mean([grid.missing for grid in grids])))
+    whole = parts[0]
+    if len(parts) > 1:
+        whole = _joined(parts)
+        whole = whole.of(np.argsort(whole.source, kind="stable"))
+    coarse = cut or any(grid.complete == Completeness.STATISTICAL for grid in grids)
+    label = Completeness.STATISTICAL if coarse else solver.complete or grids[0].complete
+    return replace(whole, complete=label, missing=missing, cut=cut)
 
 
-def _with_these(solver: "Solver", pose: Array, q: Array, deadline: Deadline) -> _Solved:
+def spread(count: int) -> NDArray[np.int64]:
+    """The numbers from 0 to count - 1 in an order of which each part is spread over all."""
+    step = max(round(count * (5**0.5 - 1) / 2), 1)
+    while math.gcd(step, count) > 1:
+        step += 1
+    return np.arange(count, dtype=np.int64) * step % max(count, 1)
+
+
+def _different(robot: Robot, q: Array, source: NDArray[np.int64], turns: bool) -> NDArray[np.int64]:
+    """Rows of q (k, n) without duplicates of one sample; without `turns` only one of those that differ by full turns."""
+    keep = distinct(q, source)
+    if not turns:
+        keep = keep[np.argsort(np.linalg.norm(q[keep], axis=1), kind="stable")]
+        keep = np.sort(keep[distinct(_directions(robot, q[keep]), source[keep])])
+    return keep
+
+
+def _with_these(solver: "Solver", pose: Array, q: Array, turns: bool, deadline: Deadline) -> _Solved:
     """All solutions of a pose (4, 4) with the parameters of known ones, q (k, n), and these themselves."""
     values = solver.parameters_of(q, np.tile(pose, (len(q), 1, 1)))
-    found = _solve(solver, pose[None], values, None, deadline)
-    own = solver.judged(q, pose)
-    return replace(
-        found,
-        q=np.concatenate([found.q, own.q]),
-        owners=np.concatenate([found.owners, np.zeros(len(own.q), dtype=np.int64)]),
-        source=np.concatenate([found.source, own.source]),
-        parameters=np.concatenate([found.parameters, values[own.source]]),
-        residual=np.concatenate([found.residual, own.residual]),
-    )
+    found, own = _solve(solver, pose[None], values, None, turns, deadline), solver.judged(q, pose)
+    here = np.zeros(len(own.q), dtype=np.int64)
+    both = _joined([found, _Solved(own.q, here, own.source, values[own.source], own.residual, tried=found.tried)])
+    both = both.of(_different(solver.robot, both.q, both.source, turns))
+    return replace(both, complete=found.complete, missing=found.missing)
 
 
 def _hint(robot: Robot, method: str, seconds: float, samples: int) -> None:

@@ -154,6 +154,11 @@ class Solver:
         return _solves_rows(self.robot, self.free)
 
     @property
+    def solves_together(self) -> bool:
+        """Whether many samples are solved at once by a closed form, each as if it were alone."""
+        return self.form is not None and self.own is None and not self.by_rows and not self.robot.planar
+
+    @property
     def method(self) -> str:
         """Name of the method."""
         if self.own is not None:
