@@ -6,7 +6,6 @@ Compiled checks of every pose and every solution: a pose is a rigid motion, and 
 """
 
 import logging
-import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -245,7 +244,7 @@ def _solve(
         owners = np.repeat(np.arange(len(poses)), [len(grid.values) for grid in grids])
         values = np.concatenate([grid.values for grid in grids])
     count, timed = len(values), np.isfinite(deadline.at) and solver.solves_together
-    order, size = (spread(count), FIRST) if timed else (np.arange(count), count)
+    order, size = (np.random.default_rng(0).permutation(count), FIRST) if timed else (np.arange(count), count)
     parts: list[_Solved] = []
     begin, missing, cut = 0, 0.0, False
     while not parts or (begin < count and deadline.left > JOIN * sum(len(each.q) for each in parts)):
@@ -267,14 +266,6 @@ def _solve(
     coarse = cut or any(grid.complete == Completeness.STATISTICAL for grid in grids)
     label = Completeness.STATISTICAL if coarse else solver.complete or grids[0].complete
     return replace(whole, complete=label, missing=missing, cut=cut)
-
-
-def spread(count: int) -> NDArray[np.int64]:
-    """The numbers from 0 to count - 1 in an order of which each part is spread over all."""
-    step = max(round(count * (5**0.5 - 1) / 2), 1)
-    while math.gcd(step, count) > 1:
-        step += 1
-    return np.arange(count, dtype=np.int64) * step % max(count, 1)
 
 
 def _different(robot: Robot, q: Array, source: NDArray[np.int64], turns: bool) -> NDArray[np.int64]:

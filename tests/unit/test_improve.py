@@ -1,6 +1,7 @@
 """A recorded motion without its noise, in the same time, with a higher manipulability; and what cannot be a recording."""
 
 import re
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -172,6 +173,53 @@ def test_a_recording_through_an_obstacle_fails(panda, recording):
     assert plan.status is mp.Status.NOT_FOLLOWED and plan.trajectory is None and not plan.status.has_path
     with pytest.raises(mp.errors.PlanningError, match="clear of collisions"):
         mp.improve(panda, recording, scene)
+
+
+def test_a_generous_time_limit_changes_nothing(panda, recording, plan):
+    again = mp.improve(panda, recording, tolerance=TUBE, time_limit=600.0)
+    np.testing.assert_array_equal(again.trajectory.q, plan.trajectory.q)
+    assert again.status is plan.status and again.message == plan.message == ""
+
+
+def test_the_best_motion_by_then_is_returned_at_the_time_limit(panda, recording, plan):
+    begun = time.monotonic()
+    early = mp.improve(panda, recording, tolerance=TUBE, time_limit=1e-6)
+    assert time.monotonic() - begun < 5.0  # 0.05 s on a quiet machine
+    assert early.report.passed and "the time limit of 1e-06 s ended the search" in early.message
+    assert early.status is mp.Status.IMPROVED and early.comparison.better  # without its noise it is better already
+    assert early.comparison.improved.min_manipulability < plan.comparison.improved.min_manipulability
+
+
+def clean(panda):
+    """A planned motion, which smoothing does not make better."""
+    return mp.retime(mp.JointPath.line(panda.neutral, panda.neutral + 0.3), panda).slower(2.0)
+
+
+def test_a_motion_that_was_not_improved_in_time_says_so(panda):
+    motion = mp.improve(panda, clean(panda), time_limit=1e-6)
+    assert motion.status is mp.Status.SMOOTHED_OUT_OF_TIME and motion.report.passed
+    assert not motion.status.ok and motion.status.has_path
+    assert mp.improve(panda, clean(panda)).status is mp.Status.IMPROVED
+
+
+def test_a_motion_that_was_not_found_in_time_says_so(panda):
+    """A ball that touches the recorded way, but not what the tolerance allows."""
+    recorded = clean(panda)
+    pose = panda.kinematics().pose(recorded(recorded.duration / 2))
+    away = pose[:3, 3] + 0.15 * pose[:3, 1]
+    gap = mp.Scene([mp.Sphere(radius=0.01, position=away)]).distances(panda, recorded(np.linspace(0, recorded.duration, 300)))
+    scene = mp.Scene([mp.Sphere(radius=0.01 + gap.min() + 2e-3, position=away, name="ball")])
+    early = mp.improve(panda, recorded, scene, tolerance=TUBE, time_limit=1e-6, throw=False)
+    assert early.status is mp.Status.NOT_IN_TIME and early.trajectory is None and "got 1e-06 s" in early.message
+    with pytest.raises(mp.errors.PlanningError, match="the time limit ended the work"):
+        mp.improve(panda, recorded, scene, tolerance=TUBE, time_limit=1e-6)
+    assert mp.improve(panda, recorded, scene, tolerance=TUBE, time_limit=600.0).report.passed
+
+
+@pytest.mark.parametrize("limit", [0.0, -1.0, np.nan, np.inf, "long", True])
+def test_wrong_time_limits_are_refused(panda, recording, limit):
+    with pytest.raises(mp.errors.InvalidInputError, match="time_limit: got"):
+        mp.improve(panda, recording, time_limit=limit)
 
 
 def test_a_log_in_degrees_with_other_columns_in_another_order(panda, recording, plan, tmp_path):

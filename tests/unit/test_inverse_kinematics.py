@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pinocchio as pin
@@ -654,3 +655,42 @@ def test_five_joints_reach_what_counts_of_a_pose(rng, task, names):
     for each in found.q:
         assert np.abs(pose_of(arm, each)[:3, 3] - pose[:3, 3]).max() <= 1e-9
     assert (arm.limits.outside(found.q) <= 0).all()
+
+
+@pytest.mark.parametrize("task", [mp.Task.pose(), mp.Task.pointing([0, 0, 1])])
+@pytest.mark.parametrize("turns", [True, False])
+def test_a_generous_time_limit_changes_nothing(panda, task, turns):
+    poses = panda.kinematics().pose(panda.neutral + np.linspace(0, 0.3, 5)[:, None])
+    poses[-1, :3, 3] *= 3  # out of reach
+    free = mp.inverse_kinematics(panda, poses, task=task, turns=turns)
+    timed = mp.inverse_kinematics(panda, poses, task=task, turns=turns, time_limit=600.0)
+    np.testing.assert_array_equal(timed.q, free.q)
+    np.testing.assert_array_equal(timed.pose_index, free.pose_index)
+    np.testing.assert_array_equal(timed.parameters, free.parameters)
+    assert (timed.complete, timed.missing) == (free.complete, free.missing)
+
+
+def test_a_time_limit_holds_for_many_samples(panda):
+    """The solutions by then are some of all, of samples that are spread over the grid; what is missing is estimated."""
+    pose = panda.kinematics().pose(panda.neutral)
+    free = mp.inverse_kinematics(panda, pose, samples=300_000)
+    timed = mp.inverse_kinematics(panda, pose, samples=300_000, time_limit=1e-6)
+    assert 0 < len(timed) < len(free) / 10 and timed.complete == "statistical" and timed.missing > 0.9
+    assert np.ptp(timed.parameters) > 0.7 * np.ptp(free.parameters)
+    assert {tuple(q) for q in timed.q} <= {tuple(q) for q in free.q}
+
+
+def test_a_time_limit_holds_for_many_poses_out_of_reach(panda):
+    """Finer grids and random starts for each of them took half a minute, whatever the limit."""
+    poses = np.tile(panda.kinematics().pose(panda.neutral), (1000, 1, 1))
+    poses[:, :3, 3] += np.linspace(1.0, 4.0, 1000)[:, None]
+    begun = time.monotonic()
+    timed = mp.inverse_kinematics(panda, poses, time_limit=0.2)
+    assert time.monotonic() - begun < 4.0
+    assert len(timed) == 0 and timed.complete == "statistical" and timed.missing == 1.0
+
+
+@pytest.mark.parametrize("limit", [0.0, -1.0, np.nan, np.inf, "long", True])
+def test_wrong_time_limits_are_refused(panda, limit):
+    with pytest.raises(mp.errors.InvalidInputError, match="time_limit: got"):
+        mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), time_limit=limit)
