@@ -560,6 +560,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "objective": objective,
                 "clearance": 0.0,
                 "degrees": False,
+                "time_limit": 10.0,
                 "throw": True,
             },
             heavy=True,
