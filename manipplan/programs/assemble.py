@@ -106,7 +106,7 @@ class Timing:
 
 def times_of(trajectory: Trajectory, path: JointPath, places: Sequence[float]) -> list[float]:
     """When the motion comes past places s of its path, in their order [s]."""
-    t = np.linspace(0.0, trajectory.duration, TIMES + 1)
+    t = np.union1d(np.linspace(0.0, trajectory.duration, TIMES + 1), trajectory.t)  # stops are at samples
     q = trajectory(t)
     found: list[float] = []
     begin = 0

@@ -40,7 +40,8 @@ IN_PLACE = 0.01
 class SteadySpeed:
     """The speed of the tool on a motion that is to have a constant one, measured on the motion.
 
-    A ramp ends where the speed has settled at the one asked for, to the share `slowdown`. It is at most a tenth of the way.
+    A ramp ends where the speed has settled at the one asked for, to a hundredth, or to the share `slowdown` where limits allow
+    no more. It is at most a tenth of the way.
 
     Attributes:
         asked: the constant speed asked for [m/s].
@@ -123,9 +124,10 @@ def measure_speed(
     t = np.minimum(t, end)
     speeds = ToolSpeed(robot)(trajectory(t), trajectory(t, 1))
     way = np.concatenate([[0.0], np.cumsum((speeds[1:] + speeds[:-1]) / 2 * np.diff(t))])
-    slow = speeds < (1 - slowdown) * asked
-    first = _ramp_end(slow, way, short)
-    last = len(t) - 1 - _ramp_end(slow[::-1], way[-1] - way[::-1], short)
+    shares = (STEADY, slowdown)
+    back = way[-1] - way[::-1]
+    ends = [[_ramp_end(v < (1 - each) * asked, w, short) for each in shares] for v, w in ((speeds, way), (speeds[::-1], back))]
+    first, last = _settled(ends[0], way), len(t) - 1 - _settled(ends[1], back)
     between = speeds[first : last + 1]
     return SteadySpeed(
         asked=asked,
@@ -138,6 +140,12 @@ def measure_speed(
         ramps=(float(way[first]), float(way[-1] - way[last])),
         length=float(way[-1]),
     )
+
+
+def _settled(ends: list[int], way: Array) -> int:
+    """The sample at which a ramp ends: where it has reached the speed or, if that is much later, the share it may be slower."""
+    steady, slowed = ends
+    return steady if way[steady] <= SETTLES * way[slowed] else slowed
 
 
 def _ramp_end(slow: NDArray[np.bool_], way: Array, short: float) -> int:

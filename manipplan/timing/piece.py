@@ -152,6 +152,8 @@ def straight_ends(path: JointPath, first: int, last: int) -> tuple[Array, Array]
 BESIDE = 0.4
 #: Minimum mean time between grid points that are placed by changes of speed [s]: rounding shows in the jerk of shorter steps.
 RAMP_STEP = 2e-4
+#: Largest ratio of neighbouring steps in time where the tool's speed is limited.
+GRADE = 3.0
 
 
 def first_grid(curve: ArcLength, count: int, edges: Array, stops: tuple[bool, bool]) -> Array:
@@ -192,7 +194,25 @@ def next_grid(curve: ArcLength, profile: Profile, count: int, edges: Array, *, r
         shortest = float(changed[-1] / (changes / np.diff(profile.time)).max())  # time that all changes take at least
         ramps = min(ramps, shortest / (RAMP_STEP * count))
         share = (1 - ramps) * share + ramps * np.interp(dense, lengths, changed / changed[-1])
+        return _graded(_thin(curve, dense, share, count, edges), fine, at)
     return _thin(curve, dense, share, count, edges)
+
+
+def _graded(grid: Array, lengths: Array, times: Array) -> Array:
+    """The grid with more points beside short steps: a spline that is continued over a much longer step leaves the path there.
+
+    `times` at `lengths` are those of an earlier motion.
+    """
+    for _ in range(30):
+        steps = np.diff(np.interp(grid, lengths, times))
+        least = np.minimum(np.append(np.inf, steps[:-1]), np.append(steps[1:], np.inf))
+        wide = steps > GRADE * least
+        wide[[0, -1]] = False
+        if not wide.any():
+            break
+        k = np.flatnonzero(wide)
+        grid = np.insert(grid, k + 1, (grid[k] + grid[k + 1]) / 2)
+    return grid
 
 
 def _thin(curve: ArcLength, points: Array, share: Array, count: int, edges: Array) -> Array:
