@@ -523,7 +523,14 @@ def calls(folder: Path) -> dict[str, Call]:
         "max_min_search": C(mp.max_min_search, {"layers": layers, "epsilon": 0.5, "strict": True, "prefer": "shortest"}),
         "refine": C(
             mp.refine,
-            {"layers": layers, "found": found, "tolerance": mp.Tolerance(position=0.1), "resample": 2, "hold_start": False},
+            {
+                "layers": layers,
+                "found": found,
+                "tolerance": mp.Tolerance(position=0.1),
+                "resample": 2,
+                "hold_start": False,
+                "time_limit": 10.0,
+            },
         ),
         "follow": C(
             mp.follow,
@@ -545,6 +552,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "closed": False,
                 "torque": False,
                 "seeding": seeding,
+                "time_limit": 60.0,
                 "throw": True,
             },
             heavy=True,
@@ -645,6 +653,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "collisions": True,
                 "clearance": 0.0,
                 "spare": 0.0,
+                "spacing": 0.5,
                 "closed": False,
             },
         ),
