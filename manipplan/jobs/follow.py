@@ -34,7 +34,7 @@ from manipplan.support.checks import Array, ArrayLike, finite_array, flag, insta
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, until
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
-from manipplan.support.progress import Progress, as_callback, interruptible, part
+from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
 from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
@@ -224,7 +224,7 @@ def follow(
                 "axis too"
             )
         raise InvalidInputError("objective", objective, wanted)
-    notify = as_callback(progress)
+    notify = rising(as_callback(progress))
     epsilon = check_epsilon(epsilon, robot.continuous_joints)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)

@@ -39,6 +39,18 @@ def part(notify: Progress, begin: float, end: float) -> Progress:
     return lambda share, text: notify(begin + share * (end - begin), text) if share < 1 else None
 
 
+def rising(notify: Progress) -> Progress:
+    """The callback, for work that may be done more than once: shares that would fall stay as they were."""
+    most = 0.0
+
+    def report(share: float, text: str) -> None:
+        nonlocal most
+        most = max(most, share)
+        notify(most, text)
+
+    return report
+
+
 @contextmanager
 def interruptible() -> Iterator[None]:
     """Raise KeyboardInterrupt by the end of the block if an interrupt arrived in it; also usable as a decorator."""

@@ -74,6 +74,7 @@ class ToolPathPlanner:
             `tolerance`.
         halvings: how often the distance between two positions was halved, for each of them; None: never.
         deadline: from which on motions are no more improved.
+        is_complete: whether no positions can be added, since the candidates of these were chosen one by one.
     """
 
     path: CartesianPath
@@ -83,6 +84,7 @@ class ToolPathPlanner:
     allowed: Tolerance | None = None
     halvings: NDArray[np.int64] | None = None
     deadline: Deadline = NEVER
+    is_complete: bool = False
 
     @property
     def _sampler(self) -> CandidateSampler:
@@ -173,7 +175,7 @@ class ToolPathPlanner:
                 raise PlanningError(f"{wanted}: {bodies}")
             free_q.append(np.ascontiguousarray(own[free]))
             free_m.append(values[free])
-        return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)))
+        return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)), is_complete=True)
 
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
@@ -221,7 +223,7 @@ class ToolPathPlanner:
         """The same with more positions where it is loose between those there are."""
         made, planner = self.along(found, progress, hold_start=hold_start), self
         for _ in range(CLOSER):
-            if not len(made.loose) or self.deadline.passed:
+            if not len(made.loose) or self.is_complete or self.deadline.passed:
                 break
             try:
                 planner = planner.halved(made.loose, silent)

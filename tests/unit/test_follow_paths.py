@@ -168,3 +168,11 @@ def test_a_motion_that_is_found_in_time_is_returned_without_improvement(flappy, 
 def test_a_time_limit_that_is_none_is_refused(flappy, value):
     with pytest.raises(mp.errors.InvalidInputError, match="^time_limit: got"):
         mp.follow(*flappy, time_limit=value)
+
+
+def test_the_progress_never_falls_though_positions_are_added(flappy):
+    robot, path, scene = flappy
+    shares = []
+    mp.follow(robot, path, scene, tolerance=CLOSE, progress=lambda share, text: shares.append((share, text)))
+    assert [share for share, _ in shares] == sorted(share for share, _ in shares) and shares[-1] == (1.0, "done")
+    assert any("positions half-way in" in text for _, text in shares)
