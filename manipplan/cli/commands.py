@@ -194,7 +194,7 @@ def follow(
     torque: bool = False,
     measure: str | None = None,
     seed: int = 0,
-    time_limit: float = 10.0,
+    time_limit: float | None = None,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
@@ -220,7 +220,7 @@ def follow(
         torque: Keep the joints' effort limits as well.
         measure: Name of the manipulability measure; default: Yoshikawa's.
         seed: Random seed of free motions, and of inverse kinematics without a closed form.
-        time_limit: Time limit of the free motions to each part of the path [s].
+        time_limit: Time limit of the whole job [s]; what was found by then is written.
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
@@ -244,7 +244,8 @@ def follow(
             clearance=clearance,
             closed=closed,
             torque=torque,
-            seeding=Seeding(seed=seed, time_limit=time_limit),
+            seeding=Seeding(seed=seed),
+            time_limit=time_limit,
             progress=part(notify, 0.0, 0.95),
         )
         notify(1.0, "writing files")

@@ -318,7 +318,7 @@ class Solver:
         return np.clip(moved, limits.lower, limits.upper)
 
     def moved_onto(self, q: Array, poses: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """As `onto`, whatever the limits, and which of the rows (k,) reach their pose."""
+        """As `onto`, without the limits, and which of the rows (k,) reach their pose."""
         moved = self._move_onto(q, poses, np.ones(self.robot.n, dtype=np.bool_))
         targets, rows = self.free.nearest(self.kinematics.pose(moved), poses), np.arange(len(q))
         return moved, self._residual(moved, targets, rows) <= _allow_residual(poses)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import replace
 from typing import Literal, overload
 
@@ -37,6 +38,7 @@ from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
 from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
+from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
@@ -51,7 +53,7 @@ LEAST_RETREAT = 1e-3
 SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
-#: Share of the time limit after which motions are no more improved, so that the rest suffices for timing and checks.
+#: Share of the time limit after which motions are no longer improved, so that the rest suffices for timing and checks.
 IMPROVING = 0.6
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
@@ -142,11 +144,11 @@ def follow(
     All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
     joined by a spline that stays on the workspace path, timed, and checked independently.
 
-    Where branches of configurations turn back or move fast, samples are added; where a motion does not lead on, or leaves the
-    path or touches a body between positions, positions are. Where none connect even so, the tool can leave the path and come
-    back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples allow,
-    which is proven for them. With that number the minimum manipulability on the path is the largest. At an interruption the
-    tool retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` tells when.
+    Samples are added where branches of configurations turn back or move fast. Positions are added where no motion leads on, or
+    where the motion leaves the path or touches a body between them. If nothing connects even then, the tool may leave the path
+    and come back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples
+    allow, which is proven for them. With that number the minimum manipulability on the path is the largest. At an interruption
+    the tool retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` tells when.
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
@@ -167,7 +169,8 @@ def follow(
             0.99. `report.along` tells the smallest speed, and when.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
             apart, where 1 rad counts as 10 cm, at poses of the path as far as possible, and down to an eighth of that where
-            nothing connects, or a 64th where not even one step does.
+            nothing connects, or a 64th where a single step has no motion. To given ones they are added only where the motion
+            leaves the path or touches a body.
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
             and the way back to where it began counts as one.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
@@ -176,8 +179,8 @@ def follow(
             the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
             leave a motion of the tool free.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
-        samples: number of grid points of the redundancy; see `sample_layers`. On an arm with one degree of redundancy more are
-            added where joints of neighbouring ones differ by more than 0.05.
+        samples: number of grid points of the redundancy; see `sample_layers`. On an arm with a closed form and one degree of
+            redundancy more are added where joints of neighbouring ones differ by more than 0.05.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 0.1 mm more, for the
@@ -230,14 +233,16 @@ def follow(
     check_timing_limits(robot.limits)
     given = None if start is None else read_configuration("start", start, robot)
     slowdown = number("slowdown", slowdown, least=STEADY, most=MOST_SLOWDOWN)
+    interruptions = whole_number("interruptions", interruptions, least=0)
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
         position = with_defaults(tolerance).position
         assert position is not None
-        check_corners(tool_speed * (1 - slowdown), path, robot, position=position)
+        shifts = () if objective.task is None else FreeMotion.of(objective.task, planar=robot.planar).shifts
+        if not len(shifts) and not interruptions:  # the tool passes all corners of the path, and rests at none
+            check_corners(tool_speed, path, robot, position=position, slowdown=slowdown)
     elif slowdown != STEADY:
         raise InvalidInputError("slowdown", slowdown, f"{STEADY:g} where no tool_speed is asked for")
-    interruptions = whole_number("interruptions", interruptions, least=0)
     way = _retreat(retreat)
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
@@ -305,6 +310,8 @@ def follow(
         free_objective = replace(objective, task=kinematics.task)
 
         def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
+            if seconds <= 0:
+                return Failure(message="no time was left for a free motion")
             made = plan(
                 robot,
                 begin,
@@ -382,16 +389,17 @@ def follow(
 
     try:
         followed = attempt(SPARES[0])
-        for spare in SPARES[1:]:
-            # a motion may touch bodies between positions that nearly touch them
-            if followed.status is Status.CHECK_FAILED and not deadline.passed:
-                followed = attempt(spare)
     except OutOfTimeError:
-        followed = PartialPlan(
-            robot=robot, scene=scene, status=Status.NO_PATH, workspace_path=path, tolerance=with_defaults(tolerance)
+        nothing = PartialPlan(
+            robot=robot, scene=scene, status=Status.NOT_IN_TIME, workspace_path=path, tolerance=with_defaults(tolerance)
         )
-        return failed(followed, throw, f"no motion along the path was found within time_limit = {time_limit:g} s")
-    return failed(followed, throw, followed.message) if followed.message else followed
+        return failed(nothing, throw, f"no motion along the path was found within time_limit = {time_limit:g} s")
+    report = followed.report
+    if report is not None and not (report.passed or report.collision_free or deadline.passed):
+        # a motion may touch bodies between positions that nearly touch them
+        with suppress(InvalidInputError, OutOfTimeError):
+            followed = attempt(SPARES[1])
+    return followed if followed.status.has_path else failed(followed, throw, followed.message)
 
 
 def _time(

@@ -165,15 +165,16 @@ def _within(allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array,
     """Distances and angles (k, 2) of poses (k, 4, 4) from where on pieces (6, k) they exceed `allowed` (2,) the least."""
     from scipy.spatial.transform import Rotation
 
-    best = np.full((len(poses), 2), np.inf)
+    best, least = np.full((len(poses), 2), np.inf), np.full(len(poses), np.inf)
     for k in pieces if len(poses) else ():
         start, along, offset, turn = _on_pieces(poses, line[k], line[k + 1], free)
         for share in np.linspace(0.0, 1.0, SHARES):
             rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
             angles = _angles(poses[:, :3, :3], rotations, free)
             found = np.column_stack([np.linalg.norm(offset - share * along, axis=1), angles])
-            better = (found / allowed).max(axis=1) < (best / allowed).max(axis=1)
-            best[better] = found[better]
+            excess = (found / allowed).max(axis=1)
+            better = excess < least
+            best[better], least[better] = found[better], excess[better]
     return best
 
 

@@ -109,10 +109,10 @@ class Gaps:
     parts: int | None
 
 
-def find_gaps(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None) -> Gaps:
+def find_gaps(layers: Layers, epsilon: ArrayLike, *, progress: Progress | None = None) -> Gaps:
     """The gaps of a path through the layers, by one sweep; arguments as in `fewest_interruptions`."""
     with _search(layers, progress) as search:
-        first = search.first_positions(Subset(), _reach(layers, epsilon, strict), "gaps")
+        first = search.first_positions(Subset(), _reach(layers, epsilon, strict=True), "gaps")
     edges = _edges(first, closed=layers.closed)
     ranges, begin, end = list[tuple[int, int]](), 0, len(first) - 1
     while (farthest := _farthest(first, begin)) < end:

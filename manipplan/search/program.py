@@ -164,7 +164,7 @@ class LevelProgram:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LevelDerivatives:
-    """What the program needs of one position, of configuration q (n,) and pose (16,).
+    """Functions of a configuration q (n,) and a pose (16,) that the program needs.
 
     Attributes:
         first: manipulability, its gradient (1, n), pose rows (rows,), their Jacobian (rows, n).
@@ -273,7 +273,7 @@ def joint_path(
 ) -> tuple[JointPath, NDArray[np.bool_]]:
     """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
 
-    And in which of the intervals between them it does, (k - 1,).
+    Also returns in which of the intervals between them it does, (k - 1,).
 
     Where it does not, or leaves the position limits, knots are added half-way and projected onto the workspace path, or into a
     `tube` around it. Where that does not help within DOUBLINGS rounds, since a path from one side of the tube to the other
@@ -286,6 +286,8 @@ def joint_path(
         if share < 1:
             begun = _onto_tube(solver, narrow, path(s), q, inside=0.0)
             begun[0] = q[0] if hold_start else begun[0]
+            if closed:
+                begun[-1] = begun[0] + (q[-1] - q[0])
         joints, loose = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, tube=narrow)
         if not len(loose):
             break
@@ -306,20 +308,19 @@ def _with_knots(
     tube: Tolerance | None,
 ) -> tuple[JointPath, Array]:
     """The joint path with knots added, and the s (w,) of intervals in which it does not follow the workspace path even so."""
-    middle = np.empty(0)
-    for _ in range(DOUBLINGS):
+    for k in range(DOUBLINGS + 1):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
         between = s[:-1, None] + np.diff(s)[:, None] * shares
         errors = rows.errors(joints(between.ravel()), path(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
         outside = solver.robot.limits.outside(joints(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
-        if not len(wide):
-            return joints, middle[:0]
         middle = (s[wide] + s[wide + 1]) / 2
+        if not len(wide) or k == DOUBLINGS:
+            break
         s = np.insert(s, wide + 1, middle)
         q = np.insert(q, wide + 1, _onto_tube(solver, tube, path(middle), joints(middle), inside=INSIDE_LIMITS / 2), axis=0)
-    return JointPath.spline(s, q, closed=closed), middle
+    return joints, middle
 
 
 def _onto_tube(solver: Solver, tube: Tolerance | None, targets: Array, q: Array, *, inside: float) -> Array:

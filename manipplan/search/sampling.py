@@ -72,6 +72,8 @@ class SamplingSpec:
 JOB, BLOCK = 8192, 65536
 #: How often the distance between two samples is halved where their solutions are apart.
 HALVINGS = 7
+#: Difference from a full turn that counts as none [rad].
+EVEN = 1e-6
 #: Default number of samples per parameter, for one, two, three, ... parameters. For three and more it is smaller, but at least
 #: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
@@ -133,9 +135,9 @@ def sample_layers(
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
         clearance: minimum distance [m] of candidates to obstacles and between the arm's own links.
         spare: distance [m] beyond the clearance that candidates keep, for the motion between positions.
-        spacing: of an arm with one parameter, samples are added where a solution has none at the next sample whose joints all
-            differ by less [rad or m], one number or (n,): where a branch of solutions turns back, ends, or moves fast. So
-            branches that meet between two samples are connected. None: the grid stays as it is.
+        spacing: of an arm with a closed form and one parameter, samples are added where a solution has none at the next sample
+            whose joints all differ by less [rad or m], one number or (n,): where a branch of solutions turns back, ends, or
+            moves fast. So branches that meet between two samples are connected. None: the grid stays as it is.
         closed: whether the path returns to its start, so that the motion has to as well.
         near: (n,) a configuration in which the motion may begin; of an arm with several parameters, values of them around those
             of this configuration are added at every position.
@@ -375,9 +377,11 @@ class CandidateSampler:
 
     def sample(self, poses: Array, sets: Sequence[Array], spacing: Array | None = None) -> "list[PositionSample]":
         """The candidates of each of poses (p, 4, 4) for its parameters, sets[k] (s, r); see `sample_layers` for `spacing`."""
+        fills = spacing is not None and len(self.solver.names) == 1 and self.solver.form is not None
+        sets = [_with_end(each) for each in sets] if fills else sets
         owners, values = np.repeat(np.arange(len(poses)), [len(each) for each in sets]), np.concatenate(sets)
         found = self._solve(poses, owners, values)
-        if spacing is not None and len(self.solver.names) == 1 and self.solver.form is not None:
+        if spacing is not None and fills:
             owners, found = self._fill(poses, owners, values, found, spacing)
         of = owners[found.source]
         free = np.concatenate([self.free(found.q[begin : begin + BLOCK]) for begin in range(0, max(len(found.q), 1), BLOCK)])
@@ -406,8 +410,9 @@ class CandidateSampler:
 
         These are the values at which a branch begins, turns back, or moves fast. Intervals are halved up to HALVINGS times.
         """
-        turns = self.spec.robot.turns
-        finest = np.inf
+        turns, finest = self.spec.robot.turns, np.inf
+        if len(values) < 2:
+            return owners, found
         for _ in range(HALVINGS + 1):
             order = np.lexsort((values[:, 0], owners))
             place = np.empty_like(order)
@@ -476,6 +481,13 @@ class CandidateSampler:
 
 def _blocks(values: Array) -> list[Array]:
     return [values[begin : begin + CHUNK] for begin in range(0, len(values), CHUNK)]
+
+
+def _with_end(values: Array) -> Array:
+    """Values (s, 1) of one parameter, with the end of the turn where they are evenly spread over one."""
+    steps = np.diff(np.sort(values[:, 0]))
+    whole = np.ptp(values) + np.median(steps) if len(steps) else 0.0
+    return np.vstack([values, values.min() + 2 * np.pi]) if abs(whole - 2 * np.pi) < EVEN else values
 
 
 @lru_cache(maxsize=2)

@@ -160,7 +160,9 @@ def _ramp_end(slow: NDArray[np.bool_], way: Array, short: float) -> int:
 INTERVALS, CORNER_PLACES = 8192, 20001
 
 
-def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: float, margin: float = 0.0) -> None:
+def check_corners(
+    speed: float, path: CartesianPath, robot: Robot, *, position: float, slowdown: float = STEADY, margin: float = 0.0
+) -> None:
     """Raise InvalidInputError, which names the place, for a constant speed [m/s] that a corner of the path does not allow.
 
     A tool that passes three places of the path, a way h apart, at speed v and within the tolerance δ, is accelerated by at
@@ -168,6 +170,7 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
 
     Args:
         position: tolerance δ on the tool's position [m].
+        slowdown: share by which the tool may be slower.
         margin: way at either end that is left out [m]; so are the ramps.
     """
     s = np.linspace(0.0, 1.0, CORNER_PLACES)
@@ -184,7 +187,7 @@ def check_corners(speed: float, path: CartesianPath, robot: Robot, *, position: 
         bend = (second - 4 * position) / (lag * (at[1] - at[0]) + 2 * position) ** 2  # acceleration at 1 m/s
         if bend.max() > worst:
             worst, at_worst = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
-    most = np.sqrt(most_acceleration(robot) / worst) / (1 - STEADY) if worst > 0 else np.inf
+    most = np.sqrt(most_acceleration(robot) / worst) / (1 - slowdown) if worst > 0 else np.inf
     if speed > most:
         wanted = (
             f"at most {round_down(most, 3):g} m/s: {place(at_worst, path(at_worst)[:3, 3])}, the path turns a corner that no "

@@ -73,8 +73,8 @@ class ToolPathPlanner:
         allowed: largest error between the positions, which are met exactly, where no refinement makes use of it; None: see
             `tolerance`.
         halvings: how often the distance between two positions was halved, for each of them; None: never.
-        deadline: from which on motions are no more improved.
-        is_complete: whether no positions can be added, since the candidates of these were chosen one by one.
+        deadline: from which on motions are no longer improved.
+        has_fixed_positions: whether no positions can be added, since the candidates of these were chosen one by one.
     """
 
     path: CartesianPath
@@ -84,7 +84,7 @@ class ToolPathPlanner:
     allowed: Tolerance | None = None
     halvings: NDArray[np.int64] | None = None
     deadline: Deadline = NEVER
-    is_complete: bool = False
+    has_fixed_positions: bool = False
 
     @property
     def _sampler(self) -> CandidateSampler:
@@ -175,7 +175,7 @@ class ToolPathPlanner:
                 raise PlanningError(f"{wanted}: {bodies}")
             free_q.append(np.ascontiguousarray(own[free]))
             free_m.append(values[free])
-        return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)), is_complete=True)
+        return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)), has_fixed_positions=True)
 
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
@@ -207,7 +207,7 @@ class ToolPathPlanner:
             s=np.concatenate([[0.0], (s[1:-1] - begin) / (end - begin), [1.0]]),
             poses=layers.poses[k],
         )
-        return replace(self, path=path, layers=some)
+        return replace(self, path=path, layers=some, halvings=self._halvings[k[:-1]])
 
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
@@ -220,10 +220,13 @@ class ToolPathPlanner:
         return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=np.flatnonzero(loose))
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The same with more positions where it is loose between those there are."""
-        made, planner = self.along(found, progress, hold_start=hold_start), self
+        """The same with more positions where it is loose between those there are, from the same first configuration."""
+        made, begin, first = self.along(found, progress, hold_start=hold_start), found.q[0], found.indices[:1]
+        layers = self.layers
+        alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
+        planner = replace(self, layers=alone)
         for _ in range(CLOSER):
-            if not len(made.loose) or self.is_complete or self.deadline.passed:
+            if not len(made.loose) or self.has_fixed_positions or self.deadline.passed:
                 break
             try:
                 planner = planner.halved(made.loose, silent)
@@ -232,6 +235,7 @@ class ToolPathPlanner:
             found = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
             if not found.connected:
                 break
+            found = replace(found, q=found.q + 2 * np.pi * np.round((begin - found.q[0]) / (2 * np.pi)))
             made = planner.along(found, progress, hold_start=hold_start)
         return made
 
@@ -246,7 +250,10 @@ class ToolPathPlanner:
         clearance = sampler.spec.clearance - sampler.spec.spare / 2
         touches = np.asarray(sampler.collision.in_collision_rows(path(between.ravel()), clearance=clearance))
         touched = np.asarray(touches.reshape(between.shape).any(axis=1))
-        return np.asarray(touched | np.append(touched[1:], False) | np.append(False, touched[:-1]))
+        beside = np.roll(touched, 1) | np.roll(touched, -1)
+        if not self.layers.closed:
+            beside[0], beside[-1] = touched[:2].any(), touched[-2:].any()
+        return np.asarray(touched | beside)
 
     def in_the_way(self, found: SearchResult) -> str:
         """Where no path was found: the bodies that are in the way, if there is a path without them, for a message."""
@@ -264,6 +271,7 @@ class ToolPathPlanner:
             samples=self.samples,
             collisions=False,
             closed=self.layers.closed,
+            spacing=None if self.layers.sampling is None else self.layers.sampling.spacing,
             seed=spec.seed,
         )
         if len(self.layers.q[0]) == 1:

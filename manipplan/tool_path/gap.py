@@ -6,6 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.paths.deviation import angles_between
 from manipplan.search.interruptions import find_gaps
 from manipplan.search.layers import INSIDE_LIMITS
 from manipplan.search.max_min import minimum_to_each
@@ -46,15 +47,15 @@ def _resolution(planner: ToolPathPlanner, intervals: NDArray[np.int64]) -> str:
     """How close the samples are in intervals between positions."""
     layers = planner.layers
     assert layers.poses is not None and layers.sampling is not None
-    points = layers.poses[:, :3, 3]
-    apart = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)[intervals]
+    begins, ends = layers.poses[intervals], layers.poses[(intervals + 1) % len(layers.poses)]
+    moved = np.linalg.norm(ends[:, :3, 3] - begins[:, :3, 3], axis=1).max()
+    turned = angles_between(begins[:, :3, :3], ends[:, :3, :3]).max()
+    text = [f"positions at most {1e3 * moved:.3g} mm and {np.rad2deg(turned):.3g}° apart"]
     names, values = layers.sampling.sampler.solver.names, layers.sampling.values
-    steps = []
     for name, column in zip(names, values.T, strict=True):
         different = np.unique(column)
         if len(different) > 1:
-            steps.append(f"values of {name} {np.median(np.diff(different)):.3g} apart")
-    text = [f"positions at most {1e3 * apart.max():.3g} mm apart", *steps]
+            text.append(f"values of {name} {np.median(np.diff(different)):.3g} rad or m apart, or closer")
     return f"this was searched with {' and '.join(text)}"
 
 

@@ -22,6 +22,7 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import OutOfTimeError
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
@@ -86,6 +87,10 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
         for first, last in gaps.ranges:
             spanned = np.arange(first, last) % (len(planner.layers.q) - (not planner.layers.closed))
             wide.append(planner.intervals(HALVED_STEP if last - first == 1 else HALVED, spanned))
+        if planner.layers.closed and not gaps.ranges:  # motions lead around, but perhaps none returns to where it began
+            if max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False).connected:
+                return planner
+            wide.append(planner.intervals(1, np.arange(len(planner.layers.q))))
         intervals = np.unique(np.concatenate(wide))
         if not len(intervals) or planner.layers.count * (1 + len(intervals) / len(planner.layers.q)) > MOST:
             return planner
@@ -128,16 +133,19 @@ def find_parts(
                 raise
             break
         if isinstance(options, NotConnected):
-            if connects or found is None:
+            if found is None:
                 return options
-            break  # more positions than the given ones only showed that they are too few
+            break  # what is loose is left to the check
         found = next(options), options
         count = len(planner.layers.q)
         loose = np.unique(np.concatenate([(each.first + each.refined.loose) % count for each in found[0]]))
         loose = planner.intervals(HALVED_STEP, loose)
-        if not len(loose) or planner.deadline.passed:
+        if not len(loose) or planner.deadline.passed or k == CLOSER:
             break
-        planner = planner.halved(loose, silent)
+        try:
+            planner = planner.halved(loose, silent)
+        except InvalidInputError:  # no configuration keeps what candidates have to spare there
+            break
     assert found is not None
     return chain([found[0]], found[1])
 
@@ -161,7 +169,10 @@ def _find_parts(
         return NotConnected(search=found, planner=begun, message=f"with {times} there is a motion: {allowed}")
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
     return (
-        [_part(best, *ends, epsilon, is_held=k == 0 and start is not None) for k, ends in enumerate(pairwise(edges))]
+        [
+            _part(best, *ends, epsilon, is_held=k == 0 and best is begun and start is not None)
+            for k, ends in enumerate(pairwise(edges))
+        ]
         for edges in (fewest.edges, *fewest.others)
     )
 

@@ -247,3 +247,11 @@ def test_a_pose_within_the_tolerance_of_some_pose_of_the_path_is_within_it():
     beyond = turned(shifted(turning(s), [0, 1.5e-4, 0]), [0, 0, 2.9e-3])
     position, rotation = deviations(turning, beyond, tolerance=tolerance)
     assert ((position > tolerance.position) | (rotation > tolerance.rotation)).all()
+
+
+@pytest.mark.parametrize("tolerance", [mp.Tolerance(position=1e-4), mp.Tolerance(rotation=2e-3)], ids=["position", "rotation"])
+def test_a_tolerance_of_one_part_leaves_the_other_finite(tolerance):
+    poses = shifted(LINE(np.linspace(0, 1, 30)), [0, 3e-3, 0])
+    position, rotation = deviations(LINE, turned(poses, [0.02, 0, 0]), tolerance=tolerance)
+    assert np.isfinite(position).all() and np.isfinite(rotation).all()
+    assert position.max() < 0.02 and rotation.max() < 0.3
