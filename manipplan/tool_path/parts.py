@@ -22,7 +22,7 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import OutOfTimeError
-from manipplan.support.errors import InvalidInputError
+from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
@@ -144,6 +144,8 @@ def find_parts(
             break
         try:
             planner = planner.halved(loose, silent)
+        except OutOfReachError:  # of poses of the path: no motion follows it
+            raise
         except InvalidInputError:  # no configuration keeps what candidates have to spare there
             break
     assert found is not None
