@@ -191,8 +191,9 @@ def follow(
         seeding: how free motions to the path and between its parts are planned, as for `plan`; its `time_limit` holds for all
             that lead to one part, its `seed` also for the random starts of arms without closed-form inverse kinematics.
             `shifts` and `initial` stay at their defaults.
-        time_limit: time of the whole call [s]; None: none. A motion that was found by then is timed, checked and returned, with
-            a smaller minimum manipulability than it could have. What is built once per robot or scene does not count.
+        time_limit: time [s] after which what was found is timed, checked and returned, with a smaller minimum manipulability
+            than it could have; None: none. Motions are improved for six tenths of it. Timing and checks of a path of some
+            hundred poses take up to a second more. What is built once per robot or scene does not count.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
