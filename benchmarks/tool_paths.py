@@ -322,12 +322,14 @@ def line(name: str, results: Sequence[Result]) -> str:
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--paths", type=int, default=200, help="number of paths made here")
-    parser.add_argument("--finer", type=int, default=24, help="number of them that are searched on the finer grid")
+    parser.add_argument(
+        "--finer", type=int, default=24, help="number of them that are searched on the finer grid; 0: none, nor those of others"
+    )
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     given = others()
     follow(given[0], 0, finer=False)  # what is compiled at the first call does not count
-    outside = [follow(case, 2, finer=True) for case in track(given, "paths of others")]
+    outside = [follow(case, 2, finer=options.finer > 0) for case in track(given, "paths of others")]
     cases = made(options.paths)
     own = [follow(case, 9, finer=k < options.finer) for k, case in enumerate(track(cases, "paths made here"))]
     columns = [
@@ -342,6 +344,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "time without interruption: median, 95 %, largest",
         "time of the others",
     ]
+    grid = f"Finer grid: {FINER * 720} samples at each given pose, for the paths of others and {options.finer} made ones; its "
+    grid = f"{grid}motions may touch bodies between the poses. " if options.finer else ""
     lines = [
         "| " + " | ".join(columns) + " |",
         "|---" * len(columns) + "|",
@@ -353,8 +357,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         line("all made", own),
         "",
         "Default arguments, but a tolerance of 0.1 mm and 0.1°, no retreat, and up to 9 interruptions, 2 of the paths of "
-        f"others. Finer grid: {FINER * 720} samples at each given pose, for the paths of others and {options.finer} made ones; "
-        "its motions may touch bodies between the poses. The UR5's joints turn by ±180°. Where the tool leaves the path, the "
+        f"others. {grid}The UR5's joints turn by ±180°. Where the tool leaves the path, the "
         "time has the planning of free motions in it. CPU time; "
         f"Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
         "",
