@@ -259,9 +259,8 @@ def _solve(
         size = max(min(int(size * STEP / max(work_time() - began, 1e-6)), 2 * size), 1)
     cut = cut or begin < count
     missing = 1 - (1 - (missing + count - begin) / max(count, 1)) * (1 - float(np.mean([grid.missing for grid in grids])))
-    whole = parts[0]
-    if len(parts) > 1:
-        whole = _joined(parts)
+    whole = _joined(parts)
+    if timed:
         whole = whole.of(np.argsort(whole.source, kind="stable"))
     coarse = cut or any(grid.complete == Completeness.STATISTICAL for grid in grids)
     label = Completeness.STATISTICAL if coarse else solver.complete or grids[0].complete
