@@ -84,11 +84,10 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
     wide = np.pad(sizes, ((0, 0), (1, 1)))
     room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
-    position, rotation = np.full(len(poses), np.inf), np.full(len(poses), np.inf)
-    if not (free.in_tool and len(free.shifts)):
-        first, _ = _nearest(poses, given, free)
-        pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
-        position, rotation = _beyond_pieces(np.tile(np.arange(len(poses)), 3), pieces, given, room, poses, free)
+    blocks = [slice(begin, begin + BLOCK) for begin in range(0, len(poses), BLOCK)]
+    first = np.concatenate([_nearest(poses[each], given, free)[0] for each in blocks])
+    pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
+    position, rotation = _beyond_pieces(np.tile(np.arange(len(poses)), 3), pieces, given, room, poses, free)
     # a pose outside the neighbourhoods of the nearest pieces is compared with all that may be nearer than BESIDE, or with all
     outside = np.flatnonzero(position + RADIAN * rotation > 0)
     step = max(1, MOST_PAIRS // len(turns))
@@ -186,7 +185,7 @@ def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.in
     rows, last = np.arange(len(poses)), len(line) - 2
     if free.in_tool and len(free.shifts):  # what counts of a position depends on the pose of the path
         pieces = np.broadcast_to(np.arange(last + 1), (len(poses), last + 1))
-        of_ends = np.concatenate([_apart(poses[k : k + 1], line[None], free) for k in range(len(poses))])
+        of_ends = _apart(poses, line, free)
         apart = np.minimum(of_ends[:, :-1], of_ends[:, 1:])
     else:
         pieces, apart = _piece_distances(_vectors(poses, free), _vectors(line, free), len(free.fixed_directions))
@@ -216,16 +215,13 @@ def _vectors(poses: Array, free: FreeMotion) -> Array:
     return np.hstack([poses[:, :3, 3] @ free.fixed_directions.T, scale * free.directions(poses[:, :3, :3])])
 
 
-def _apart(poses: Array, others: Array, free: FreeMotion) -> Array:
-    """Distances (k, c) of poses (k, 4, 4) from others (k, c, 4, 4), angles counted in [m]."""
-    offsets = poses[:, None, :3, 3] - others[..., :3, 3]
-    if free.in_tool:
-        offsets = np.einsum("kcji,kcj->kci", others[..., :3, :3], offsets)
-    squares = np.square(offsets @ free.fixed_directions.T).sum(axis=-1)
-    flat = free.directions(others[..., :3, :3].reshape(-1, 3, 3)).reshape(*others.shape[:2], -1)
-    chords = np.square(free.directions(poses[:, :3, :3])[:, None] - flat).sum(axis=-1)
+def _apart(poses: Array, line: Array, free: FreeMotion) -> Array:
+    """Distances (k, m) of poses (k, 4, 4) from those of a line (m, 4, 4), along whose axes they count; angles count in [m]."""
+    fixed = free.fixed_directions @ np.swapaxes(line[:, :3, :3], 1, 2)  # (m, c, 3)
+    offsets = np.einsum("mci,ki->kmc", fixed, poses[:, :3, 3]) - np.einsum("mci,mi->mc", fixed, line[:, :3, 3])
+    chords = _squares(free.directions(poses[:, :3, :3]), free.directions(line[:, :3, :3]))
     chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
-    return np.asarray(np.sqrt(squares) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
+    return np.asarray(np.sqrt((offsets**2).sum(axis=2)) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
 
 
 def _squares(first: Array, second: Array) -> Array:

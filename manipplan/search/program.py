@@ -268,12 +268,13 @@ def joint_path(
     *,
     closed: bool,
     allowed: Array,
+    most: Array,
     tube: Tolerance | None = None,
     hold_start: bool = False,
 ) -> tuple[JointPath, NDArray[np.bool_]]:
     """A smooth joint path through q (k, n) at s (k,), which follows `path` to `allowed` (rows,) also between the positions.
 
-    Also returns in which of the intervals between them it does, (k - 1,).
+    Also returns in which of the intervals between them it does to `most` (rows,), which is no less, (k - 1,).
 
     Where it does not, or leaves the position limits, knots are added half-way and projected onto the workspace path, or into a
     `tube` around it. Where that does not help within DOUBLINGS rounds, since a path from one side of the tube to the other
@@ -288,7 +289,7 @@ def joint_path(
             begun[0] = q[0] if hold_start else begun[0]
             if closed:
                 begun[-1] = begun[0] + (q[-1] - q[0])
-        joints, loose = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, tube=narrow)
+        joints, loose = _with_knots(solver, rows, path, s, begun, closed=closed, allowed=allowed, most=most, tube=narrow)
         if not len(loose):
             break
     is_inside = np.ones(len(s) - 1, dtype=np.bool_)
@@ -305,9 +306,10 @@ def _with_knots(
     *,
     closed: bool,
     allowed: Array,
+    most: Array,
     tube: Tolerance | None,
 ) -> tuple[JointPath, Array]:
-    """The joint path with knots added, and the s (w,) of intervals in which it does not follow the workspace path even so."""
+    """The joint path with knots added, and the s (w,) of intervals in which it does not follow the path to `most` even so."""
     for k in range(DOUBLINGS + 1):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
@@ -317,6 +319,8 @@ def _with_knots(
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
         middle = (s[wide] + s[wide + 1]) / 2
         if not len(wide) or k == DOUBLINGS:
+            loose = wide[(np.abs(errors[wide]) > most).any(axis=(1, 2)) | outside[wide].any(axis=(1, 2))]
+            middle = (s[loose] + s[loose + 1]) / 2
             break
         s = np.insert(s, wide + 1, middle)
         q = np.insert(q, wide + 1, _onto_tube(solver, tube, path(middle), joints(middle), inside=INSIDE_LIMITS / 2), axis=0)

@@ -305,6 +305,7 @@ class ToolPathPlanner:
             q,
             closed=layers.closed,
             allowed=allowed,
+            most=np.maximum(allowed, rows.box(BETWEEN) if self.allowed is None else allowed),
             tube=tube,
             hold_start=hold_start,
         )
