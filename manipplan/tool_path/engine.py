@@ -305,7 +305,7 @@ class ToolPathPlanner:
             q,
             closed=layers.closed,
             allowed=allowed,
-            most=np.maximum(allowed, rows.box(BETWEEN) if self.allowed is None else allowed),
+            most=allowed if self.allowed is not None or tolerance is not None else rows.box(BETWEEN),
             tube=tube,
             hold_start=hold_start,
         )
