@@ -43,9 +43,9 @@ EPSILON, FINER = 0.2, 10
 POSES, VIA = 200, 5
 #: Corners of the long path [m].
 CORNERS = np.array([[0.45, -0.2, 0.35], [0.6, -0.2, 0.35], [0.6, 0.2, 0.35], [0.45, 0.2, 0.45], [0.45, -0.1, 0.45]])
-#: Number of times at which the tool is compared with the poses, of configurations that are checked for collisions, and of
-#: random postures that show which links always touch.
-TIMES, CHECKED, POSTURES = 4000, 400, 100
+#: Number of times at which the tool is compared with the poses, of those beside the nearest one where a pose may be met, of
+#: configurations that are checked for collisions, and of random postures that show which links always touch.
+TIMES, BESIDE, CHECKED, POSTURES = 4000, 6, 400, 100
 #: Depth of an overlap that counts as contact [m].
 CONTACT = 1e-6
 
@@ -167,6 +167,8 @@ def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, f
             while rough + 1 < len(near) and near[rough + 1] < near[rough]:
                 rough += 1
             best = last = last + rough
+            beside = np.arange(max(best - BESIDE, 0), min(best + BESIDE + 1, TIMES))
+            best = int(beside[np.argmin([max(np.divide(apart(t[k], pose), MET)) for k in beside])])
             window = t[max(best - 1, 0)], t[min(best + 1, TIMES - 1)]
             found = minimize_scalar(
                 lambda x, pose=pose: max(np.divide(apart(x, pose), MET)),

@@ -12,7 +12,6 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,9 +33,6 @@ from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.processes.workers import usable_memory
 from manipplan.support.progress import Progress, as_callback
 from manipplan.symbolic.task import Task
-
-if TYPE_CHECKING:
-    from manipplan.ik.solver import Solver
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -191,7 +187,6 @@ def sample_layers(
     if near is not None and len(sampler.solver.names) > 1:
         q = finite_array("near", near, (robot.n,))
         near_values = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
-    _check_memory(sampler, n, values, share * n * (len(values) + len(near_values)), allowed)
     sampling = PathSampling(
         sampler=sampler,
         path=path,
@@ -201,7 +196,9 @@ def sample_layers(
         spacing=between,
         executor=executor,
     )
-    found = sampling.at(poses, lambda k: f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})", notify)
+    sets = sampling.sets(poses)
+    _check_memory(sampler, n, values, share * sum(map(len, sets)), allowed)
+    found = sampling.at(poses, sets, lambda k: f"path, position {k} of 0 to {n - 1} (s = {s[k]:.4g})", notify)
     return Layers(
         q=tuple(each.q for each in found),
         m=tuple(each.m for each in found),
@@ -209,7 +206,7 @@ def sample_layers(
         closed=closed,
         s=s,
         poses=poses,
-        considered=sum(map(len, sampling.sets(poses))),
+        considered=sum(map(len, sets)),
         sampling=sampling,
     )
 
@@ -244,9 +241,9 @@ class PathSampling:
         whole = self.sampler.solver.whole_poses(self.whole, poses)
         return [np.vstack([each, more]) if len(more) else each for each, more in zip(sets, whole, strict=True)]
 
-    def at(self, poses: Array, name: Callable[[int], str], notify: Progress) -> "list[PositionSample]":
-        """The candidates at poses (p, 4, 4), called name(k) in the error that says why there are none."""
-        sets, found = self.sets(poses), list[PositionSample]()
+    def at(self, poses: Array, sets: Sequence[Array], name: Callable[[int], str], notify: Progress) -> "list[PositionSample]":
+        """The candidates at poses (p, 4, 4) for their `sets`; name(k) is in the error that says why there are none."""
+        found = list[PositionSample]()
         with ExitStack() as stack:
             run = self.executor if self.executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
             count = max(1, min(JOB // max(map(len, sets)), -(-len(poses) // (4 * all_cores()))))
@@ -268,7 +265,7 @@ class PathSampling:
         assert layers.s is not None and layers.poses is not None
         middle = (layers.s[intervals] + np.append(layers.s[1:], 1.0)[intervals]) / 2
         poses = self.path(middle)
-        found = self.at(poses, lambda k: f"path, s = {middle[k]:.6g}", notify)
+        found = self.at(poses, self.sets(poses), lambda k: f"path, s = {middle[k]:.6g}", notify)
         q, m = list(layers.q), list(layers.m)
         for k, each in zip(intervals[::-1] + 1, reversed(found), strict=True):
             q.insert(k, each.q)
