@@ -161,7 +161,7 @@ def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, f
                 else reached[last:, :3, :3] - pose[:3, :3]
             )
             near = near + MET[0] / MET[1] * np.linalg.norm(turns.reshape(len(turns), -1), axis=1)
-            near = near[: max(20, TIMES // 4)]
+            near = near[: max(TIMES // 4, 3 * TIMES // len(knots))]
             # the first time the tool comes past: a path may come back to a pose
             rough = int((near <= near.min() + np.abs(np.diff(near)).max(initial=0.0)).argmax())
             while rough + 1 < len(near) and near[rough + 1] < near[rough]:
