@@ -367,8 +367,11 @@ def follow(
         def compare_with_path(report: PlanReport, trajectory: Trajectory) -> PlanReport:
             """The tool over its time with the whole path, and in order with its poses; its speeds."""
             kinematics = integral.kinematics
-            deviation, _ = tool_distances(trajectory.path(), trajectory.duration, kinematics, path, report.along, allowed)
-            missed = [deviation.excess(allowed, "time"), *(each.missed(kinematics, allowed) for each in motion.parts)]
+            deviation, passed_by = tool_distances(
+                trajectory.path(), trajectory.duration, kinematics, path, report.along, allowed
+            )
+            in_order = [each.missed(kinematics, allowed) for each in motion.parts]
+            missed = [deviation.excess(allowed, "time"), passed_by.excess(allowed, "poses"), *in_order]
             left = [f"{each}. {MORE_POSITIONS}" for each in missed if each]
             unsteady = [
                 each.tool_speed for each in report.along if each.tool_speed is not None and not each.tool_speed.is_steady

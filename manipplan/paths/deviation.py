@@ -64,8 +64,8 @@ def deviations(
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
     Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces. Nearest is
-    what has the smallest sum of distance and angle, 1 rad counting as 10 cm; where that is outside a tolerance, what is within
-    it or exceeds it by the smallest factor.
+    what has the smallest sum of distance and angle: with a tolerance of both, as shares of it, and where that is outside, what
+    is within or exceeds it by the smallest factor; else 1 rad counts as 10 cm.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
@@ -145,12 +145,15 @@ def distances_from(
 ) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
+    radian = RADIAN
+    if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
+        radian = tolerance.position / tolerance.rotation
     for begin in range(0, len(poses), BLOCK):
         some = poses[begin : begin + BLOCK]
-        first, other = _nearest(some, line, free)
+        first, other = _nearest(some, line, free, radian)
         pieces = np.clip([first - 1, first, first + 1, other - 1, other, other + 1], 0, len(line) - 2)
-        found = np.array([_from_piece(some, line[k], line[k + 1], free) for k in pieces])  # (6, 2, …)
-        best = (found[:, 0] + RADIAN * found[:, 1]).argmin(axis=0)
+        found = np.array([_from_piece(some, line[k], line[k + 1], free, radian) for k in pieces])  # (6, 2, …)
+        best = (found[:, 0] + radian * found[:, 1]).argmin(axis=0)
         own = found[best, :, np.arange(len(some))]
         if tolerance is not None:
             allowed = np.array([tolerance.position or np.inf, tolerance.rotation or np.inf])
@@ -177,7 +180,7 @@ def _within(allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array,
     return best
 
 
-def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """The nearest piece between poses (m, 4, 4) of a path to each of poses (k, 4, 4), and the next one not near it; (k,) each.
 
     Where a path closes or meets itself, rounding decides which of the two is nearer.
@@ -185,10 +188,11 @@ def _nearest(poses: Array, line: Array, free: FreeMotion) -> tuple[NDArray[np.in
     rows, last = np.arange(len(poses)), len(line) - 2
     if free.in_tool and len(free.shifts):  # what counts of a position depends on the pose of the path
         pieces = np.broadcast_to(np.arange(last + 1), (len(poses), last + 1))
-        of_ends = _apart(poses, line, free)
+        of_ends = _apart(poses, line, free, radian)
         apart = np.minimum(of_ends[:, :-1], of_ends[:, 1:])
     else:
-        pieces, apart = _piece_distances(_vectors(poses, free), _vectors(line, free), len(free.fixed_directions))
+        vectors, others = _vectors(poses, free, radian), _vectors(line, free, radian)
+        pieces, apart = _piece_distances(vectors, others, len(free.fixed_directions))
     first = pieces[rows, apart.argmin(axis=1)]
     apart[np.abs(pieces - first[:, None]) <= 2] = np.inf
     return first, pieces[rows, apart.argmin(axis=1)]
@@ -209,19 +213,19 @@ def _piece_distances(vectors: Array, line: Array, moves: int) -> tuple[NDArray[n
     return pieces, np.linalg.norm(offset[..., :moves], axis=2) + np.linalg.norm(offset[..., moves:], axis=2)
 
 
-def _vectors(poses: Array, free: FreeMotion) -> Array:
+def _vectors(poses: Array, free: FreeMotion, radian: float) -> Array:
     """Vectors (k, d) of poses (k, 4, 4), whose distances are about those of what counts of the poses [m]."""
-    scale = RADIAN / np.sqrt(2.0) if free.turns is Turns.NONE else RADIAN
+    scale = radian / np.sqrt(2.0) if free.turns is Turns.NONE else radian
     return np.hstack([poses[:, :3, 3] @ free.fixed_directions.T, scale * free.directions(poses[:, :3, :3])])
 
 
-def _apart(poses: Array, line: Array, free: FreeMotion) -> Array:
+def _apart(poses: Array, line: Array, free: FreeMotion, radian: float) -> Array:
     """Distances (k, m) of poses (k, 4, 4) from those of a line (m, 4, 4), along whose axes they count; angles count in [m]."""
     fixed = free.fixed_directions @ np.swapaxes(line[:, :3, :3], 1, 2)  # (m, c, 3)
     offsets = np.einsum("mci,ki->kmc", fixed, poses[:, :3, 3]) - np.einsum("mci,mi->mc", fixed, line[:, :3, 3])
     chords = _squares(free.directions(poses[:, :3, :3]), free.directions(line[:, :3, :3]))
     chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
-    return np.asarray(np.sqrt((offsets**2).sum(axis=2)) + 2 * RADIAN * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
+    return np.asarray(np.sqrt((offsets**2).sum(axis=2)) + 2 * radian * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
 
 
 def _squares(first: Array, second: Array) -> Array:

@@ -255,3 +255,13 @@ def test_a_tolerance_of_one_part_leaves_the_other_finite(tolerance):
     position, rotation = deviations(LINE, turned(poses, [0.02, 0, 0]), tolerance=tolerance)
     assert np.isfinite(position).all() and np.isfinite(rotation).all()
     assert position.max() < 0.02 and rotation.max() < 0.3
+
+
+@pytest.mark.parametrize("angle", [1e-3, 0.01, 0.05, 0.2])
+def test_a_wide_tolerance_of_rotation_does_not_move_the_nearest_pose_away(angle):
+    """On a path that turns, a pose as far along that turns as much is farther away than the narrow tolerance of position."""
+    turning = CartesianPath.line(START, turned(shifted(START, [0.2, 0, 0]), [0, 0, 2.0]))
+    poses = turned(turning(np.linspace(0.3, 0.7, 40)), [0, 0, 0.9 * angle])
+    tolerance = mp.Tolerance(position=1e-4, rotation=angle)
+    position, rotation = deviations(turning, poses, tolerance=tolerance)
+    assert position.max() <= tolerance.position and rotation.max() <= tolerance.rotation

@@ -2,6 +2,7 @@
 
 import json
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -176,3 +177,20 @@ def test_the_progress_never_falls_though_positions_are_added(flappy):
     mp.follow(robot, path, scene, tolerance=CLOSE, progress=lambda share, text: shares.append((share, text)))
     assert [share for share, _ in shares] == sorted(share for share, _ in shares) and shares[-1] == (1.0, "done")
     assert any("positions half-way in" in text for _, text in shares)
+
+
+def test_given_poses_that_the_tool_does_not_come_past_fail_the_check(flappy, monkeypatch):
+    """The tool may be near the path all the time, and yet no time near one of its poses."""
+    from manipplan.jobs import follow
+
+    robot, path, scene = flappy
+
+    def miss_a_pose(*arguments):
+        deviation, missed = measured(*arguments)
+        return deviation, replace(missed, position=1.002e-4)
+
+    measured = follow.tool_distances
+    monkeypatch.setattr(follow, "tool_distances", miss_a_pose)
+    plan = mp.follow(robot, path, scene, tolerance=CLOSE, throw=False)
+    assert plan.status is mp.Status.CHECK_FAILED and not plan.report.passed
+    assert "leaves the path by 0.0001 m after" in " ".join(plan.report.faults) and "of the poses" in plan.report.faults[0]
