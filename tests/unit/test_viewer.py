@@ -114,6 +114,7 @@ def drawn(page, *, differs_from=None, seconds=120.0):
     """The picture once there is something on it, and something else than on `differs_from`."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
+        page.bring_to_front()  # a browser need not draw a page behind another one
         image = picture(page)
         colourful = (np.ptp(image, axis=2) > 60).mean()  # the arm's paths and ellipsoids; the floor is grey
         if colourful > 1e-3 and (differs_from is None or (np.abs(image - differs_from).max(axis=2) > 40).mean() > 1e-3):
