@@ -5,16 +5,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors
+from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors, rotations_of
 from manipplan.paths.tolerance import Tolerance
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
+from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, Turns
 
 #: Number of poses on the path.
 POSES = 2001
 #: Number of poses between two knots of a path at least, and of poses of a path that may be the nearest one.
 BETWEEN_KNOTS, CANDIDATES = 4, 16
+#: Number of pieces with regions about them that a pose is compared with, of places on each, and of rounds of closer ones.
+NEAREST_PIECES, CLOSE, ROUNDS = 3, 9, 4
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
 SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
@@ -80,10 +82,11 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     The neighbourhood of a piece between two given poses is as wide as a path through them may be: `NEAR` times the longest of
     the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own.
     """
+    if isinstance(free, BoundedMotion):
+        return _beyond_region(given, poses, free, None, widen=True)
     turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
-    wide = np.pad(sizes, ((0, 0), (1, 1)))
-    room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
+    room = _room(sizes)
     blocks = [slice(begin, begin + BLOCK) for begin in range(0, len(poses), BLOCK)]
     first = np.concatenate([_nearest(poses[each], given, free)[0] for each in blocks])
     pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
@@ -99,6 +102,78 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
         rows, pieces = np.nonzero(np.ones((len(left), len(turns))))
         position[left], rotation[left] = _beyond_pieces(rows, pieces, given, room, poses[left], free)
     return position, rotation
+
+
+def _room(sizes: Array) -> Array:
+    """Widths (2, n - 1) of the neighbourhoods of pieces whose lengths and angles are `sizes` (2, n - 1) [m, rad]."""
+    wide = np.pad(sizes, ((0, 0), (1, 1)))
+    return np.asarray(NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:]))
+
+
+def _beyond_region(
+    line: Array,
+    poses: Array,
+    free: BoundedMotion,
+    tolerance: Tolerance | None,
+    *,
+    widen: bool = False,
+    is_reached: bool = False,
+) -> tuple[Array, Array]:
+    """How far poses (k, 4, 4) are outside the regions about the pieces between poses of a line (m, 4, 4): [m] and [rad], (k,).
+
+    With `is_reached` the line is the tool's way, and the regions are those about the poses.
+    Compared is the piece, and the place on it, that they exceed the least: as shares of a tolerance of both, or with 1 rad as
+    10 cm. With `widen` the neighbourhoods of the pieces count as they do for `beyond_polygon`.
+    """
+    allowed = np.array([1.0, 1.0 / RADIAN])
+    if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
+        allowed = np.array([tolerance.position, tolerance.rotation])
+    lengths = np.linalg.norm(np.diff(line[:, :3, 3], axis=0), axis=1)
+    turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
+    room = _room(np.array([lengths, np.linalg.norm(turns, axis=1)])) if widen else np.zeros((2, len(turns)))
+    spare = BESIDE + room[0] + lengths + (0.0 if tolerance is None else 2 * (tolerance.position or 0.0))
+    middles = (line[:-1, :3, 3] + line[1:, :3, 3]) / 2
+    found = np.empty((len(poses), 2))
+
+    def excess_of(poses: Array, there: Array) -> tuple[Array, Array]:
+        return distances_between(there, poses, free) if is_reached else distances_between(poses, there, free)
+
+    for begin in range(0, len(poses), BLOCK):
+        some = poses[begin : begin + BLOCK]
+        # the pieces whose position may be the nearest, and of those the best ones by their middle
+        offset = some[:, None, :3, 3] - middles
+        if free.in_tool and is_reached:
+            offset = offset @ some[:, :3, :3]
+        elif free.in_tool:
+            offset = np.swapaxes(np.swapaxes(offset, 0, 1) @ line[:-1, :3, :3], 0, 1)
+        apart = np.linalg.norm(np.maximum(np.abs(offset) - free.widths[:3], 0.0), axis=2)
+        row, piece = np.nonzero(apart - spare <= apart.min(axis=1, keepdims=True))
+        position, rotation = excess_of(some[row], _along(line, turns, piece, np.full(len(piece), 0.5)))
+        order = np.lexsort((position / allowed[0] + rotation / allowed[1], row))
+        rank = np.arange(len(row)) - np.searchsorted(row[order], row[order])
+        best = order[rank < NEAREST_PIECES]
+        row, piece, share, width = row[best], piece[best], np.full(len(best), 0.5), 0.5
+        for _ in range(ROUNDS):  # closer and closer about the best place
+            close = np.clip(share[:, None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
+            rows, pieces = np.repeat(row, CLOSE), np.repeat(piece, CLOSE)
+            position, rotation = excess_of(some[rows], _along(line, turns, pieces, close.ravel()))
+            position = np.maximum(position - room[0, pieces], 0.0).reshape(close.shape)
+            rotation = np.maximum(rotation - room[1, pieces], 0.0).reshape(close.shape)
+            excess = position / allowed[0] + rotation / allowed[1]
+            chosen = np.arange(len(row)), excess.argmin(axis=1)
+            share, width = close[chosen], 2 * width / (CLOSE - 1)
+        order = np.lexsort((excess[chosen], row))
+        first = order[np.searchsorted(row[order], np.arange(len(some)))]
+        found[begin : begin + BLOCK] = np.column_stack([position[chosen], rotation[chosen]])[first]
+    return found[:, 0], found[:, 1]
+
+
+def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -> Array:
+    """The poses (k, 4, 4) at shares (k,) of pieces (k,) between poses of a line (m, 4, 4), which turn by `turns` (m - 1, 3)."""
+    poses = line[pieces].copy()
+    poses[:, :3, 3] += shares[:, None] * (line[pieces + 1, :3, 3] - line[pieces, :3, 3])
+    poses[:, :3, :3] = poses[:, :3, :3] @ rotations_of(shares[:, None] * turns[pieces])
+    return poses
 
 
 def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
@@ -141,11 +216,21 @@ def _beyond_pieces(
 
 
 def distances_from(
-    line: Array, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None
+    line: Array,
+    poses: Array,
+    free: FreeMotion = NOTHING,
+    tolerance: Tolerance | None = None,
+    *,
+    is_reached: bool = False,
 ) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4).
+
+    `is_reached`: the line is the tool's way, and the poses are those about which a region counts; else it is the other way.
+    """
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     radian = RADIAN
+    if isinstance(free, BoundedMotion):
+        return _beyond_region(line, poses, free, tolerance, is_reached=is_reached)
     if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
         radian = tolerance.position / tolerance.rotation
     for begin in range(0, len(poses), BLOCK):
@@ -241,6 +326,8 @@ def deviation_at(path: CartesianPath, s: Array, poses: Array, free: FreeMotion =
 
 def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from others (k, 4, 4)."""
+    if isinstance(free, BoundedMotion):
+        return distances_between(poses, free.nearest(poses, others))
     rotations = others[:, :3, :3]
     position = np.linalg.norm(free.offsets(poses[:, :3, 3] - others[:, :3, 3], rotations), axis=1)
     return position, _angles(poses[:, :3, :3], rotations, free)
