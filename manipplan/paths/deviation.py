@@ -14,7 +14,9 @@ from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, T
 #: Number of poses on the path.
 POSES = 2001
 #: Number of poses between two knots of a path at least, and of poses of a path that may be the nearest one.
-BETWEEN_KNOTS, CANDIDATES = 4, 16
+BETWEEN_KNOTS, CANDIDATES = 4, 32
+#: Largest distance of a path from its pieces at their middle [m, rad], and maximum number of times that they are halved for it.
+FLAT, BENDS = (1e-6, 1e-5), 4
 #: Number of pieces with regions about them that a pose is compared with, of places on each, and of rounds of closer ones.
 NEAREST_PIECES, CLOSE, ROUNDS = 3, 9, 4
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
@@ -65,15 +67,29 @@ def deviations(
 ) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
-    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces. Nearest is
-    what has the smallest sum of distance and angle: with a tolerance of both, as shares of it, and where that is outside, what
-    is within or exceeds it by the smallest factor; else 1 rad counts as 10 cm.
+    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces, and which
+    are shorter where the path bends. Nearest is what has the smallest sum of distance and angle: with a tolerance of both, as
+    shares of it, and where that is outside, what is within or exceeds it by the smallest factor; else 1 rad counts as 10 cm.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
     counts = np.maximum(BETWEEN_KNOTS, np.ceil((POSES - 1) * np.diff(path.knots)).astype(np.int64))
     ends = np.concatenate([[0], np.cumsum(counts)])
-    return distances_from(path(np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free, tolerance)
+    return distances_from(_bent(path, np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free, tolerance)
+
+
+def _bent(path: CartesianPath, s: Array) -> Array:
+    """The poses (k, 4, 4) of a path at s (j,), and between them where its middle is farther than FLAT from straight pieces."""
+    line = path(s)
+    for _ in range(BENDS):
+        middle = path((s[:-1] + s[1:]) / 2)
+        position, rotation = _from_piece(middle, line[:-1], line[1:], NOTHING)
+        wide = np.flatnonzero((position > FLAT[0]) | (rotation > FLAT[1]))
+        if not len(wide):
+            break
+        s = np.insert(s, wide + 1, (s[wide] + s[wide + 1]) / 2)
+        line = np.insert(line, wide + 1, middle[wide], axis=0)
+    return line
 
 
 def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:

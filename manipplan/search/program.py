@@ -301,8 +301,9 @@ class PoseRows:
         return np.asarray(columns).T
 
 
-#: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
-POINTS_BETWEEN_KNOTS = 4
+#: Number of points between two knots at which the deviation is checked, an odd one, as it is largest half-way between them,
+#: and maximum number of knot insertions.
+POINTS_BETWEEN_KNOTS = 5
 DOUBLINGS = 6
 #: Shares of the tube's width that are tried where all of it does not help.
 NARROWER = (0.6, 0.3, 0.0)

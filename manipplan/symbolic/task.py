@@ -144,9 +144,9 @@ class Task:
     ) -> "Task":
         """The same rows, which define m, for poses in a region about each pose of a path.
 
-        `follow`, `carry`, `MoveAlong`, `sample_layers`, `inverse_kinematics` and `check` take any pose in the region for the
-        pose itself: a search uses all of it. What the rows leave free is replaced by the region: Task.pointing(axis) within
-        rotation=(0, 0, 0.5) turns the tool about its z-axis by at most 0.5 rad.
+        `follow`, `MoveAlong`, `sample_layers`, `inverse_kinematics` and `check` take any pose in the region for the pose
+        itself: a search uses all of it. What the rows leave free is replaced by the region: Task.pointing(axis) within
+        rotation=(0, 0, 0.5) turns the tool about its z-axis by at most 0.5 rad. A Controller and `improve` refuse a region.
 
         Args:
             position: largest shift along each axis [m], one number or (3,); 0: none.

@@ -305,7 +305,7 @@ class ToolPathPlanner:
             q,
             closed=layers.closed,
             allowed=allowed,
-            most=allowed if self.allowed is not None or tolerance is not None else rows.box(BETWEEN),
+            most=allowed if self.allowed is not None or tolerance is not None else rows.box(BETWEEN.scaled(IN_TUBE)),
             tube=tube,
             hold_start=hold_start,
         )
