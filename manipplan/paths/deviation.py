@@ -1,12 +1,13 @@
 """Deviation: how far the tool leaves a workspace path, measured independently of how the motion was computed."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors, rotations_of
-from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, Turns
@@ -17,8 +18,11 @@ POSES = 2001
 BETWEEN_KNOTS, CANDIDATES = 4, 32
 #: Largest distance of a path from its pieces at their middle [m, rad], and maximum number of times that they are halved for it.
 FLAT, BENDS = (1e-6, 1e-5), 4
-#: Number of pieces with regions about them that a pose is compared with, of places on each, and of rounds of closer ones.
-NEAREST_PIECES, CLOSE, ROUNDS = 3, 9, 4
+#: Numbers of pieces with regions about them that a pose is compared with closely, first and then, of places on each, and of
+#: rounds of closer places.
+MANY_PIECES, NEAREST_PIECES, CLOSE, ROUNDS = 24, 3, 9, 4
+#: Every which pose is compared with all pieces, and number of pieces that is few.
+ANCHORS, FEW = 32, 48
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
 SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
@@ -137,51 +141,91 @@ def _beyond_region(
 ) -> tuple[Array, Array]:
     """How far poses (k, 4, 4) are outside the regions about the pieces between poses of a line (m, 4, 4): [m] and [rad], (k,).
 
-    With `is_reached` the line is the tool's way, and the regions are those about the poses.
-    Compared is the piece, and the place on it, that they exceed the least: as shares of a tolerance of both, or with 1 rad as
-    10 cm. With `widen` the neighbourhoods of the pieces count as they do for `beyond_polygon`.
+    Of each pose the place that it exceeds the least counts: every ANCHORS-th is compared with all pieces, those between with
+    the pieces between its two, and where that leaves more than half of the tolerance with all.
+
+    Args:
+        line: the path; with `is_reached` the tool's way, and the regions are those about the poses.
+        poses: of the tool; with `is_reached` those of the path.
+        free: the region.
+        tolerance: what is compared with what is exceeded; None: the default.
+        widen: whether the neighbourhoods of the pieces count as they do for `beyond_polygon`.
     """
-    allowed = np.array([1.0, 1.0 / RADIAN])
-    if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
-        allowed = np.array([tolerance.position, tolerance.rotation])
-    lengths = np.linalg.norm(np.diff(line[:, :3, 3], axis=0), axis=1)
-    turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
-    room = _room(np.array([lengths, np.linalg.norm(turns, axis=1)])) if widen else np.zeros((2, len(turns)))
-    spare = BESIDE + room[0] + lengths + (0.0 if tolerance is None else 2 * (tolerance.position or 0.0))
-    middles = (line[:-1, :3, 3] + line[1:, :3, 3]) / 2
-    found = np.empty((len(poses), 2))
-
-    def excess_of(poses: Array, there: Array) -> tuple[Array, Array]:
-        return distances_between(there, poses, free) if is_reached else distances_between(poses, there, free)
-
-    for begin in range(0, len(poses), BLOCK):
-        some = poses[begin : begin + BLOCK]
-        # the pieces whose position may be the nearest, and of those the best ones by their middle
-        offset = some[:, None, :3, 3] - middles
-        if free.in_tool and is_reached:
-            offset = offset @ some[:, :3, :3]
-        elif free.in_tool:
-            offset = np.swapaxes(np.swapaxes(offset, 0, 1) @ line[:-1, :3, :3], 0, 1)
-        apart = np.linalg.norm(np.maximum(np.abs(offset) - free.widths[:3], 0.0), axis=2)
-        row, piece = np.nonzero(apart - spare <= apart.min(axis=1, keepdims=True))
-        position, rotation = excess_of(some[row], _along(line, turns, piece, np.full(len(piece), 0.5)))
-        order = np.lexsort((position / allowed[0] + rotation / allowed[1], row))
-        rank = np.arange(len(row)) - np.searchsorted(row[order], row[order])
-        best = order[rank < NEAREST_PIECES]
-        row, piece, share, width = row[best], piece[best], np.full(len(best), 0.5), 0.5
-        for _ in range(ROUNDS):  # closer and closer about the best place
-            close = np.clip(share[:, None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
-            rows, pieces = np.repeat(row, CLOSE), np.repeat(piece, CLOSE)
-            position, rotation = excess_of(some[rows], _along(line, turns, pieces, close.ravel()))
-            position = np.maximum(position - room[0, pieces], 0.0).reshape(close.shape)
-            rotation = np.maximum(rotation - room[1, pieces], 0.0).reshape(close.shape)
-            excess = position / allowed[0] + rotation / allowed[1]
-            chosen = np.arange(len(row)), excess.argmin(axis=1)
-            share, width = close[chosen], 2 * width / (CLOSE - 1)
-        order = np.lexsort((excess[chosen], row))
-        first = order[np.searchsorted(row[order], np.arange(len(some)))]
-        found[begin : begin + BLOCK] = np.column_stack([position[chosen], rotation[chosen]])[first]
+    pieces = _RegionPieces(line, free, with_defaults(tolerance), widen=widen, is_reached=is_reached)
+    count, every = len(poses), np.arange(len(line) - 1)
+    found, near = np.empty((count, 2)), np.empty(count, dtype=np.int64)
+    anchors = np.unique(np.append(np.arange(0, count, ANCHORS), count - 1))
+    for k in anchors:
+        found[k], near[k] = pieces.compare_all(poses[k])
+    for first, last in pairwise(anchors):
+        between = slice(first + 1, last)
+        low, high = sorted((near[first], near[last]))
+        window = every[max(low - FEW, 0) : high + FEW] if high - low < FEW else every
+        if first + 1 < last:
+            found[between], _ = pieces.compare(poses[between], window)
+            for k in first + 1 + np.flatnonzero((found[between] > pieces.allowed / 2).any(axis=1)):
+                found[k], _ = pieces.compare_all(poses[k])
     return found[:, 0], found[:, 1]
+
+
+class _RegionPieces:
+    """The pieces between poses of a line (m, 4, 4), to compare poses with; arguments as in `_beyond_region`."""
+
+    def __init__(self, line: Array, free: BoundedMotion, tolerance: Tolerance, *, widen: bool, is_reached: bool) -> None:
+        self.line, self.free, self.is_reached = line, free, is_reached
+        self.allowed = np.array([tolerance.position, tolerance.rotation], dtype=np.float64)
+        self.turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
+        sizes = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), self.turns], axis=2)
+        self.room = _room(sizes) if widen else np.zeros_like(sizes)
+        self.half = sizes / 2 + self.room
+        self.middles = _along(line, self.turns, np.arange(len(self.turns)), np.full(len(self.turns), 0.5))
+
+    def compare(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+        """How far poses (k, 4, 4) are outside the best of `pieces` (j,), (k, 2), and which it is, (k,)."""
+        _, ranks = self._least(poses, pieces)
+        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, :MANY_PIECES]])
+
+    def compare_all(self, pose: Array) -> tuple[Array, int]:
+        """How far a pose (4, 4) is outside the best of all pieces, (2,), and which it is."""
+        least, ranks = (each[0] for each in self._least(pose[None], np.arange(len(self.turns))))
+        order, found, best = np.argsort(ranks), np.full(2, np.inf), 0
+        for begin in range(0, len(order), BLOCK):
+            if (found <= self.allowed / 4).all() or (found / self.allowed).sum() <= least[order[begin]]:
+                break
+            own, piece = self._closely(pose[None], order[None, begin : begin + BLOCK])
+            if (own[0] / self.allowed).sum() < (found / self.allowed).sum():
+                found, best = own[0], int(piece[0])
+        return found, best
+
+    def _least(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, Array]:
+        """The least that any place on pieces (j,) can leave of poses (k, 4, 4), in shares of what is allowed, (k, j).
+
+        Also ranks (k, j) by which, of equal ones, those come first whose middle leaves less.
+        """
+        excess = self._excess(np.repeat(poses, len(pieces), axis=0), self.middles[np.tile(pieces, len(poses))])
+        middle, scale = excess.reshape(2, len(poses), -1), self.allowed[:, None, None]
+        least = (np.maximum(middle - self.half[:, None, pieces], 0.0) / scale).sum(axis=0)
+        return least, least + 1e-6 * (middle / scale).sum(axis=0)
+
+    def _closely(self, poses: Array, chosen: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+        """How far poses (k, 4, 4) are outside the best of pieces chosen (k, j), (k, 2), and which it is, (k,)."""
+        count, scale = len(poses), self.allowed[:, None, None]
+        share, width = np.full(chosen.shape, 0.5), 0.5
+        for _ in range(ROUNDS):  # closer and closer about the best places of the best pieces
+            piece, row = np.repeat(chosen.ravel(), CLOSE), np.repeat(np.arange(count), chosen.shape[1] * CLOSE)
+            close = np.clip(share[..., None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
+            excess = self._excess(poses[row], _along(self.line, self.turns, piece, close.ravel()))
+            excess = np.maximum(excess - self.room[:, piece], 0.0).reshape(2, *close.shape)
+            worth = (excess / scale[..., None]).sum(axis=0)
+            place = worth.argmin(axis=2)[..., None]
+            order = np.argsort(np.take_along_axis(worth, place, axis=2)[..., 0], axis=1, kind="stable")[:, :NEAREST_PIECES]
+            share = np.take_along_axis(np.take_along_axis(close, place, axis=2)[..., 0], order, axis=1)
+            left = np.take_along_axis(np.take_along_axis(excess, place[None], axis=3)[..., 0], order[None], axis=2)
+            chosen, width = np.take_along_axis(chosen, order, axis=1), 2 * width / (CLOSE - 1)
+        return left[:, :, 0].T, chosen[:, 0]
+
+    def _excess(self, poses: Array, there: Array) -> Array:
+        return np.array(self.free.excess(there, poses) if self.is_reached else self.free.excess(poses, there))
 
 
 def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -> Array:
@@ -343,7 +387,7 @@ def deviation_at(path: CartesianPath, s: Array, poses: Array, free: FreeMotion =
 def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from others (k, 4, 4)."""
     if isinstance(free, BoundedMotion):
-        return distances_between(poses, free.nearest(poses, others))
+        return free.excess(poses, others)
     rotations = others[:, :3, :3]
     position = np.linalg.norm(free.offsets(poses[:, :3, 3] - others[:, :3, 3], rotations), axis=1)
     return position, _angles(poses[:, :3, :3], rotations, free)

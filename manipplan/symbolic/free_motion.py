@@ -281,6 +281,36 @@ class BoundedMotion(FreeMotion):
         spins = Rotation.from_matrix(untilted).as_rotvec() @ self._axis
         return np.hstack([moved, tilts @ complement(self._axis[None]).T, spins[:, None]])
 
+    def excess(self, reached: Array, poses: Array) -> tuple[Array, Array]:
+        """How far tool poses reached (k, 4, 4) are outside the regions about poses (k, 4, 4): [m] and [rad], (k,) each.
+
+        Of a box it is the length of what is beyond it of the shift, or of the rotation vector; of a cone what tilt or spin
+        exceed, the larger.
+        """
+        back = np.swapaxes(poses[:, :3, :3], 1, 2)
+        moved = reached[:, :3, 3] - poses[:, :3, 3]
+        moved = _rotate(back, moved) if self.in_tool else moved
+        turned = back @ reached[:, :3, :3] if self.in_tool else reached[:, :3, :3] @ back
+        position = np.linalg.norm(np.maximum(np.abs(moved) - self.widths[:3], 0.0), axis=1)
+        trace = np.trace(turned, axis1=1, axis2=2)
+        skew = np.stack(
+            [turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]]
+        )
+        if self.region.cone is not None:
+            there = turned @ self._axis
+            tilt = np.arctan2(np.linalg.norm(np.cross(self._axis, there), axis=1), there @ self._axis)
+            spin = 2 * np.abs(np.arctan2(self._axis @ skew, 1 + trace))
+            return position, np.maximum(np.maximum(tilt - self.region.cone, spin - self.region.spin), 0.0)
+        sine = np.linalg.norm(skew, axis=0) / 2
+        angle = np.arctan2(sine, (trace - 1) / 2)
+        vectors = (skew * (angle / np.maximum(2 * sine, SMALL))).T
+        half_turn = (trace < -0.99) | (sine < SMALL)  # where rounding decides on the axis, or there is none
+        if half_turn.any():
+            from scipy.spatial.transform import Rotation
+
+            vectors[half_turn] = Rotation.from_matrix(turned[half_turn]).as_rotvec()
+        return position, np.linalg.norm(np.maximum(np.abs(vectors) - self.widths[3:], 0.0), axis=1)
+
     def fixed_rows(self, poses: Array) -> Array:
         """All six rows: what is missing to the nearest pose of the region counts."""
         return np.broadcast_to(np.eye(6), (len(poses), 6, 6))
