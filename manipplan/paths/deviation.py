@@ -21,8 +21,9 @@ FLAT, BENDS = (1e-6, 1e-5), 4
 #: Numbers of pieces with regions about them that a pose is compared with closely, first and then, of places on each, and of
 #: rounds of closer places.
 MANY_PIECES, NEAREST_PIECES, CLOSE, ROUNDS = 24, 3, 9, 4
-#: Every which pose is compared with all pieces, and number of pieces that is few.
-ANCHORS, FEW = 32, 48
+#: Every which pose is compared with all pieces; number of pieces beyond those of two such poses, and between them, that poses
+#: between are compared with.
+ANCHORS, BEYOND, FEW = 16, 16, 400
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
 SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
@@ -160,7 +161,7 @@ def _beyond_region(
     for first, last in pairwise(anchors):
         between = slice(first + 1, last)
         low, high = sorted((near[first], near[last]))
-        window = every[max(low - FEW, 0) : high + FEW] if high - low < FEW else every
+        window = every[max(low - BEYOND, 0) : high + BEYOND] if high - low < FEW else every
         if first + 1 < last:
             found[between], _ = pieces.compare(poses[between], window)
             for k in first + 1 + np.flatnonzero((found[between] > pieces.allowed / 2).any(axis=1)):
