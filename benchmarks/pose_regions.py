@@ -76,7 +76,7 @@ def is_kept(case: Case, plan: mp.Plan, region: dict[str, object]) -> bool:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--paths", type=int, default=24, help="number of paths made here")
+    parser.add_argument("--paths", type=int, default=12, help="number of paths made here")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     cases = [*others(), *(replace(each, task=mp.Task.pose()) for each in made(options.paths))]

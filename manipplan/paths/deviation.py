@@ -103,7 +103,7 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     The neighbourhood of a piece between two given poses is as wide as a path through them may be: `NEAR` times the longest of
     the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own.
     """
-    if isinstance(free, BoundedMotion):
+    if isinstance(free, BoundedMotion) or (free.in_tool and len(free.shifts)):
         return _beyond_region(given, poses, free, None, widen=True)
     turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
@@ -134,7 +134,7 @@ def _room(sizes: Array) -> Array:
 def _beyond_region(
     line: Array,
     poses: Array,
-    free: BoundedMotion,
+    free: FreeMotion,
     tolerance: Tolerance | None,
     *,
     widen: bool = False,
@@ -172,8 +172,8 @@ def _beyond_region(
 class _RegionPieces:
     """The pieces between poses of a line (m, 4, 4), to compare poses with; arguments as in `_beyond_region`."""
 
-    def __init__(self, line: Array, free: BoundedMotion, tolerance: Tolerance, *, widen: bool, is_reached: bool) -> None:
-        self.line, self.free, self.is_reached = line, free, is_reached
+    def __init__(self, line: Array, free: FreeMotion, tolerance: Tolerance, *, widen: bool, is_reached: bool) -> None:
+        self.line, self.free, self.widen, self.is_reached = line, free, widen, is_reached
         self.allowed = np.array([tolerance.position, tolerance.rotation], dtype=np.float64)
         self.turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
         sizes = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), self.turns], axis=2)
@@ -205,13 +205,17 @@ class _RegionPieces:
         """
         excess = self._excess(np.repeat(poses, len(pieces), axis=0), self.middles[np.tile(pieces, len(poses))])
         middle, scale = excess.reshape(2, len(poses), -1), self.allowed[:, None, None]
-        least = (np.maximum(middle - self.half[:, None, pieces], 0.0) / scale).sum(axis=0)
+        half = np.repeat(self.half[:, None, pieces], len(poses), axis=1)
+        if self.free.in_tool:  # the directions of shifts turn along a piece
+            reach = np.linalg.norm(poses[:, None, :3, 3] - self.middles[pieces, :3, 3], axis=2)
+            half[0] += reach * (self.half - self.room)[1, pieces]
+        least = (np.maximum(middle - half, 0.0) / scale).sum(axis=0)
         return least, least + 1e-6 * (middle / scale).sum(axis=0)
 
     def _closely(self, poses: Array, chosen: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
         """How far poses (k, 4, 4) are outside the best of pieces chosen (k, j), (k, 2), and which it is, (k,)."""
         count, scale = len(poses), self.allowed[:, None, None]
-        share, width = np.full(chosen.shape, 0.5), 0.5
+        share, width, least = np.full(chosen.shape, 0.5), 0.5, np.full((2, *chosen.shape), np.inf)
         for _ in range(ROUNDS):  # closer and closer about the best places of the best pieces
             piece, row = np.repeat(chosen.ravel(), CLOSE), np.repeat(np.arange(count), chosen.shape[1] * CLOSE)
             close = np.clip(share[..., None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
@@ -221,12 +225,14 @@ class _RegionPieces:
             place = worth.argmin(axis=2)[..., None]
             order = np.argsort(np.take_along_axis(worth, place, axis=2)[..., 0], axis=1, kind="stable")[:, :NEAREST_PIECES]
             share = np.take_along_axis(np.take_along_axis(close, place, axis=2)[..., 0], order, axis=1)
-            left = np.take_along_axis(np.take_along_axis(excess, place[None], axis=3)[..., 0], order[None], axis=2)
+            # beside a polygon position and rotation are each compared on their own
+            own = np.take_along_axis(excess, place[None], axis=3)[..., 0] if not self.widen else excess.min(axis=3)
+            least = np.take_along_axis(np.minimum(least, own) if self.widen else own, order[None], axis=2)
             chosen, width = np.take_along_axis(chosen, order, axis=1), 2 * width / (CLOSE - 1)
-        return left[:, :, 0].T, chosen[:, 0]
+        return least[:, :, 0].T, chosen[:, 0]
 
     def _excess(self, poses: Array, there: Array) -> Array:
-        return np.array(self.free.excess(there, poses) if self.is_reached else self.free.excess(poses, there))
+        return np.array(distances_between(*((there, poses) if self.is_reached else (poses, there)), self.free))
 
 
 def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -> Array:
