@@ -24,7 +24,7 @@ from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner
 from manipplan.support.tolerances import COINCIDENT
-from manipplan.symbolic.free_motion import NOTHING, FreeMotion
+from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion
 from manipplan.symbolic.task import Task
 
 #: A configuration reaches a pose when no entry of the two matrices differs by more than this [m or 1]; beyond FAR [m] from the
@@ -117,6 +117,9 @@ class Solver:
         free = FreeMotion.of(task, planar=robot.planar)
         _check_limits(robot)
         few = _solves_rows(robot, free)
+        if few and task.region is not None:
+            wanted = f"a task without a region: {robot.name} has {robot.n} joints, so that only rows are solved for"
+            raise InvalidInputError("task", task.name, wanted)
         if few and robot.n < task.rows:
             raise InvalidInputError("task", task.name, f"at most {robot.n} rows, as many as {robot.name} has joints")
         own = robot.own_ik if method == "auto" and not few else None
@@ -181,6 +184,17 @@ class Solver:
         swivel = ("swivel",) if self.form is not None and self.form.solver == SWIVEL else ()
         return held + swivel + (() if self.by_rows else self.free.names)
 
+    @property
+    def sampled(self) -> tuple[str, ...]:
+        """Names of what has a number of samples: the parameters, or those of the arm and the poses of a region."""
+        bounded = self.free.bounds
+        return self.names if bounded is None else (*self.names[: -len(bounded)], "poses of the region")
+
+    @property
+    def is_line(self) -> bool:
+        """Whether the arm itself has one parameter, so that solutions of a pose are lines over it; or one motion is free."""
+        return len(self.names) == 1 or (self.free.bounds is not None and len(self.sampled) == 2)
+
     @cached_property
     def _enumeration(self) -> Enumeration:
         assert self.form is not None
@@ -214,7 +228,7 @@ class Solver:
 
     def finer_counts(self) -> list[int]:
         """Numbers of samples per parameter to be tried where the default finds nothing; none without a closed form."""
-        r = len(self.names)
+        r = len(self.sampled)
         if self.form is None or not r:
             return []
         usual = SAMPLES[min(r, len(SAMPLES)) - 1]
@@ -249,14 +263,18 @@ class Solver:
         return not set(self.held).isdisjoint(slides_of(self.robot))
 
     def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> ParameterGrid:
-        counts = sample_counts(samples, self.names, usual)
+        counts = sample_counts(samples, self.sampled, usual)
         if math.prod(counts) > MOST_SAMPLES:
             raise InvalidInputError("samples", samples, f"at most {MOST_SAMPLES:,} in all, not {' x '.join(map(str, counts))}")
         limits = window(self.robot, poses)
         own = len(self.held)
         held = self._held_values(counts[:own], poses)
-        rest = list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(counts[own:], own))))
-        values = np.hstack([np.repeat(held.values, len(rest), axis=0), np.tile(np.array(rest), (len(held.values), 1))])
+        lines = counts[own:] if self.free.bounds is None else counts[own:-1]
+        rest = np.array(list(product(*(self._line(k, count, limits, poses) for k, count in enumerate(lines, own)))))
+        if isinstance(self.free, BoundedMotion):
+            spread = self.free.spread(counts[-1])
+            rest = np.hstack([np.repeat(rest, len(spread), axis=0), np.tile(spread, (len(rest), 1))])
+        values = np.hstack([np.repeat(held.values, len(rest), axis=0), np.tile(rest, (len(held.values), 1))])
         usual_label = Completeness.TO_RESOLUTION if self.names else Completeness.EXACT
         label = Completeness.STATISTICAL if held.missing else usual_label
         return ParameterGrid(values=values, complete=label, missing=held.missing)
@@ -288,7 +306,7 @@ class Solver:
         if not free:
             return [np.zeros((0, len(self.names)))] * len(poses)
         own = len(self.names) - free
-        rows = self.grid([usual[own - 1]] * own + [1] * free, usual, poses)
+        rows = self.grid([usual[own - 1]] * own + [1] * (len(self.sampled) - own), usual, poses)
         return [np.hstack([rows[:, :own], np.tile(each, (len(rows), 1))]) for each in self.free.values(poses, poses)]
 
     def parameters_of(self, q: Array, poses: Array) -> Array:
@@ -312,7 +330,8 @@ class Solver:
         inner = np.clip(moved, limits.lower + inside, limits.upper - inside)
         beyond = inner != moved
         for stopped in np.unique(beyond[beyond.any(axis=1)], axis=0):
-            if self.robot.n - stopped.sum() >= (PLANAR_POSE if self.robot.planar else POSE) - len(self.free.names):
+            free = len(self.free.names) if self.free.bounds is None else 0
+            if self.robot.n - stopped.sum() >= (PLANAR_POSE if self.robot.planar else POSE) - free:
                 rows = np.flatnonzero((beyond == stopped).all(axis=1))
                 moved[rows] = self._move_onto(inner[rows], poses[rows], ~stopped)
         return np.clip(moved, limits.lower, limits.upper)
@@ -325,7 +344,7 @@ class Solver:
 
     def _move_onto(self, q: Array, poses: Array, moves: NDArray[np.bool_]) -> Array:
         """Configurations (k, n) after minimum-norm Newton steps of the joints `moves` (n,) onto poses (k, 4, 4)."""
-        if self.free.names and (self.by_rows or not self.robot.planar):
+        if self.free.names and self.free.bounds is None and (self.by_rows or not self.robot.planar):
             return onto_rows(self.kinematics, self.free, q, poses, moves, REACHED / 100)
         targets = self.free.nearest(self.kinematics.pose(q), poses)
         return MovingArm(self.screws, moves).refine(q, targets, np.arange(len(q)), steps=STEPS, tolerance=REACHED / 100)

@@ -19,6 +19,7 @@ from manipplan.recordings.smooth import smooth
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
@@ -123,6 +124,8 @@ def improve(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     instance("tolerance", tolerance, Tolerance)
     instance("objective", objective, PathObjective)
+    if objective.task is not None and objective.task.region is not None:
+        raise InvalidInputError("objective", objective.task.name, "a task without a region: the tolerance is about each pose")
     flag("throw", throw)
     clearance = number("clearance", clearance, least=0.0)
     if duration is not None:

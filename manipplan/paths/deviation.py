@@ -1,20 +1,29 @@
 """Deviation: how far the tool leaves a workspace path, measured independently of how the motion was computed."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors
-from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors, rotations_of
+from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
+from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, Turns
 
 #: Number of poses on the path.
 POSES = 2001
 #: Number of poses between two knots of a path at least, and of poses of a path that may be the nearest one.
-BETWEEN_KNOTS, CANDIDATES = 4, 16
+BETWEEN_KNOTS, CANDIDATES = 4, 32
+#: Largest distance of a path from its pieces at their middle [m, rad], and maximum number of times that they are halved for it.
+FLAT, BENDS = (1e-6, 1e-5), 4
+#: Numbers of pieces with regions about them that a pose is compared with closely, first and then, of places on each, and of
+#: rounds of closer places.
+MANY_PIECES, NEAREST_PIECES, CLOSE, ROUNDS = 24, 3, 9, 4
+#: Every which pose is compared with all pieces; number of pieces beyond those of two such poses, and between them, that poses
+#: between are compared with.
+ANCHORS, BEYOND, FEW = 16, 16, 400
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
 SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
@@ -63,15 +72,29 @@ def deviations(
 ) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of tool poses (k, 4, 4) from a path, as in `deviation_from`.
 
-    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces. Nearest is
-    what has the smallest sum of distance and angle: with a tolerance of both, as shares of it, and where that is outside, what
-    is within or exceeds it by the smallest factor; else 1 rad counts as 10 cm.
+    Each pose is compared with the nearest of at least 2000 pieces of the path, whose knots are all ends of pieces, and which
+    are shorter where the path bends. Nearest is what has the smallest sum of distance and angle: with a tolerance of both, as
+    shares of it, and where that is outside, what is within or exceeds it by the smallest factor; else 1 rad counts as 10 cm.
     """
     if not len(poses):
         raise InvalidInputError("poses", f"an array of shape {poses.shape}", "at least one pose (4, 4)")
     counts = np.maximum(BETWEEN_KNOTS, np.ceil((POSES - 1) * np.diff(path.knots)).astype(np.int64))
     ends = np.concatenate([[0], np.cumsum(counts)])
-    return distances_from(path(np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free, tolerance)
+    return distances_from(_bent(path, np.interp(np.arange(ends[-1] + 1), ends, path.knots)), poses, free, tolerance)
+
+
+def _bent(path: CartesianPath, s: Array) -> Array:
+    """The poses (k, 4, 4) of a path at s (j,), and between them where its middle is farther than FLAT from straight pieces."""
+    line = path(s)
+    for _ in range(BENDS):
+        middle = path((s[:-1] + s[1:]) / 2)
+        position, rotation = _from_piece(middle, line[:-1], line[1:], NOTHING)
+        wide = np.flatnonzero((position > FLAT[0]) | (rotation > FLAT[1]))
+        if not len(wide):
+            break
+        s = np.insert(s, wide + 1, (s[wide] + s[wide + 1]) / 2)
+        line = np.insert(line, wide + 1, middle[wide], axis=0)
+    return line
 
 
 def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
@@ -80,10 +103,11 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
     The neighbourhood of a piece between two given poses is as wide as a path through them may be: `NEAR` times the longest of
     the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own.
     """
+    if isinstance(free, BoundedMotion) or (free.in_tool and len(free.shifts)):
+        return _beyond_region(given, poses, free, None, widen=True)
     turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
-    wide = np.pad(sizes, ((0, 0), (1, 1)))
-    room = NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
+    room = _room(sizes)
     blocks = [slice(begin, begin + BLOCK) for begin in range(0, len(poses), BLOCK)]
     first = np.concatenate([_nearest(poses[each], given, free)[0] for each in blocks])
     pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
@@ -99,6 +123,124 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
         rows, pieces = np.nonzero(np.ones((len(left), len(turns))))
         position[left], rotation[left] = _beyond_pieces(rows, pieces, given, room, poses[left], free)
     return position, rotation
+
+
+def _room(sizes: Array) -> Array:
+    """Widths (2, n - 1) of the neighbourhoods of pieces whose lengths and angles are `sizes` (2, n - 1) [m, rad]."""
+    wide = np.pad(sizes, ((0, 0), (1, 1)))
+    return np.asarray(NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:]))
+
+
+def _beyond_region(
+    line: Array,
+    poses: Array,
+    free: FreeMotion,
+    tolerance: Tolerance | None,
+    *,
+    widen: bool = False,
+    is_reached: bool = False,
+) -> tuple[Array, Array]:
+    """How far poses (k, 4, 4) are outside the regions about the pieces between poses of a line (m, 4, 4): [m] and [rad], (k,).
+
+    Of each pose the place that it exceeds the least counts: every ANCHORS-th is compared with all pieces, those between with
+    the pieces between its two, and where that leaves more than half of the tolerance with all.
+
+    Args:
+        line: the path; with `is_reached` the tool's way, and the regions are those about the poses.
+        poses: of the tool; with `is_reached` those of the path.
+        free: the region.
+        tolerance: what is compared with what is exceeded; None: the default.
+        widen: whether the neighbourhoods of the pieces count as they do for `beyond_polygon`.
+    """
+    pieces = _RegionPieces(line, free, with_defaults(tolerance), widen=widen, is_reached=is_reached)
+    count, every = len(poses), np.arange(len(line) - 1)
+    found, near = np.empty((count, 2)), np.empty(count, dtype=np.int64)
+    anchors = np.unique(np.append(np.arange(0, count, ANCHORS), count - 1))
+    for k in anchors:
+        found[k], near[k] = pieces.compare_all(poses[k])
+    for first, last in pairwise(anchors):
+        between = slice(first + 1, last)
+        low, high = sorted((near[first], near[last]))
+        window = every[max(low - BEYOND, 0) : high + BEYOND] if high - low < FEW else every
+        if first + 1 < last:
+            found[between], _ = pieces.compare(poses[between], window)
+            for k in first + 1 + np.flatnonzero((found[between] > pieces.allowed / 2).any(axis=1)):
+                found[k], _ = pieces.compare_all(poses[k])
+    return found[:, 0], found[:, 1]
+
+
+class _RegionPieces:
+    """The pieces between poses of a line (m, 4, 4), to compare poses with; arguments as in `_beyond_region`."""
+
+    def __init__(self, line: Array, free: FreeMotion, tolerance: Tolerance, *, widen: bool, is_reached: bool) -> None:
+        self.line, self.free, self.widen, self.is_reached = line, free, widen, is_reached
+        self.allowed = np.array([tolerance.position, tolerance.rotation], dtype=np.float64)
+        self.turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
+        sizes = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), self.turns], axis=2)
+        self.room = _room(sizes) if widen else np.zeros_like(sizes)
+        self.half = sizes / 2 + self.room
+        self.middles = _along(line, self.turns, np.arange(len(self.turns)), np.full(len(self.turns), 0.5))
+
+    def compare(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+        """How far poses (k, 4, 4) are outside the best of `pieces` (j,), (k, 2), and which it is, (k,)."""
+        _, ranks = self._least(poses, pieces)
+        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, :MANY_PIECES]])
+
+    def compare_all(self, pose: Array) -> tuple[Array, int]:
+        """How far a pose (4, 4) is outside the best of all pieces, (2,), and which it is."""
+        least, ranks = (each[0] for each in self._least(pose[None], np.arange(len(self.turns))))
+        order, found, best = np.argsort(ranks), np.full(2, np.inf), 0
+        for begin in range(0, len(order), BLOCK):
+            if (found <= self.allowed / 4).all() or (found / self.allowed).sum() <= least[order[begin]]:
+                break
+            own, piece = self._closely(pose[None], order[None, begin : begin + BLOCK])
+            if (own[0] / self.allowed).sum() < (found / self.allowed).sum():
+                found, best = own[0], int(piece[0])
+        return found, best
+
+    def _least(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, Array]:
+        """The least that any place on pieces (j,) can leave of poses (k, 4, 4), in shares of what is allowed, (k, j).
+
+        Also ranks (k, j) by which, of equal ones, those come first whose middle leaves less.
+        """
+        excess = self._excess(np.repeat(poses, len(pieces), axis=0), self.middles[np.tile(pieces, len(poses))])
+        middle, scale = excess.reshape(2, len(poses), -1), self.allowed[:, None, None]
+        half = np.repeat(self.half[:, None, pieces], len(poses), axis=1)
+        if self.free.in_tool:  # the directions of shifts turn along a piece
+            reach = np.linalg.norm(poses[:, None, :3, 3] - self.middles[pieces, :3, 3], axis=2)
+            half[0] += reach * (self.half - self.room)[1, pieces]
+        least = (np.maximum(middle - half, 0.0) / scale).sum(axis=0)
+        return least, least + 1e-6 * (middle / scale).sum(axis=0)
+
+    def _closely(self, poses: Array, chosen: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+        """How far poses (k, 4, 4) are outside the best of pieces chosen (k, j), (k, 2), and which it is, (k,)."""
+        count, scale = len(poses), self.allowed[:, None, None]
+        share, width, least = np.full(chosen.shape, 0.5), 0.5, np.full((2, *chosen.shape), np.inf)
+        for _ in range(ROUNDS):  # closer and closer about the best places of the best pieces
+            piece, row = np.repeat(chosen.ravel(), CLOSE), np.repeat(np.arange(count), chosen.shape[1] * CLOSE)
+            close = np.clip(share[..., None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
+            excess = self._excess(poses[row], _along(self.line, self.turns, piece, close.ravel()))
+            excess = np.maximum(excess - self.room[:, piece], 0.0).reshape(2, *close.shape)
+            worth = (excess / scale[..., None]).sum(axis=0)
+            place = worth.argmin(axis=2)[..., None]
+            order = np.argsort(np.take_along_axis(worth, place, axis=2)[..., 0], axis=1, kind="stable")[:, :NEAREST_PIECES]
+            share = np.take_along_axis(np.take_along_axis(close, place, axis=2)[..., 0], order, axis=1)
+            # beside a polygon position and rotation are each compared on their own
+            own = np.take_along_axis(excess, place[None], axis=3)[..., 0] if not self.widen else excess.min(axis=3)
+            least = np.take_along_axis(np.minimum(least, own) if self.widen else own, order[None], axis=2)
+            chosen, width = np.take_along_axis(chosen, order, axis=1), 2 * width / (CLOSE - 1)
+        return least[:, :, 0].T, chosen[:, 0]
+
+    def _excess(self, poses: Array, there: Array) -> Array:
+        return np.array(distances_between(*((there, poses) if self.is_reached else (poses, there)), self.free))
+
+
+def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -> Array:
+    """The poses (k, 4, 4) at shares (k,) of pieces (k,) between poses of a line (m, 4, 4), which turn by `turns` (m - 1, 3)."""
+    poses = line[pieces].copy()
+    poses[:, :3, 3] += shares[:, None] * (line[pieces + 1, :3, 3] - line[pieces, :3, 3])
+    poses[:, :3, :3] = poses[:, :3, :3] @ rotations_of(shares[:, None] * turns[pieces])
+    return poses
 
 
 def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
@@ -141,11 +283,21 @@ def _beyond_pieces(
 
 
 def distances_from(
-    line: Array, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None
+    line: Array,
+    poses: Array,
+    free: FreeMotion = NOTHING,
+    tolerance: Tolerance | None = None,
+    *,
+    is_reached: bool = False,
 ) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4)."""
+    """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4).
+
+    `is_reached`: the line is the tool's way, and the poses are those about which a region counts; else it is the other way.
+    """
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     radian = RADIAN
+    if isinstance(free, BoundedMotion):
+        return _beyond_region(line, poses, free, tolerance, is_reached=is_reached)
     if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
         radian = tolerance.position / tolerance.rotation
     for begin in range(0, len(poses), BLOCK):
@@ -241,6 +393,8 @@ def deviation_at(path: CartesianPath, s: Array, poses: Array, free: FreeMotion =
 
 def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from others (k, 4, 4)."""
+    if isinstance(free, BoundedMotion):
+        return free.excess(poses, others)
     rotations = others[:, :3, :3]
     position = np.linalg.norm(free.offsets(poses[:, :3, 3] - others[:, :3, 3], rotations), axis=1)
     return position, _angles(poses[:, :3, :3], rotations, free)

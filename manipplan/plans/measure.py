@@ -69,14 +69,15 @@ def tool_distances(
         left.append((s, *deviations(stretch, way, free, tolerance)))
         shares = np.union1d(np.linspace(0.0, 1.0, POSES // len(parts)), stretch.knots)
         poses = stretch(shares)
-        position, rotation = distances_from(way, poses, free, tolerance)
+        position, rotation = distances_from(way, poses, free, tolerance, is_reached=True)
         ends = [0, -1]
         position[ends], rotation[ends] = distances_between(way[ends], poses[ends], free)
         missed.append((part.s_begin + shares * (part.s_end - part.s_begin), position, rotation))
     if workspace_path.given is not None:
         whole = np.concatenate(ways)
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free)))
-        missed.append((workspace_path.knots, *distances_from(whole, workspace_path.given, free, tolerance)))
+        given = distances_from(whole, workspace_path.given, free, tolerance, is_reached=True)
+        missed.append((workspace_path.knots, *given))
     return _largest(left), _largest(missed)
 
 

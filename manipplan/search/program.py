@@ -22,12 +22,14 @@ from manipplan.support.checks import Array
 from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner
 from manipplan.symbolic.chain import Placement
-from manipplan.symbolic.free_motion import Turns, complement
+from manipplan.symbolic.free_motion import BoundedMotion, Turns, complement
 
 #: Number of linear distance rows per position.
 ROWS = 4
 #: Largest number of positions for which the program is kept.
 SHORT = 40
+#: Number of terms of a series for rotations up to 60°, and least cosine of a rotation, beyond which they have no one vector.
+SERIES, LEAST_COSINE = 24, -1 + 1e-9
 #: Bound on the pose rows [m or rad] where there is no tolerance.
 EXACT = 1e-11
 
@@ -207,7 +209,7 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
     """Error of the tool at q (n,) to a pose (16,), column by column: position [m], then sines of angles; smooth.
 
     Of the position what the task fixes. Three angles about the pose's axes, one for a planar arm; where the tool may turn about
-    one axis, two perpendicular to it; none where it may turn at all.
+    one axis, two perpendicular to it; none where it may turn at all. Within a region see `_error_in_region`.
     """
     chain, free, planar = kinematics.symbolic.chain, kinematics.free_motion, kinematics.robot.planar
     pose = ca.SX.sym("pose", 16)
@@ -215,9 +217,14 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
     target, tool = Placement(rotation=matrix[:3, :3], origin=matrix[:3, 3]), chain.tool
     turned = target.rotation.T @ tool.rotation
     position = tool.origin - target.origin
+    if isinstance(free, BoundedMotion):
+        turned = turned if free.in_tool else tool.rotation @ target.rotation.T
+        moved = target.rotation.T @ position if free.in_tool else position
+        error = ca.vertcat(moved[:2] if planar else moved, _turn_in_region(free, turned, planar=planar))
+        return ca.Function("pose_error", [chain.q, pose], [ca.densify(error)])
     if free.in_tool:
         position = target.rotation.T @ position
-    skew = ca.vertcat(turned[2, 1] - turned[1, 2], turned[0, 2] - turned[2, 0], turned[1, 0] - turned[0, 1]) / 2
+    skew = _skew_part(turned)
     rows = [ca.DM(complement(np.vstack([free.shifts, np.eye(3)[2:]])) if planar else free.fixed_directions) @ position]
     if free.turns is Turns.NONE:
         rows.append(skew[2] if planar else skew)
@@ -227,16 +234,48 @@ def pose_error(kinematics: Kinematics) -> ca.Function:
     return ca.Function("pose_error", [chain.q, pose], [ca.densify(ca.vertcat(*rows))])
 
 
+def _skew_part(turned: ca.SX) -> ca.SX:
+    """The axis of a rotation times the sine of its angle (3,)."""
+    return ca.vertcat(turned[2, 1] - turned[1, 2], turned[0, 2] - turned[2, 0], turned[1, 0] - turned[0, 1]) / 2
+
+
+def _turn_in_region(free: BoundedMotion, turned: ca.SX, *, planar: bool) -> ca.SX:
+    """What is bounded of a rotation (3, 3): its rotation vector; of a cone 1 - cos of the tilt, and the spin if bounded."""
+    trace = turned[0, 0] + turned[1, 1] + turned[2, 2]
+    if free.region.cone is not None:
+        axis = ca.DM(np.array(free.region.axis))
+        tilt = 1 - ca.dot(axis, turned @ axis)
+        spin = 2 * ca.atan2(2 * ca.dot(_skew_part(turned), axis), 1 + trace)
+        return tilt if free.region.spin == np.pi else ca.vertcat(tilt, spin)
+    # angle / sine of the angle, over 1 - cosine: a series where the quotient is not smooth
+    cosine = (trace - 1) / 2
+    series, term = ca.SX(0), ca.SX(1)
+    for k in range(SERIES):
+        series += term
+        term *= (1 - cosine) * (k + 1) / (2 * k + 3)
+    far = ca.fmin(ca.fmax(cosine, LEAST_COSINE), 0.5)
+    scale = ca.if_else(cosine > 0.5, series, ca.acos(far) / ca.sqrt(1 - far**2))
+    vector = scale * _skew_part(turned)
+    return vector[2] if planar else vector
+
+
 class PoseRows:
     """Errors of the tool to poses, row by row; see `pose_error`."""
 
     def __init__(self, kinematics: Kinematics) -> None:
-        self.error = pose_error(kinematics)
+        self.error, free = pose_error(kinematics), kinematics.free_motion
         self.count = int(self.error.size1_out(0))
-        self._moves = len(kinematics.free_motion.fixed_directions) - kinematics.robot.planar
+        self._region = free if isinstance(free, BoundedMotion) else None
+        self._planar = kinematics.robot.planar
+        self._moves = (3 if self._region is not None else len(free.fixed_directions)) - self._planar
 
     def box(self, tolerance: Tolerance | None) -> Array:
-        """Half widths (rows,) of the box inside the ball of a tolerance [m, or sine of an angle]; zeros without a tolerance."""
+        """Half widths (rows,) of the box inside the ball of a tolerance, in the rows' units; zeros without a tolerance.
+
+        Within a region the tolerance is added to its bounds.
+        """
+        if self._region is not None:
+            return self._box_about(self._region, tolerance)
         rows = np.zeros(self.count)
         if tolerance is not None:
             moves = self._moves
@@ -246,14 +285,25 @@ class PoseRows:
                 rows[moves:] = np.sin(min(tolerance.rotation, np.pi / 2)) / np.sqrt(self.count - moves)
         return rows
 
+    def _box_about(self, free: BoundedMotion, tolerance: Tolerance | None) -> Array:
+        moves, turns = self._moves, self.count - self._moves
+        more = np.zeros(2) if tolerance is None else np.array([tolerance.position or 0.0, tolerance.rotation or 0.0])
+        widths = free.widths[[0, 1, 5] if self._planar else slice(None)]
+        position, rotation = widths[:moves] + more[0] / np.sqrt(moves), widths[moves:]
+        if free.region.cone is None:
+            return np.append(position, rotation + more[1] / np.sqrt(turns))
+        tilt = 1 - np.cos(min(free.region.cone + more[1] / np.sqrt(turns), np.pi))
+        return np.append(position, [tilt, free.region.spin + more[1] / np.sqrt(turns)][:turns])
+
     def errors(self, q: Array, poses: Array) -> Array:
         """The pose rows (L, rows) of configurations (L, n)."""
         columns = self.error.map(len(q))(ca.DM(q.T), ca.DM(poses.transpose(0, 2, 1).reshape(len(q), 16).T))
         return np.asarray(columns).T
 
 
-#: Number of points between two knots at which the deviation is checked, and maximum number of knot insertions.
-POINTS_BETWEEN_KNOTS = 4
+#: Number of points between two knots at which the deviation is checked, an odd one, as it is largest half-way between them,
+#: and maximum number of knot insertions.
+POINTS_BETWEEN_KNOTS = 5
 DOUBLINGS = 6
 #: Shares of the tube's width that are tried where all of it does not help.
 NARROWER = (0.6, 0.3, 0.0)

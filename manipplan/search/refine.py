@@ -153,7 +153,7 @@ class _Refiner:
         self.model, self.kinematics = sampler.collision, sampler.kinematics
         self.hold_start, self.deadline = hold_start, deadline
         self.program = level_program(self.kinematics, len(self.poses), closed=layers.closed)
-        self.tolerance = self.program.rows.box(tolerance)
+        self.tolerance, self.is_exact = self.program.rows.box(tolerance), tolerance is None
         self.history = [found.minimum]
         self.bound = self._bound()
 
@@ -187,12 +187,15 @@ class _Refiner:
 
     def _resample(self, q: Array, width: Array) -> Array:
         """The best path through samples around `q` (L, n) and the configurations of `q` itself."""
-        parameters = self.sampler.solver.parameters_of(q, self.poses)
-        if parameters.shape[1] == 0:
+        solver = self.sampler.solver
+        parameters = solver.parameters_of(q, self.poses)
+        own = len(solver.sampled) - (solver.free.bounds is not None)  # the program moves the poses within a region
+        if own == 0:
             return q
         spread = float(width.max())
-        around = np.linspace(-spread, spread, AROUND[min(parameters.shape[1], len(AROUND)) - 1])
-        offsets = np.array(list(product(around, repeat=parameters.shape[1])))
+        around = np.linspace(-spread, spread, AROUND[min(own, len(AROUND)) - 1])
+        offsets = np.array(list(product(around, repeat=own)))
+        offsets = np.hstack([offsets, np.zeros((len(offsets), parameters.shape[1] - own))])
         sets, values = [], []
         sampled = self.sampler.sample(self.poses, [each + offsets for each in parameters])
         for k, (near, m) in enumerate((each.q, each.m) for each in sampled):
@@ -281,7 +284,7 @@ class _Refiner:
 
     def _on_poses(self, q: Array) -> Array:
         """Each configuration projected onto its pose by the smallest correction, unless there is a tolerance."""
-        if self.tolerance.any():
+        if not self.is_exact and self.tolerance.any():
             return q
         projected = self.sampler.solver.onto(q, self.poses)
         if self.hold_start:

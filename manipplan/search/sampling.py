@@ -74,6 +74,8 @@ EVEN = 1e-6
 #: FEWEST, where they would give more than ENOUGH candidates.
 SAMPLES = (720, 96, 36, 16, 9, 6)
 FEWEST, ENOUGH = 5, 1e6
+#: Number of candidates within a region at all positions, and fewest and most samples at each.
+IN_REGION = (1e6, 64, 4000)
 #: The same for arms without a closed form, whose solutions are searched: some 2.5 ms for a sample. With one parameter of a full
 #: turn their distance is just below an ε of 0.2. And for arms with fewer than six joints, of which only rows are solved for.
 SEARCHED, FEW_SAMPLES = (32, 10, 5, 4, 3), (48, 12, 6, 4)
@@ -177,6 +179,10 @@ def sample_layers(
     usual = default_samples(sampler.solver)
     _check_grid(sampler, n, samples, usual, allowed)
     s = check_positions(positions, closed=closed)
+    is_default = samples is None
+    if samples is None and sampler.solver.free.bounds is not None:
+        most = min(max(IN_REGION[0] / (n * sampler.solver.most), IN_REGION[1]), IN_REGION[2])
+        samples = [max(int(most ** (1 / len(sampler.solver.sampled))), FEWEST)] * len(sampler.solver.sampled)
     poses = np.array([pose_matrix(f"path, position {k} of 0 to {n - 1}", pose) for k, pose in enumerate(path(s))])
     values = sampler.solver.grid(samples, usual, poses)
     share = _share_found(sampler, poses, values, allowed)
@@ -184,7 +190,7 @@ def sample_layers(
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
         values = sampler.solver.grid(max(most, FEWEST), usual, poses)
     near_values = np.zeros((0, len(sampler.solver.names)))
-    if near is not None and len(sampler.solver.names) > 1:
+    if near is not None and not sampler.solver.is_line:
         q = finite_array("near", near, (robot.n,))
         near_values = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
     sampling = PathSampling(
@@ -192,7 +198,7 @@ def sample_layers(
         path=path,
         values=values,
         near=near_values,
-        whole=usual if samples is None else None,
+        whole=usual if is_default else None,
         spacing=between,
         executor=executor,
     )
@@ -323,7 +329,7 @@ def _check_grid(
     """Raises InvalidInputError where the poses or the grid of parameters would not fit into memory."""
     from manipplan.ik.solver import sample_counts
 
-    counts = sample_counts(samples, sampler.solver.names, usual)
+    counts = sample_counts(samples, sampler.solver.sampled, usual)
     for argument, value, needed in (("positions", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
         if needed > allowed:
             wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"
@@ -374,19 +380,31 @@ class CandidateSampler:
 
     def sample(self, poses: Array, sets: Sequence[Array], spacing: Array | None = None) -> "list[PositionSample]":
         """The candidates of each of poses (p, 4, 4) for its parameters, sets[k] (s, r); see `sample_layers` for `spacing`."""
-        fills = spacing is not None and len(self.solver.names) == 1 and self.solver.form is not None
-        sets = [_with_end(each) for each in sets] if fills else sets
-        owners, values = np.repeat(np.arange(len(poses)), [len(each) for each in sets]), np.concatenate(sets)
-        found = self._solve(poses, owners, values)
-        if spacing is not None and fills:
-            owners, found = self._fill(poses, owners, values, found, spacing)
-        of = owners[found.source]
-        free = np.concatenate([self.free(found.q[begin : begin + BLOCK]) for begin in range(0, max(len(found.q), 1), BLOCK)])
-        rows, q = self.solver.with_turns(found.q[free])  # full turns change no collisions
+        lines = [np.zeros(len(each), dtype=np.bool_) for each in sets]
+        if spacing is not None and self.solver.form is not None and self.solver.is_line:
+            lines = [np.asarray((np.abs(each[:, 1:]) < EVEN).all(axis=1)) for each in sets]  # those of the whole pose
+        on_lines = [_with_end(each[line]) if line.any() else each[:0] for each, line in zip(sets, lines, strict=True)]
+        others = [each[~line] for each, line in zip(sets, lines, strict=True)]
+        every, of = list[Array](), list[NDArray[np.int64]]()
+        for some, between in ((on_lines, spacing), (others, None)):
+            owners, values = np.repeat(np.arange(len(poses)), [len(each) for each in some]), np.concatenate(some)
+            if not len(values):
+                continue
+            found = self._solve(poses, owners, values)
+            if between is not None:
+                owners, found = self._fill(poses, owners, values, found, between)
+            every.append(found.q)
+            of.append(owners[found.source])
+        return self._candidates(np.concatenate(every), np.concatenate(of), len(poses))
+
+    def _candidates(self, found: Array, of: NDArray[np.int64], count: int) -> "list[PositionSample]":
+        """Those of configurations found (k, n) that are free, at every full turn, for each of `count` positions."""
+        free = np.concatenate([self.free(found[begin : begin + BLOCK]) for begin in range(0, max(len(found), 1), BLOCK)])
+        rows, q = self.solver.with_turns(found[free])  # full turns change no collisions
         order = np.argsort(of[free][rows], kind="stable")
         q, m = q[order], self.kinematics.manipulability(q)[order]
-        reached = np.bincount(of, minlength=len(poses))
-        ends = np.cumsum(np.bincount(of[free][rows], minlength=len(poses)))[:-1]
+        reached = np.bincount(of, minlength=count)
+        ends = np.cumsum(np.bincount(of[free][rows], minlength=count))[:-1]
         every = zip(np.split(q, ends), np.split(m, ends), reached.tolist(), strict=True)
         return [PositionSample(q=np.ascontiguousarray(q), m=m, reached=reached) for q, m, reached in every]
 
@@ -481,10 +499,11 @@ def _blocks(values: Array) -> list[Array]:
 
 
 def _with_end(values: Array) -> Array:
-    """Values (s, 1) of one parameter, with the end of the turn where they are evenly spread over one."""
+    """Values (s, r) of one parameter, the first, with the end of the turn where they are evenly spread over one."""
     steps = np.diff(np.sort(values[:, 0]))
-    whole = np.ptp(values) + np.median(steps) if len(steps) else 0.0
-    return np.vstack([values, values.min() + 2 * np.pi]) if abs(whole - 2 * np.pi) < EVEN else values
+    whole = np.ptp(values[:, 0]) + np.median(steps) if len(steps) else 0.0
+    end = values[values[:, 0].argmin()] + 2 * np.pi * np.eye(values.shape[1])[0]
+    return np.vstack([values, end]) if abs(whole - 2 * np.pi) < EVEN else values
 
 
 @lru_cache(maxsize=2)

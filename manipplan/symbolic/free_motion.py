@@ -1,4 +1,7 @@
-"""FreeMotion: the motions of the tool that a task leaves free at a pose, so that a whole set of poses counts as that pose."""
+"""FreeMotion: the motions of the tool that a task leaves free at a pose, so that a whole set of poses counts as that pose.
+
+BoundedMotion: those of a task whose poses count within a region.
+"""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -8,6 +11,7 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.region import PoseRegion
 from manipplan.symbolic.task import Task
 
 #: Cosines and lengths below this are 0.
@@ -52,6 +56,8 @@ class FreeMotion:
             task: what of the tool's motion counts.
             planar: whether the arm moves its tool in the x-y plane, turning it about z, only.
         """
+        if task.region is not None:
+            return BoundedMotion.about(task.region, planar=planar)
         world, tool = task.matrices
         for rows in (world, tool):
             if (rows[:, :3].any(axis=1) & rows[:, 3:].any(axis=1)).any():
@@ -148,6 +154,11 @@ class FreeMotion:
         """The poses (k, 4, 4) that count as `poses` and are near tool poses reached (k, 4, 4)."""
         return self.poses(poses, self.values(reached, poses)) if self.names else poses
 
+    @property
+    def bounds(self) -> Array | None:
+        """Largest values (f,); None: there are none."""
+        return None
+
     def fixed_rows(self, poses: Array) -> Array:
         """Rows (k, r, 6) that count of a small displacement in the world, position and then rotation, at poses (k, 4, 4)."""
         own, turned = np.broadcast_to(np.eye(3), (len(poses), 3, 3)), np.swapaxes(poses[:, :3, :3], 1, 2)
@@ -178,6 +189,161 @@ class FreeMotion:
         if self.turns is Turns.WORLD_AXIS:
             return np.asarray(np.swapaxes(rotations, -2, -1) @ self.axis)
         return np.zeros((*rotations.shape[:-2], 1))
+
+
+#: Names of the coordinates of a bounded motion: of a box, and of a cone.
+BOX = ("shift along x", "shift along y", "shift along z", "turn about x", "turn about y", "turn about z")
+CONE = (*BOX[:3], "first tilt", "second tilt", "spin")
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BoundedMotion(FreeMotion):
+    """The shifts and rotations inside a region. Values are those of its six coordinates that are not 0.
+
+    The coordinates are shifts along the axes of the frame [m] and, of a box, the rotation vector about them [rad]; of a cone,
+    the two components of the rotation vector across the tool axis that tilts it, and the turn about the axis before that.
+
+    Attributes:
+        region: see there.
+        widths: (6,) largest coordinates [m, rad].
+    """
+
+    region: PoseRegion
+    widths: Array
+
+    @classmethod
+    def about(cls, region: PoseRegion, *, planar: bool) -> "BoundedMotion":
+        """The motions inside a region. Raises InvalidInputError for what an arm in the plane cannot do."""
+        turns = region.rotation if region.cone is None else (region.cone, region.cone, region.spin)
+        widths = np.array([*region.position, *turns])
+        if planar and region.cone is not None:
+            raise InvalidInputError("region", region, "no cone, for a planar arm: rotation=(0, 0, ...)")
+        if planar:
+            widths[2:5] = 0.0
+        return cls(
+            shifts=np.eye(3)[widths[:3] > 0],
+            in_tool=region.frame == "tool",
+            turns=Turns.ANY if widths[3:].any() else Turns.NONE,
+            axis=np.zeros(3),
+            region=region,
+            widths=widths,
+        )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        names = BOX if self.region.cone is None else CONE
+        return tuple(name for name, width in zip(names, self.widths, strict=True) if width > 0)
+
+    @property
+    def only_axis(self) -> None:
+        return None
+
+    @property
+    def bounds(self) -> Array:
+        return self.widths[self.widths > 0]
+
+    def values(self, reached: Array, poses: Array) -> Array:
+        return self.coordinates(reached, poses)[:, self.widths > 0]
+
+    def poses(self, poses: Array, values: Array) -> Array:
+        """As `FreeMotion.poses`; values outside the region are taken to its boundary."""
+        from scipy.spatial.transform import Rotation
+
+        region, moved, every = self.region, poses.copy(), np.zeros((len(values), 6))
+        every[:, self.widths > 0] = np.clip(values, -self.bounds, self.bounds)
+        rotations = Rotation.from_rotvec(every[:, 3:]).as_matrix()
+        if region.cone is not None:
+            tilts = every[:, 3:5]
+            tilts *= np.minimum(region.cone / np.maximum(np.linalg.norm(tilts, axis=1), 1e-300), 1.0)[:, None]
+            tilted = Rotation.from_rotvec(tilts @ complement(self._axis[None])).as_matrix()
+            rotations = tilted @ Rotation.from_rotvec(every[:, 5:] * self._axis).as_matrix()
+        if self.in_tool:
+            moved[:, :3, 3] += _rotate(poses[:, :3, :3], every[:, :3])
+            moved[:, :3, :3] = poses[:, :3, :3] @ rotations
+        else:
+            moved[:, :3, 3] += every[:, :3]
+            moved[:, :3, :3] = rotations @ poses[:, :3, :3]
+        return moved
+
+    def coordinates(self, reached: Array, poses: Array) -> Array:
+        """All coordinates (k, 6) of tool poses reached (k, 4, 4) from poses (k, 4, 4)."""
+        from scipy.spatial.transform import Rotation
+
+        back = np.swapaxes(poses[:, :3, :3], 1, 2)
+        moved = reached[:, :3, 3] - poses[:, :3, 3]
+        moved = _rotate(back, moved) if self.in_tool else moved
+        turned = back @ reached[:, :3, :3] if self.in_tool else reached[:, :3, :3] @ back
+        if self.region.cone is None:
+            return np.hstack([moved, Rotation.from_matrix(turned).as_rotvec()])
+        tilts = tilts_of(turned @ self._axis, self._axis)
+        untilted = np.swapaxes(Rotation.from_rotvec(tilts).as_matrix(), 1, 2) @ turned
+        spins = Rotation.from_matrix(untilted).as_rotvec() @ self._axis
+        return np.hstack([moved, tilts @ complement(self._axis[None]).T, spins[:, None]])
+
+    def excess(self, reached: Array, poses: Array) -> tuple[Array, Array]:
+        """How far tool poses reached (k, 4, 4) are outside the regions about poses (k, 4, 4): [m] and [rad], (k,) each.
+
+        Of a box it is the length of what is beyond it of the shift, or of the rotation vector; of a cone what tilt or spin
+        exceed, the larger.
+        """
+        back = np.swapaxes(poses[:, :3, :3], 1, 2)
+        moved = reached[:, :3, 3] - poses[:, :3, 3]
+        moved = _rotate(back, moved) if self.in_tool else moved
+        turned = back @ reached[:, :3, :3] if self.in_tool else reached[:, :3, :3] @ back
+        position = np.linalg.norm(np.maximum(np.abs(moved) - self.widths[:3], 0.0), axis=1)
+        trace = np.trace(turned, axis1=1, axis2=2)
+        skew = np.stack(
+            [turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]]
+        )
+        if self.region.cone is not None:
+            there = turned @ self._axis
+            tilt = np.arctan2(np.linalg.norm(np.cross(self._axis, there), axis=1), there @ self._axis)
+            spin = 2 * np.abs(np.arctan2(self._axis @ skew, 1 + trace))
+            return position, np.maximum(np.maximum(tilt - self.region.cone, spin - self.region.spin), 0.0)
+        sine = np.linalg.norm(skew, axis=0) / 2
+        angle = np.arctan2(sine, (trace - 1) / 2)
+        vectors = (skew * (angle / np.maximum(2 * sine, SMALL))).T
+        half_turn = (trace < -0.99) | (sine < SMALL)  # where rounding decides on the axis, or there is none
+        if half_turn.any():
+            from scipy.spatial.transform import Rotation
+
+            vectors[half_turn] = Rotation.from_matrix(turned[half_turn]).as_rotvec()
+        return position, np.linalg.norm(np.maximum(np.abs(vectors) - self.widths[3:], 0.0), axis=1)
+
+    def fixed_rows(self, poses: Array) -> Array:
+        """All six rows: what is missing to the nearest pose of the region counts."""
+        return np.broadcast_to(np.eye(6), (len(poses), 6, 6))
+
+    def spread(self, count: int) -> Array:
+        """Values (count, f) that are spread over the region, some of them on its boundary; its middle is the first."""
+        bounds = self.bounds
+        if len(bounds) == 1:
+            return np.linspace(-bounds, bounds, count) if count > 1 else np.zeros((1, 1))
+        # the additive sequence of the generalised golden ratio: evenly spread in any number of dimensions
+        ratio = 2.0
+        for _ in range(60):
+            ratio = (1.0 + ratio) ** (1.0 / (len(bounds) + 1))
+        shares = (0.5 + np.arange(count)[:, None] * ratio ** -np.arange(1.0, len(bounds) + 1)) % 1.0
+        return np.asarray(np.clip(BEYOND * (2 * shares - 1), -1.0, 1.0) * bounds)
+
+    @property
+    def _axis(self) -> Array:
+        return np.array(self.region.axis)
+
+
+#: How much farther than a region samples are spread before they are taken to its boundary.
+BEYOND = 1.3
+
+
+def tilts_of(directions: Array, axis: Array) -> Array:
+    """The smallest rotation vectors (k, 3) that turn a unit vector `axis` (3,) to directions (k, 3)."""
+    across = np.cross(axis, directions)
+    sine = np.linalg.norm(across, axis=1)
+    angle = np.arctan2(sine, directions @ axis)
+    opposite = complement(axis[None])[0]
+    unit = np.where((sine > SMALL)[:, None], across / np.maximum(sine, SMALL)[:, None], opposite)
+    return np.asarray(unit * angle[:, None])
 
 
 def complement(rows: Array) -> Array:

@@ -1,6 +1,6 @@
 """Task: which motions of the tool count, and the length that makes radians comparable with metres."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from manipplan.support.checks import Array, ArrayLike, finite_array, number, number_array, one_of, text
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.symbolic.region import PoseRegion
 
 Row = tuple[float, ...]
 
@@ -27,6 +28,7 @@ class Task:
         length: characteristic length [m] that weights rotation; 1.0 leaves the raw Jacobian.
         relative_to: frame of the robot, such as another tool, in which the tool's motion counts; "world" then means that frame
             in the rows. None: the world.
+        region: the poses that count as a pose of a path; None: those that the rows leave free. See `within`.
     """
 
     name: str
@@ -34,6 +36,7 @@ class Task:
     tool_rows: tuple[Row, ...] = ()
     length: float = 1.0
     relative_to: str | None = None
+    region: PoseRegion | None = None
 
     def __post_init__(self) -> None:
         text("name", self.name)
@@ -128,6 +131,46 @@ class Task:
             length=length,
             relative_to=relative_to,
         )
+
+    def within(
+        self,
+        *,
+        position: ArrayLike = 0.0,
+        rotation: ArrayLike = 0.0,
+        cone: float | None = None,
+        axis: ArrayLike = (0.0, 0.0, 1.0),
+        spin: float = np.pi,
+        frame: str = "tool",
+    ) -> "Task":
+        """The same rows, which define m, for poses in a region about each pose of a path.
+
+        `follow`, `MoveAlong`, `sample_layers`, `inverse_kinematics` and `check` take any pose in the region for the pose
+        itself: a search uses all of it. What the rows leave free is replaced by the region: Task.pointing(axis) within
+        rotation=(0, 0, 0.5) turns the tool about its z-axis by at most 0.5 rad. A Controller and `improve` refuse a region.
+
+        Args:
+            position: largest shift along each axis [m], one number or (3,); 0: none.
+            rotation: largest component about each axis of the rotation vector [rad], one number or (3,), at most π; 0: none.
+            cone: largest angle between a tool axis and that of the pose [rad], at most π; not together with `rotation`.
+            axis: (3,) that tool axis, in the tool's frame.
+            spin: with `cone`, largest turn about that axis [rad]; π: any.
+            frame: whose axes: those of the pose, "tool", or of the "world".
+
+        Raises InvalidInputError for values that are negative, too large or all 0.
+        """
+        widths = [
+            np.broadcast_to(number_array(*each), 3) if np.ndim(each[1]) == 0 else finite_array(*each, (3,))
+            for each in (("position", position), ("rotation", rotation))
+        ]
+        region = PoseRegion(
+            position=tuple(widths[0].tolist()),
+            rotation=tuple(widths[1].tolist()),
+            cone=cone,
+            axis=tuple(_unit("axis", axis).tolist()),
+            spin=spin,
+            frame=frame,
+        )
+        return replace(self, region=region)
 
     @property
     def rows(self) -> int:

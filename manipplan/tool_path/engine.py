@@ -94,15 +94,15 @@ class ToolPathPlanner:
     @property
     def has_several_parameters(self) -> bool:
         """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
-        return len(self._sampler.solver.names) > 1
+        return not self._sampler.solver.is_line
 
     def is_at_start(self, q: Array) -> bool:
         """Whether the tool stands at the first pose at q (n,): near enough for a spline that goes on inside the tolerance."""
         rows = PoseRows(self._sampler.kinematics)
-        wide = AT_KNOTS * rows.box(BETWEEN)
+        wide = rows.box(BETWEEN.scaled(AT_KNOTS * AT_POSITIONS))
         if self.tolerance is not None:
-            wide = np.maximum(wide, rows.box(self.tolerance.scaled(AT_POSITIONS)))
-        return bool((np.abs(rows.errors(q[None], self.path(np.zeros(1)))) <= AT_POSITIONS * wide).all())
+            wide = np.maximum(wide, rows.box(self.tolerance.scaled(AT_POSITIONS**2)))
+        return bool((np.abs(rows.errors(q[None], self.path(np.zeros(1)))) <= wide).all())
 
     def starting_at(self, q: Array) -> "ToolPathPlanner":
         """The same with q (n,) as only candidate at the first position, at the pose that it reaches.
@@ -290,10 +290,10 @@ class ToolPathPlanner:
         layers = self.layers
         assert layers.s is not None
         rows, s = PoseRows(self._sampler.kinematics), layers.s
-        allowed = AT_KNOTS * rows.box(BETWEEN) if self.allowed is None else rows.box(self.allowed)
+        allowed = rows.box(BETWEEN.scaled(AT_KNOTS) if self.allowed is None else self.allowed)
         tube = None
         if tolerance is not None:
-            allowed = np.maximum(allowed, IN_TUBE * rows.box(tolerance))
+            allowed = np.maximum(allowed, rows.box(tolerance.scaled(IN_TUBE)))
             tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3))  # inside the box of the rows
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
@@ -305,7 +305,7 @@ class ToolPathPlanner:
             q,
             closed=layers.closed,
             allowed=allowed,
-            most=allowed if self.allowed is not None or tolerance is not None else rows.box(BETWEEN),
+            most=allowed if self.allowed is not None or tolerance is not None else rows.box(BETWEEN.scaled(IN_TUBE)),
             tube=tube,
             hold_start=hold_start,
         )

@@ -51,11 +51,14 @@ def _resolution(planner: ToolPathPlanner, intervals: NDArray[np.int64]) -> str:
     moved = np.linalg.norm(ends[:, :3, 3] - begins[:, :3, 3], axis=1).max()
     turned = angles_between(begins[:, :3, :3], ends[:, :3, :3]).max()
     text = [f"positions at most {1e3 * moved:.3g} mm and {np.rad2deg(turned):.3g}° apart"]
-    names, values = layers.sampling.sampler.solver.names, layers.sampling.values
-    for name, column in zip(names, values.T, strict=True):
+    solver, values = layers.sampling.sampler.solver, layers.sampling.values
+    bounded = 0 if solver.free.bounds is None else len(solver.free.bounds)
+    for name, column in zip(solver.names[: len(values.T) - bounded], values.T, strict=False):
         different = np.unique(column)
         if len(different) > 1:
             text.append(f"values of {name} {np.median(np.diff(different)):.3g} rad or m apart, or closer")
+    if bounded:
+        text.append(f"{len(np.unique(values[:, -bounded:], axis=0))} poses of the region")
     return f"this was searched with {' and '.join(text)}"
 
 

@@ -60,7 +60,7 @@ def straight_planner(
     count = max(FEWEST, int(np.ceil(path.length / STRIDE - 1e-6)))  # without the rounding of a length
     solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
     names, counts = len(solver.names), default_samples(solver)
-    samples = min(SAMPLES, counts[max(names, 1) - 1]) if names < 3 else None
+    samples = min(SAMPLES, counts[max(names, 1) - 1]) if names < 3 and solver.free.bounds is None else None
     layers = sample_layers(robot, path, count, task=task, measure=measure, samples=samples, scene=scene, clearance=clearance)
     return ToolPathPlanner(path=path, layers=layers, tolerance=tolerance)
 

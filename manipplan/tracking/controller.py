@@ -128,6 +128,8 @@ class Controller:
         one_tool(instance("robot", robot, Robot), "a controller")
         if task is not None and instance("task", task, Task).relative_to is not None:
             raise InvalidInputError("task", task, "a task in the world, in which targets are given")
+        if task is not None and task.region is not None:
+            raise InvalidInputError("task", task, "a task without a region: a controller tracks the target itself")
         if not isinstance(formulation, Formulation):
             raise InvalidInputError("formulation", formulation, "a Formulation, such as formulations.LogDrive()")
         self.robot, self.formulation, self.dt = robot, formulation, number("dt", dt, above=0.0)
