@@ -53,8 +53,11 @@ LEAST_RETREAT = 1e-3
 SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
-#: Share of the time limit after which motions are no longer improved, so that the rest suffices for timing and checks.
-IMPROVING = 0.6
+#: Share of the time limit by which it may be exceeded, and share of the likely time for timing and checks without which they
+#: are not begun.
+EXCESS, LEAST_ENDING = 0.1, 0.3
+#: Share of the progress at which the motion is timed.
+TIMING = 0.95
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
 
@@ -192,8 +195,8 @@ def follow(
             that lead to one part, its `seed` also for the random starts of arms without closed-form inverse kinematics.
             `shifts` and `initial` stay at their defaults.
         time_limit: time [s] after which what was found is timed, checked and returned, with a smaller minimum manipulability
-            than it could have; None: none. Motions are improved for six tenths of it. Timing and checks of a path of some
-            hundred poses take up to a second more. What is built once per robot or scene does not count.
+            than it could have; None: none. Motions are improved while timing and checks are likely to end in time. Where no
+            motion passed its checks by then, the status is NOT_IN_TIME. What is built once per robot or scene does not count.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -251,7 +254,14 @@ def follow(
     if time_limit is not None:
         time_limit = number("time_limit", time_limit, above=0.0)
     deadline = NEVER if time_limit is None else Deadline.within(time_limit)
-    improves_until = NEVER if time_limit is None else Deadline.within(IMPROVING * time_limit)
+    last = NEVER if time_limit is None else Deadline.within((1 + EXCESS) * time_limit)
+    doing = "sampling positions"
+
+    def say(share: float, text: str) -> None:
+        nonlocal doing
+        doing = text
+        notify(share, text)
+
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()
     if given is not None:
@@ -275,10 +285,10 @@ def follow(
             near=q_start,
             executor=executor,
             seed=seeding.seed,
-            progress=until(deadline, part(notify, 0.0, 0.4)),
+            progress=until(deadline, part(say, 0.0, 0.4)),
         )
         planner = ToolPathPlanner(
-            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=improves_until
+            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=deadline
         )
         sampler = layers.sampler
         assert sampler is not None
@@ -296,7 +306,7 @@ def follow(
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
         parts = find_parts(
-            planner, epsilon, interruptions, until(deadline, part(notify, 0.4, 0.6)), connects=positions is None, start=begin
+            planner, epsilon, interruptions, until(deadline, part(say, 0.4, 0.6)), connects=positions is None, start=begin
         )
         if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
@@ -342,7 +352,7 @@ def follow(
             seconds=min(seeding.time_limit, deadline.left),
         )
         joiner = PartsJoiner(
-            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
+            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(say, 0.6, 0.9)
         )
         motion = joiner.first_of(parts)
         draft = replace(draft, candidates=motion.candidates)
@@ -379,6 +389,13 @@ def follow(
             speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
             return replace(report, deviation=deviation, faults=(*report.faults, *left, *speeds))
 
+        ending = sum(each.refined.ending for each in motion.parts)
+
+        def end(share: float, text: str) -> None:
+            say(share, text)
+            if share < 1 and last.left < LEAST_ENDING * ending * (1 - share) / (1 - TIMING):
+                raise OutOfTimeError
+
         return finish(
             draft,
             lambda: _time(motion, robot, integral, tool_speed, slowdown, torque=torque),
@@ -386,8 +403,8 @@ def follow(
             clearance=clearance,
             torque=torque,
             throw=False,
-            notify=notify,
-            begins=0.95,
+            notify=end,
+            begins=TIMING,
             amend=compare_with_path,
         )
 
@@ -397,7 +414,8 @@ def follow(
         nothing = PartialPlan(
             robot=robot, scene=scene, status=Status.NOT_IN_TIME, workspace_path=path, tolerance=with_defaults(tolerance)
         )
-        return failed(nothing, throw, f"no motion along the path was found within time_limit = {time_limit:g} s")
+        message = f"no motion along the path was proven within time_limit = {time_limit:g} s; the last step was {doing!r}"
+        return failed(nothing, throw, message)
     report = followed.report
     if report is not None and not (report.passed or report.collision_free or deadline.passed):
         # a motion may touch bodies between positions that nearly touch them

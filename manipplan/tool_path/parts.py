@@ -140,7 +140,7 @@ def find_parts(
         count = len(planner.layers.q)
         loose = np.unique(np.concatenate([(each.first + each.refined.loose) % count for each in found[0]]))
         loose = planner.intervals(HALVED_STEP, loose)
-        if not len(loose) or planner.deadline.passed or k == CLOSER:
+        if not len(loose) or planner.deadline.left < sum(each.refined.ending for each in found[0]) or k == CLOSER:
             break
         try:
             planner = planner.halved(loose, silent)
