@@ -319,8 +319,12 @@ def follow(
             message = f"{prefix}{where}; {parts.message}{parts.planner.in_the_way(search)}"
             return failed(replace(draft, search=search), False, message)
         free_objective = replace(objective, task=kinematics.task)
+        cut_short = False
 
         def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
+            nonlocal cut_short
+            cut_short = cut_short or deadline.left < seeding.time_limit
+            seconds = min(seconds, deadline.left)
             if seconds <= 0:
                 return Failure(message="no time was left for a free motion")
             made = plan(
@@ -349,7 +353,7 @@ def follow(
             clearance=clearance,
             torque=torque,
             plan_free=plan_free,
-            seconds=min(seeding.time_limit, deadline.left),
+            seconds=seeding.time_limit,
         )
         joiner = PartsJoiner(
             start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(say, 0.6, 0.9)
@@ -357,7 +361,8 @@ def follow(
         motion = joiner.first_of(parts)
         draft = replace(draft, candidates=motion.candidates)
         if isinstance(motion, PartsFailure):
-            return failed(replace(draft, search=motion.search, status=Status.NO_PATH), False, motion.message)
+            status = Status.NOT_IN_TIME if cut_short else Status.NO_PATH
+            return failed(replace(draft, search=motion.search, status=status), False, motion.message)
         still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
         if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
             wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"

@@ -219,7 +219,7 @@ class ToolPathPlanner:
         began = work_time()
         seed, _ = self._joined(found.q, None, hold_start=hold_start)
         ending = ENDING + ENDING_OF_JOINING * (work_time() - began)
-        limit = None if self.deadline is NEVER else max(self.deadline.left - ending, SHORTEST)
+        limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         loose = np.flatnonzero(self._touching(path) | ~is_inside)
