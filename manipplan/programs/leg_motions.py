@@ -18,10 +18,11 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.programs.steps import Attach, Detach, MoveAlong, Wait
-from manipplan.search.layers import STRIDE, choose_positions
+from manipplan.search.layers import choose_positions
 from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import silent
 from manipplan.support.status import Failure
@@ -29,10 +30,14 @@ from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
+from manipplan.tool_path.gap import explain_gap
+from manipplan.tool_path.parts import NotConnected, connect, find_whole
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
+#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
+SPACING = 0.05
 #: Maximum number of planners that are stored: each may hold a hundred thousand configurations.
 STORED_PLANNERS = 32
 
@@ -102,23 +107,20 @@ class ToolPathPlanners:
 
     Attributes:
         objective, clearance: of all motions.
+        deadline: after which none is searched.
     """
 
     objective: PathObjective
     clearance: float
+    deadline: Deadline = NEVER
     stored: dict[tuple[object, ...], ToolPathPlanner | LegFailure] = field(default_factory=dict)
 
-    def along(
-        self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
-    ) -> ToolPathPlanner | LegFailure:
-        """The planner of motions along a path of a step in a state, or why a position is out of reach or not free.
-
-        `closer`: with half the distance between positions.
-        """
-        key = (number, closer, rounded(path(0.0)), state.history)
+    def along(self, number: int, step: MoveAlong, path: CartesianPath, state: State) -> ToolPathPlanner | LegFailure:
+        """The planner of motions along a path of a step in a state, or why a position is out of reach or not free."""
+        key = (number, rounded(path(0.0)), state.history)
         if key not in self.stored:
             try:
-                made: ToolPathPlanner | LegFailure = self.made(step, path, state, closer=closer)
+                made: ToolPathPlanner | LegFailure = self.made(step, path, state)
             except InvalidInputError as error:
                 made = LegFailure(message=f"{error.argument} is not {error.allowed}", always=True)
             if len(self.stored) >= STORED_PLANNERS:
@@ -126,9 +128,7 @@ class ToolPathPlanners:
             self.stored[key] = made
         return self.stored[key]
 
-    def made(
-        self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False, near: Array | None = None
-    ) -> ToolPathPlanner:
+    def made(self, step: MoveAlong, path: CartesianPath, state: State, *, near: Array | None = None) -> ToolPathPlanner:
         """The same, not stored, with samples near a configuration (n,) if it is given.
 
         Raises InvalidInputError for a position that is out of reach or not free.
@@ -142,14 +142,21 @@ class ToolPathPlanners:
         layers = sample_layers(
             state.robot,
             path,
-            choose_positions(path, stride=STRIDE / 2 if closer else STRIDE) if positions is None else positions,
+            choose_positions(path) if positions is None else positions,
             task=step.task,
             measure=measure,
             scene=state.scene,
             clearance=clearance,
+            spacing=SPACING,
             near=near,
+            progress=self.check,
         )
-        return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance)
+        inside = layers.inside(state.robot.limits)
+        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=self.deadline)
+
+    def check(self, _share: float, _text: str) -> None:
+        """Raise OutOfTimeError after the deadline."""
+        self.deadline.check()
 
 
 def motion_of_leg(
@@ -200,37 +207,43 @@ def motion_of_leg(
     return LegMotion(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
-def has_closer(step: MoveAlong) -> bool:
-    """Whether closer positions are tried where no motion along a path is found."""
-    return isinstance(step.path, CartesianPath) and step.positions is None
-
-
 def _along(
     number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, planners: ToolPathPlanners
 ) -> RawMotion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
-    epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
-    failures: list[LegFailure] = []
-    for closer in (False, True) if has_closer(step) else (False,):
-        planner = planners.along(number, step, path, state, closer=closer)
-        if isinstance(planner, LegFailure):
-            failures.append(planner)
-            break
+    planners.deadline.check()
+    is_straight = not isinstance(step.path, CartesianPath)
+    epsilon = STRAIGHT_EPSILON if is_straight else EPSILON
+    planner = planners.along(number, step, path, state)
+    if isinstance(planner, LegFailure):
+        return planner
+    made = planner.best_from(q, epsilon)
+    if isinstance(made, Failure) and not is_straight and planner.has_several_parameters:
+        planner = planners.made(step, path, state, near=q)
         made = planner.best_from(q, epsilon)
-        if isinstance(made, JointPath):
-            return _motion(number, step, planner.path, made, state)
-        failures.append(LegFailure(message=made.message))
-        if isinstance(step.path, CartesianPath) and planner.has_several_parameters:
-            near = planners.made(step, path, state, closer=closer, near=q).best_from(q, epsilon)
-            if isinstance(near, JointPath):
-                return _motion(number, step, planner.path, near, state)
-    messages = dict.fromkeys(each.message for each in failures)
-    return replace(failures[0], message="; with positions half as far apart: ".join(messages))
+    if isinstance(made, Failure) and step.positions is None:
+        made = _connected(planner, q, epsilon, state, planners)
+    return _motion(number, step, path, made, state) if isinstance(made, JointPath) else LegFailure(message=made.message)
+
+
+def _connected(
+    planner: ToolPathPlanner, q: Array, epsilon: float, state: State, planners: ToolPathPlanners
+) -> JointPath | Failure:
+    """The best motion from q (n,) through as many positions as it needs, or why there is none."""
+    try:
+        whole = find_whole(planner, epsilon, planners.check, start=q)
+    except InvalidInputError as error:  # a pose between the positions that is out of reach or not free
+        return Failure(message=f"{error.argument} is not {error.allowed}")
+    if isinstance(whole, NotConnected):
+        return Failure(message=explain_gap(whole.planner, epsilon))
+    path = whole.planner.closely_along(whole.found, silent, hold_start=True).path
+    outside = outside_limits(path, state.robot)
+    return Failure(message=outside) if outside else path
 
 
 def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
-    path = configurations.planner.along(configurations.motion(k), silent, hold_start=True).path
+    path = configurations.planner.closely_along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return LegFailure(message=outside) if outside else _motion(number, step, configurations.planner.path, path, state)
 
@@ -394,16 +407,14 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
         planner = planners.made(along, along.path, state)
-        first = max_min_search(planner.layers, EPSILON, throw=False)
+        if along.positions is None:
+            planner = connect(planner, EPSILON, planners.check)
+        first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
-    if not first.connected and has_closer(along):
-        with suppress(InvalidInputError):  # about positions that were not asked for; the search that failed says why
-            closer = planners.made(along, along.path, state, closer=True)
-            again = max_min_search(closer.layers, EPSILON, throw=False)
-            planner, first = (closer, again) if again.connected else (planner, first)
     if not first.connected:
-        raise PlanningError(f"steps[{number}]: {first.message}{planner.in_the_way(first)}", first)
+        where = first.message if along.positions is not None else explain_gap(planner, EPSILON)
+        raise PlanningError(f"steps[{number}]: {where}{planner.in_the_way(first)}", first)
     configurations = FirstConfigurations(planner=planner, best=first)
     for k in configurations.different(state.robot, MOST_NODES):
         yield Node(

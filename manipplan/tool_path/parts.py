@@ -98,6 +98,14 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
         planner = planner.halved(intervals, notify)
 
 
+def find_whole(
+    planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
+) -> FoundPart | NotConnected:
+    """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
+    options = _find_parts(connect(planner, epsilon, part(notify, 0.0, 0.5), start=start), epsilon, 0, notify, start)
+    return options if isinstance(options, NotConnected) else next(options)[0]
+
+
 def find_parts(
     planner: ToolPathPlanner,
     epsilon: ArrayLike,
