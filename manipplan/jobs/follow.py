@@ -32,7 +32,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
-from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, until
+from manipplan.support.deadline import OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
@@ -53,9 +53,6 @@ LEAST_RETREAT = 1e-3
 SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
-#: Share of the time limit by which it may be exceeded, and share of the likely time for timing and checks without which they
-#: are not begun.
-EXCESS, LEAST_ENDING = 0.1, 0.3
 #: Share of the progress at which the motion is timed.
 TIMING = 0.95
 #: Number of poses that are compared to see whether a path moves the tool.
@@ -251,17 +248,8 @@ def follow(
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
-    if time_limit is not None:
-        time_limit = number("time_limit", time_limit, above=0.0)
-    deadline = NEVER if time_limit is None else Deadline.within(time_limit)
-    last = NEVER if time_limit is None else Deadline.within((1 + EXCESS) * time_limit)
-    doing = "sampling positions"
-
-    def say(share: float, text: str) -> None:
-        nonlocal doing
-        doing = text
-        notify(share, text)
-
+    limit = TimeLimit(time_limit, "sampling positions")
+    deadline, say = limit.deadline, limit.noting(notify)
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()
     if given is not None:
@@ -398,8 +386,8 @@ def follow(
 
         def end(share: float, text: str) -> None:
             say(share, text)
-            if share < 1 and last.left < LEAST_ENDING * ending * (1 - share) / (1 - TIMING):
-                raise OutOfTimeError
+            if share < 1:
+                limit.check_ending(ending * (1 - share) / (1 - TIMING))
 
         return finish(
             draft,
@@ -419,8 +407,7 @@ def follow(
         nothing = PartialPlan(
             robot=robot, scene=scene, status=Status.NOT_IN_TIME, workspace_path=path, tolerance=with_defaults(tolerance)
         )
-        message = f"no motion along the path was proven within time_limit = {time_limit:g} s; the last step was {doing!r}"
-        return failed(nothing, throw, message)
+        return failed(nothing, throw, limit.missed("motion along the path"))
     report = followed.report
     if report is not None and not (report.passed or report.collision_free or deadline.passed):
         # a motion may touch bodies between positions that nearly touch them

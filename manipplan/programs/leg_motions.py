@@ -151,8 +151,8 @@ class ToolPathPlanners:
             near=near,
             progress=self.check,
         )
-        inside = layers.inside(state.robot.limits)
-        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=self.deadline)
+        inside, improves_until = layers.inside(state.robot.limits), Deadline.within(self.deadline.left / 2)
+        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=improves_until)
 
     def check(self, _share: float, _text: str) -> None:
         """Raise OutOfTimeError after the deadline."""
@@ -294,8 +294,7 @@ def nodes_of(
     leg: Leg,
     state: State,
     start: Array,
-    objective: PathObjective,
-    clearance: float,
+    planners: ToolPathPlanners,
     part_poses: Sequence[PartPoses],
     needed: set[str],
 ) -> list[Node]:
@@ -303,6 +302,7 @@ def nodes_of(
 
     Args:
         state: what is known of arm and scene at the leg before anything is planned.
+        planners: of motions along paths of the tool.
         part_poses: where parts may be before the leg.
         needed: the parts on which goals of later legs depend.
 
@@ -310,9 +310,9 @@ def nodes_of(
     """
     pose = state.robot.kinematics().pose
     if any(each.pose is not None and each.pose.of for each in leg.targets):
-        nodes = _at_targets(leg, state, start, objective, clearance, part_poses)
+        nodes = _at_targets(leg, state, start, planners, part_poses)
     else:
-        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, objective, clearance) for each in part_poses]
+        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, planners) for each in part_poses]
     nodes = _different_bounds(nodes, MOST_NODES if len(part_poses) == 1 else MOST_OF_POSES)
     return [replace(node, after=node.before.after(leg, pose(node.q)).of(needed)) for node in nodes]
 
@@ -322,20 +322,21 @@ def part_poses_after(nodes: Sequence[Node]) -> list[PartPoses]:
     return different([each.after for each in nodes])
 
 
-def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float) -> list[Node]:
+def _nodes(leg: Leg, state: State, start: Array, planners: ToolPathPlanners) -> list[Node]:
     """The nodes of a leg whose goals do not depend on where parts are."""
-    kinematics = objective.kinematics(state.robot)
+    kinematics = planners.objective.kinematics(state.robot)
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, ToolPathPlanners(objective=objective, clearance=clearance)))
-    return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
+        return list(_on_path(leg, state, planners))
+    return _at_targets(leg, state, start, planners, [NOWHERE])
 
 
 def _at_targets(
-    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, part_poses: Sequence[PartPoses]
+    leg: Leg, state: State, start: Array, planners: ToolPathPlanners, part_poses: Sequence[PartPoses]
 ) -> list[Node]:
     """Nodes at the goals of a leg, for each set of poses that the parts may have."""
+    objective, clearance = planners.objective, planners.clearance
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
@@ -361,6 +362,7 @@ def _at_targets(
         ]
 
     for first in range(0, len(poses), TOGETHER):
+        planners.deadline.check()
         with suppress(InvalidInputError):
             nodes += found(first, TOGETHER)
     if not nodes and poses:

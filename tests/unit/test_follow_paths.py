@@ -156,13 +156,13 @@ def test_a_time_limit_that_is_not_reached_changes_nothing(flappy):
 
 
 def test_a_motion_that_is_found_in_time_is_returned_without_improvement(flappy, monkeypatch):
-    from manipplan.jobs import follow
+    from manipplan.support import deadline
     from manipplan.tool_path import engine
 
     robot, path, scene = flappy
     best = mp.follow(robot, path, scene, tolerance=CLOSE)
     monkeypatch.setattr(engine, "ENDING", 600.0)  # timing and checks seem to need all of the time
-    monkeypatch.setattr(follow, "LEAST_ENDING", 0.0)
+    monkeypatch.setattr(deadline, "LEAST_ENDING", 0.0)
     plan = mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=600.0)
     assert plan.status is mp.Status.FOLLOWED and plan.report.passed
     assert plan.refinement.refined == pytest.approx(plan.refinement.discrete)
