@@ -42,15 +42,13 @@ from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
-from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
+from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
 from manipplan.tool_path.parts import FollowingMotion, NotConnected, PartsFailure, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
-#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
-SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
 #: Share of the progress at which the motion is timed.

@@ -28,7 +28,7 @@ from manipplan.support.progress import silent
 from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
-from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
+from manipplan.tool_path.engine import SPACING, ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
 from manipplan.tool_path.gap import explain_gap
 from manipplan.tool_path.parts import NotConnected, connect, find_whole
@@ -36,8 +36,6 @@ from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
 EPSILON = 0.2
-#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
-SPACING = 0.05
 #: Maximum number of planners that are stored: each may hold a hundred thousand configurations.
 STORED_PLANNERS = 32
 

@@ -57,6 +57,8 @@ MORE_POSITIONS = "Take more positions"
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
 #: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
+#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
+SPACING = 0.05
 #: Time for a refinement that may take none [s].
 SHORTEST = 1e-3
 #: Time that timing and checks of a motion take [s], at least, and for each second in which its path is joined.
