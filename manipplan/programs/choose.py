@@ -245,7 +245,8 @@ class ProgramSearch:
         ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
         given = np.array([each.is_given for each in other])
         for k, begin in enumerate(one):
-            fits = [j for j, key in enumerate(keys) if key == begin.after.key]
+            after = begin.after.key
+            fits = [j for j, key in enumerate(keys) if key == after]
             if fits:
                 near = np.where(given[fits, None], ends[fits], nearest_turns(robot, ends[fits], begin.q))
                 for row, j in enumerate(fits):
