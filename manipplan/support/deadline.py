@@ -121,7 +121,7 @@ def until(deadline: Deadline, notify: Callable[[float, str], None]) -> Callable[
 
 #: Share of a time limit by which it may be exceeded, and share of the likely time for timing and checks without which these are
 #: not begun.
-EXCESS, LEAST_ENDING = 0.1, 0.6
+EXCESS, LEAST_ENDING = 0.1, 0.9
 
 
 class TimeLimit:
