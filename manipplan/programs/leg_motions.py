@@ -126,8 +126,10 @@ class ToolPathPlanners:
             self.stored[key] = made
         return self.stored[key]
 
-    def made(self, step: MoveAlong, path: CartesianPath, state: State, *, near: Array | None = None) -> ToolPathPlanner:
-        """The same, not stored, with samples near a configuration (n,) if it is given.
+    def made(
+        self, step: MoveAlong, path: CartesianPath, state: State, *, near: Array | None = None, spacing: float | None = None
+    ) -> ToolPathPlanner:
+        """The same, not stored, with samples near a configuration (n,) if it is given, and `spacing` as in `sample_layers`.
 
         Raises InvalidInputError for a position that is out of reach or not free.
         """
@@ -145,7 +147,7 @@ class ToolPathPlanners:
             measure=measure,
             scene=state.scene,
             clearance=clearance,
-            spacing=SPACING,
+            spacing=spacing,
             near=near,
             progress=self.check,
         )
@@ -217,9 +219,9 @@ def _along(
         return planner
     made = planner.best_from(q, epsilon)
     if isinstance(made, Failure) and not is_straight and planner.has_several_parameters:
-        planner = planners.made(step, path, state, near=q)
-        made = planner.best_from(q, epsilon)
+        made = planners.made(step, path, state, near=q).best_from(q, epsilon)
     if isinstance(made, Failure) and step.positions is None:
+        planner = planner if is_straight else planners.made(step, path, state, near=q, spacing=SPACING)
         made = _connected(planner, q, epsilon, state, planners)
     return _motion(number, step, path, made, state) if isinstance(made, JointPath) else LegFailure(message=made.message)
 
@@ -407,9 +409,10 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
         planner = planners.made(along, along.path, state)
-        if along.positions is None:
-            planner = connect(planner, EPSILON, planners.check)
         first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
+        if not first.connected and along.positions is None:
+            planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
+            first = max_min_search(planner.layers, EPSILON, explain=False, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected:
