@@ -1,4 +1,7 @@
-"""How well `mp.plan` keeps its time limit and how soon it ends after an interrupt, on MotionBenchMaker's problems of the Panda.
+"""How well jobs keep their time limit and how soon they end after an interrupt.
+
+`mp.plan` on MotionBenchMaker's problems of the Panda; `mp.follow` on paths for an arm of Fetch's geometry to 0.1 mm and 0.1°;
+`mp.sequence` on programs of programs.py; `mp.carry` with Baxter's arms and a tray.
 
 Run with `make benchmark`. Writes docs/benchmarks/time_limits.md. What is built once per robot or scene is there before a
 problem is timed. Interrupts are SIGINT at random times of a plan; the time is that from the signal to KeyboardInterrupt.
@@ -10,21 +13,30 @@ import platform
 import signal
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import numpy as np
-from outside import problems
+import programs
+from outside import problems, tool_paths
 from rich.progress import track
+from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "time_limits.md"
 LIMITS = (0.1, 0.2, 0.5, 1.0, 10.0)
+#: The same for other jobs.
+JOB_LIMITS = (0.5, 1.0, 2.0, 4.0, 8.0)
 #: Number of interrupts of each problem.
 INTERRUPTS = 3
+#: Paths for the arm of Fetch's geometry, and number of programs.
+PATHS, PROGRAMS = ("fetch_arm__circle", "fetch_arm__hello", "fetch_arm__rot_yz"), 3
+#: A job with a time limit [s].
+Job = Callable[[float | None], "mp.Plan | mp.results.PartialPlan | mp.Program"]
 
 
 def chosen(robot: mp.Robot, count: int) -> list[problems.Problem]:
@@ -57,8 +69,65 @@ def limited(robot: mp.Robot, work: Sequence[problems.Problem], limit: float) -> 
     )
 
 
-def interrupted(robot: mp.Robot, problem: problems.Problem, usual: float, rng: np.random.Generator) -> float | None:
-    """The time from an interrupt to KeyboardInterrupt [s]; None if the plan had ended before."""
+def following() -> list[Job]:
+    """Follow paths."""
+    close = mp.Tolerance(position=1e-4, rotation=np.deg2rad(0.1))
+    paths = [each for each in tool_paths.load() if each.name.removeprefix("like ") in PATHS]
+    return [
+        lambda limit, at=at: mp.follow(at.robot, at.path, at.scene, tolerance=close, time_limit=limit, throw=False)
+        for at in paths
+    ]
+
+
+def programmed() -> list[Job]:
+    """Programs of three arms."""
+    rng, jobs = np.random.default_rng(1), list[Job]()
+    for name in list(programs.ARMS)[:PROGRAMS]:
+        robot = mp.load_robot(name, locked=programs.OPEN if name == "panda" else {})
+        steps, scene = programs.problem(robot, name, "shelf", rng, of_part=True)
+
+        def make(limit: float | None, robot: mp.Robot = robot, steps: list = steps, scene: mp.Scene = scene) -> mp.Program:
+            return mp.sequence(robot, robot.neutral, steps, scene, blend=programs.BLEND, time_limit=limit)
+
+        jobs.append(make)
+    return jobs
+
+
+def carrying() -> Job:
+    """Carry a tray."""
+    grasps = {}
+    for side, tool in ((1, "left_gripper"), (-1, "right_gripper")):
+        grasps[tool] = np.eye(4)
+        turned = Rotation.from_euler("x", np.pi - side * np.pi / 4) * Rotation.from_euler("z", side * np.pi / 2)
+        grasps[tool][:3, :3], grasps[tool][:3, 3] = turned.as_matrix(), (0.0, 0.22 * side, 0.02)
+    begin, end = np.eye(4), np.eye(4)
+    begin[:3, 3], end[:3, 3] = (0.6, -0.05, 0.05), (0.65, 0.05, 0.15)
+    robot = mp.load_robot("baxter")
+    return lambda limit: mp.carry(robot, mp.CartesianPath.line(begin, end), grasps, time_limit=limit, throw=False)
+
+
+def job_lines(name: str, jobs: Sequence[Job]) -> list[str]:
+    """The lines of some jobs: how long they take without a limit, and with each."""
+    rows = []
+    for limit in (None, None, *JOB_LIMITS):  # what is built once is there after the first
+        seconds, found, least = [], 0, []
+        for job in jobs:
+            began, made = time.perf_counter(), None
+            with suppress(mp.errors.PlanningError):
+                made = job(limit)
+            seconds.append(time.perf_counter() - began)
+            if isinstance(made, mp.Program | mp.Plan):
+                found += 1
+                least.append(made.min_manipulability if isinstance(made, mp.Program) else made.report.min_manipulability)
+        over = [f"{100 * each / limit:.0f} %" for each in seconds] if limit else [f"{each:.2f} s" for each in seconds]
+        m = f"{np.mean(least):.4f}" if least else ""
+        text = "none" if limit is None else f"{limit:g} s"
+        rows.append(f"| {name} | {text} | {', '.join(over)} | {found} of {len(jobs)} | {m} |")
+    return rows[1:]
+
+
+def interrupted(run: Callable[[], object], usual: float, rng: np.random.Generator) -> float | None:
+    """The time from an interrupt to KeyboardInterrupt [s]; None if the job had ended before."""
     sent: list[float] = []
 
     def interrupt() -> None:
@@ -68,12 +137,19 @@ def interrupted(robot: mp.Robot, problem: problems.Problem, usual: float, rng: n
     timer = threading.Timer(rng.uniform(0.0, 0.95) * usual, interrupt)
     try:
         timer.start()
-        mp.plan(robot, problem.start, problem.goal, problem.scene, throw=False)
+        run()
         timer.cancel()
         timer.join()
     except KeyboardInterrupt:
         return time.perf_counter() - sent[0]
     return None
+
+
+def interrupts(name: str, tried: Sequence[float | None]) -> str:
+    """How long a job went on after interrupts."""
+    ms = 1e3 * np.array([each for each in tried if each is not None])
+    worst = f": median {np.median(ms):.0f} ms, worst {ms.max():.0f} ms" if len(ms) else ""
+    return f"{name}: time from an interrupt to KeyboardInterrupt, {len(ms)} interrupts{worst}."
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -93,13 +169,25 @@ def main(arguments: Sequence[str] | None = None) -> None:
     ]
     rng = np.random.default_rng(0)
     tried = [
-        interrupted(robot, each, seconds, rng) for _ in range(INTERRUPTS) for each, seconds in zip(work, usual, strict=True)
+        interrupted(lambda each=each: mp.plan(robot, each.start, each.goal, each.scene, throw=False), seconds, rng)
+        for _ in range(INTERRUPTS)
+        for each, seconds in zip(work, usual, strict=True)
     ]
-    ms = 1e3 * np.array([each for each in tried if each is not None])
+    lines += [interrupts("plan", tried), ""]
+    lines += ["| job | limit | time: without a limit, or share of it | found | mean of the minima |", "|---" * 5 + "|"]
+    jobs = {"follow": following(), "sequence": programmed(), "carry": [carrying()]}
+    for name, some in jobs.items():
+        lines += job_lines(name, some)
+    lines += [""]
+    for name, some in jobs.items():
+        taken = []
+        for job in some:
+            began = time.perf_counter()
+            job(None)
+            seconds = time.perf_counter() - began
+            taken += [interrupted(lambda job=job: job(None), seconds, rng) for _ in range(INTERRUPTS)]
+        lines += [interrupts(name, taken), ""]
     lines += [
-        f"Time from an interrupt to KeyboardInterrupt, {len(ms)} interrupts: median {np.median(ms):.0f} ms, "
-        f"worst {ms.max():.0f} ms.",
-        "",
         f"{len(work)} problems of MotionBenchMaker, the first {options.problems} of each set. Wall time; "
         f"Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
     ]

@@ -133,6 +133,7 @@ def run(
     options: WithRobotOptions = RobotOptions(),
     jerk: tuple[float, ...] = (),
     torque: bool = False,
+    time_limit: float | None = None,
 ) -> int:
     """Plan a program of moves and write its trajectory as CSV, JSON and ROS JointTrajectory, with a report.
 
@@ -143,6 +144,7 @@ def run(
         options: Options of the robot, and a scene instead of that of the program.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         torque: Keep the joints' effort limits as well.
+        time_limit: Time limit of the whole job [s]; the best program that was found by then is written.
     """
     folder = place_for("out", out)
     with terminal.progress() as notify:
@@ -161,6 +163,7 @@ def run(
             blend=file.blend,
             clearance=file.clearance,
             torque=torque,
+            time_limit=time_limit,
             progress=part(notify, 0.05, 0.95),
         )
         notify(0.95, "writing files")

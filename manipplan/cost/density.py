@@ -22,7 +22,7 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.rounding import with_bits
 from manipplan.robots.robot import Robot
 from manipplan.support.expressions import making_expressions
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.symbolic.derivatives import Factor, determinant, log_gradient, log_hessian
 from manipplan.symbolic.machine_code import CodedFunctions, as_asked
 from manipplan.symbolic.task import Task
@@ -62,7 +62,7 @@ def warn_of_floor(kinematics: Kinematics, floor: float) -> None:
         log.warning(template, floor, name, kinematics.robot.name, typical, unit)
 
 
-@once_per_owner
+@once_per_source
 def _typical(robot: Robot, task: Task, measure: Measure, compiled: bool | str) -> float:
     q = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
     values = robot.kinematics(task, measure=measure, compiled=compiled).manipulability(q)

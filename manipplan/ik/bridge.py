@@ -28,7 +28,7 @@ from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.compiling.kernels import load_kernel
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 
 #: Revolute joints whose limits span more full turns than this are enumerated in one turn, like those without limits.
 TURNS = 8
@@ -304,7 +304,7 @@ class Bridge:
         return place, levers
 
 
-@once_per_owner
+@once_per_source
 def bridge(robot: Robot, swept: tuple[int, ...], whole_pose: bool) -> Bridge:
     """The `Bridge` of an arm; built once."""
     return Bridge(robot, swept, whole_pose=whole_pose)

@@ -18,7 +18,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, one_of, texts
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.symbolic.task import Task
 
 #: Solver of a closed form; as in inverse.c.
@@ -77,7 +77,7 @@ def closed_form(robot: Robot, held: Sequence[str] | None = None) -> ClosedForm |
     return _closed_form(robot, chosen)
 
 
-@once_per_owner
+@once_per_source
 def _closed_form(robot: Robot, held: tuple[int, ...] | None) -> ClosedForm | None:
     screws = Screws.of(robot)
     if screws.follow is not None:

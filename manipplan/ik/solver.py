@@ -22,7 +22,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number_array, one_of, random_seed, whole_number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion
 from manipplan.symbolic.task import Task
@@ -550,7 +550,7 @@ def _solves_rows(robot: Robot, free: FreeMotion) -> bool:
     return bool(free.names) and has_few_joints(robot)
 
 
-@once_per_owner
+@once_per_source
 def _enumeration(robot: Robot, form: ClosedForm, axis: tuple[float, ...] | None) -> Enumeration:
     """The enumeration of solutions in the first full turn of each joint that is free."""
     lower, upper = robot.limits.lower.copy(), robot.limits.upper.copy()

@@ -26,12 +26,14 @@ from manipplan.search.layers import SPARE_CLEARANCE, STRIDE
 from manipplan.search.sampling import default_samples, sample_layers
 from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import Array, ArrayLike, flag
+from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
 from manipplan.timing.retime import retime
-from manipplan.tool_path.engine import MORE_POSITIONS, RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.parts import connect
 
 #: Number of times at which the tools are compared with each other and with the path.
 TIMES = 4001
@@ -54,6 +56,7 @@ def carry(
     clearance: float = ...,
     torque: bool = ...,
     seed: int = ...,
+    time_limit: float | None = ...,
     throw: Literal[True] = True,
     progress: Progress | None = ...,
 ) -> Plan: ...
@@ -76,6 +79,7 @@ def carry(
     clearance: float = ...,
     torque: bool = ...,
     seed: int = ...,
+    time_limit: float | None = ...,
     throw: bool,
     progress: Progress | None = ...,
 ) -> Plan | PartialPlan: ...
@@ -99,14 +103,15 @@ def carry(
     clearance: float = 0.0,
     torque: bool = False,
     seed: int = 0,
+    time_limit: float | None = None,
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
     """Plan the motion of an object that two tools hold, such as a tray, along a path; timed, and checked with both arms.
 
-    The arms are searched one after the other, each as in `follow`. The first one has the best motion among all its
-    configurations at a number of positions, the other one among those that are free of the first. Where that fails, the other
-    one is first, and then closer positions and finer samples are tried once. The joined motion is timed and checked arm
+    The arms are searched one after the other, each as in `follow`, at positions at which each can move alone. The first one has
+    the best motion among all its configurations, the other one among those that are free of the first. Where that fails, the
+    other one is first, and then closer positions and finer samples are tried once. The joined motion is timed and checked arm
     against arm. The report gives the largest distance and angle by which the second tool leaves its pose relative to the
     first, by Pinocchio's kinematics.
 
@@ -132,6 +137,8 @@ def carry(
         clearance: distance [m] to keep from obstacles and between the robot's own links. The positions keep 3 mm more.
         torque: keep the joints' effort limits as well; the weight of the object is not known.
         seed: of random starts, for arms without closed-form inverse kinematics.
+        time_limit: time [s] for all of it; None: none. Motions are improved while timing and checks are likely to end in time.
+            Where no motion passed its checks by then, the status is NOT_IN_TIME. What is built once does not count.
         throw: raise PlanningError if there is no motion; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -157,11 +164,16 @@ def carry(
         seed=seed,
     )
     flag("throw", throw)
-    notify, held, allowed, integral = as_callback(progress), request.grasps, request.tolerance, request.integral
+    limit = TimeLimit(time_limit, "sampling positions")
+    notify = limit.noting(as_callback(progress))
+    held, allowed, integral = request.grasps, request.tolerance, request.integral
     first = request.way(next(iter(held)))
     draft = PartialPlan(robot=robot, scene=request.scene, status=Status.NO_PATH, workspace_path=first, tolerance=allowed)
     try:
-        joint, seed_path = _motion_of_both(request, part(notify, 0.0, 0.9))
+        joint, seed_path, ending = _motion_of_both(request, limit.deadline, until(limit.deadline, part(notify, 0.0, 0.9)))
+        limit.check_ending(ending)
+    except OutOfTimeError:
+        return failed(replace(draft, status=Status.NOT_IN_TIME), throw, limit.missed("motion of both arms"))
     except PlanningError as error:
         return failed(draft, throw, str(error))
     result = make_result(
@@ -225,9 +237,10 @@ class LoneArm:
         assert self.planner.layers.sampler is not None
         return self.planner.layers.sampler.spec.robot.tool
 
-    def best(self, request: Request) -> RefinedToolPath:
-        """The best motion through the candidates; raises PlanningError where none is continuous."""
-        found = self.planner.best(request.epsilon[self.joints], hold_start=request.start is not None)
+    def best(self, request: Request, deadline: Deadline) -> RefinedToolPath:
+        """The best motion through the candidates, improved until a deadline; raises PlanningError where none is continuous."""
+        planner = replace(self.planner, deadline=deadline)
+        found = planner.best(request.epsilon[self.joints], hold_start=request.start is not None)
         if isinstance(found, Failure):
             raise PlanningError(f"{self.tool}: {found.message}")
         return found
@@ -247,18 +260,22 @@ PROXIMITY_SAMPLES = 401
 FINER = 4
 
 
-def _motion_of_both(request: Request, notify: Progress) -> tuple[JointPath, JointPath]:
-    """The joint path of the whole robot, and the same as searched; where nothing connects, with closer positions and samples.
+#: The joint path of the whole robot, the same as searched, and the time that timing and checks are likely to take [s].
+Carried = tuple[JointPath, JointPath, float]
+
+
+def _motion_of_both(request: Request, deadline: Deadline, notify: Progress) -> Carried:
+    """The motion of both arms; where nothing connects, with closer positions and samples.
 
     Raises PlanningError with the reason, and InvalidInputError for a position that a tool cannot reach.
     """
     if request.positions is not None and request.samples is not None:
-        return _tried(request, notify, finer=False)
+        return _tried(request, deadline, notify, finer=False)
     try:
-        return _tried(request, part(notify, 0.0, 0.5), finer=False)
+        return _tried(request, deadline, part(notify, 0.0, 0.5), finer=False)
     except PlanningError as first:
         try:
-            return _tried(request, part(notify, 0.5, 1.0), finer=True)
+            return _tried(request, deadline, part(notify, 0.5, 1.0), finer=True)
         except InvalidInputError as error:  # the positions and samples are not the caller's
             raise first from error
         except PlanningError as error:
@@ -267,17 +284,34 @@ def _motion_of_both(request: Request, notify: Progress) -> tuple[JointPath, Join
             raise PlanningError(f"{first}; with closer positions and finer samples: {error}") from error
 
 
-def _tried(request: Request, notify: Progress, *, finer: bool) -> tuple[JointPath, JointPath]:
+def _tried(request: Request, deadline: Deadline, notify: Progress, *, finer: bool) -> Carried:
     """The same with the default positions and samples, or finer ones."""
-    arms = _arms(request, part(notify, 0.0, 0.8), finer=finer)
-    notify(0.8, "searching for motions of the arms")
-    return _motion(request, arms)
-
-
-def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
-    """Both arms with all their configurations at the positions."""
-    arms, robot = [], request.robot
     s = request.at(STRIDE / 2 if finer else STRIDE)
+    arms = _arms(request, s, part(notify, 0.0, 0.5), finer=finer)
+    if request.positions is None:
+        more = _connecting(request, arms, part(notify, 0.5, 0.6))
+        if len(more) > len(s):
+            arms = _arms(request, more, part(notify, 0.6, 0.8), finer=finer)
+    if request.start is not None:
+        arms = [replace(arm, planner=arm.planner.starting_at(request.start[arm.joints])) for arm in arms]
+    notify(0.8, "searching for motions of the arms")
+    return _motion(request, arms, deadline, part(notify, 0.8, 1.0))
+
+
+def _connecting(request: Request, arms: Sequence[LoneArm], notify: Progress) -> Array:
+    """The positions s (L,) that each of the arms needs for a motion by itself."""
+    s = []
+    for arm in arms:
+        start = None if request.start is None else request.start[arm.joints]
+        planner = connect(arm.planner, request.epsilon[arm.joints], notify, start=start)
+        assert planner.layers.s is not None
+        s.append(planner.layers.s)
+    return np.unique(np.concatenate(s))
+
+
+def _arms(request: Request, s: Array, notify: Progress, *, finer: bool) -> list[LoneArm]:
+    """Both arms with all their configurations at positions s (L,)."""
+    arms, robot = [], request.robot
     for k, tool in enumerate(request.grasps):
         joints = own_joints(robot, tool)
         lone = lone_robot(robot, tool, joints, request.still)
@@ -292,6 +326,7 @@ def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
                 scene=request.scene,
                 clearance=request.clearance,
                 spare=SPARE_CLEARANCE,
+                spacing=SPACING,
                 seed=request.seed,
                 progress=part(notify, k / len(request.grasps), (k + 1) / len(request.grasps)),
             )
@@ -299,7 +334,6 @@ def _arms(request: Request, notify: Progress, *, finer: bool) -> list[LoneArm]:
             argument = error.argument if error.argument == "samples" else f"{tool}: {error.argument}"
             raise InvalidInputError(argument, error.value, error.allowed) from error
         planner = ToolPathPlanner(path=request.way(tool), layers=layers.inside(lone.limits), allowed=request.own_tolerance)
-        planner = planner if request.start is None else planner.starting_at(request.start[joints])
         arms.append(LoneArm(joints=joints, planner=planner))
     return arms
 
@@ -311,29 +345,31 @@ def _count(lone: Robot) -> int:
     return counts[min(max(len(solver.names), 1), len(counts)) - 1]
 
 
-def _motion(request: Request, arms: Sequence[LoneArm]) -> tuple[JointPath, JointPath]:
+def _motion(request: Request, arms: Sequence[LoneArm], deadline: Deadline, notify: Progress) -> Carried:
     """The motion of the first order of the arms that gives one; raises PlanningError with the reasons where none does."""
     reasons = []
-    for lead, follow in permutations(arms):
+    for k, (lead, follow) in enumerate(permutations(arms)):
+        notify(k / 2, f"searching for motions of the arms, first of {lead.tool}")
         try:
-            return _in_order(request, lead, follow)
+            return _in_order(request, lead, follow, deadline)
         except PlanningError as error:
             reasons.append(f"{lead.tool} leads: {error}")
     raise PlanningError("; ".join(reasons))
 
 
-def _in_order(request: Request, lead: LoneArm, follow: LoneArm) -> tuple[JointPath, JointPath]:
+def _in_order(request: Request, lead: LoneArm, follow: LoneArm, deadline: Deadline) -> Carried:
     model, s, still = request.scene.collision_model(request.robot), lead.planner.layers.s, request.still
     assert s is not None
-    first = lead.best(request)
+    first = lead.best(request, Deadline.within(deadline.left / 2))
     q = np.tile(still, (len(s), 1))
     q[:, lead.joints] = first.path(s)
     beside = follow.planner.beside(model, follow.joints, q, request.clearance + SPARE_CLEARANCE)
-    second = replace(follow, planner=beside).best(request)
+    deadline.check()
+    second = replace(follow, planner=beside).best(request, deadline)
     seed = side_by_side([(first.seed, lead.joints), (second.seed, follow.joints)], still)
     for own in (second.path, second.seed):  # what is refined knows nothing of the other arm
         joint = side_by_side([(first.path, lead.joints), (own, follow.joints)], still)
         if model.path_is_free(joint, CHECK_STEP, request.clearance):
-            return joint, seed
+            return joint, seed, first.ending + second.ending
     bodies, _ = model.nearest_bodies(joint(np.linspace(0.0, 1.0, PROXIMITY_SAMPLES)))
     raise PlanningError(f"between the positions {bodies}; take more positions")

@@ -32,7 +32,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
-from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, until
+from manipplan.support.deadline import OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
@@ -42,19 +42,17 @@ from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
-from manipplan.tool_path.engine import MORE_POSITIONS, ToolPathPlanner
+from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
 from manipplan.tool_path.parts import FollowingMotion, NotConnected, PartsFailure, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
 LEAST_RETREAT = 1e-3
-#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
-SPACING = 0.05
 #: Distances beyond the clearance that positions keep [m], one tried after the other.
 SPARES = (1e-4, SPARE_CLEARANCE)
-#: Share of the time limit after which motions are no longer improved, so that the rest suffices for timing and checks.
-IMPROVING = 0.6
+#: Share of the progress at which the motion is timed.
+TIMING = 0.95
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
 
@@ -192,8 +190,8 @@ def follow(
             that lead to one part, its `seed` also for the random starts of arms without closed-form inverse kinematics.
             `shifts` and `initial` stay at their defaults.
         time_limit: time [s] after which what was found is timed, checked and returned, with a smaller minimum manipulability
-            than it could have; None: none. Motions are improved for six tenths of it. Timing and checks of a path of some
-            hundred poses take up to a second more. What is built once per robot or scene does not count.
+            than it could have; None: none. Motions are improved while timing and checks are likely to end in time. Where no
+            motion passed its checks by then, the status is NOT_IN_TIME. What is built once per robot or scene does not count.
         throw: raise PlanningError if no motion is found; False: return a PartialPlan, or a Plan with Status.CHECK_FAILED.
         progress: called with the fraction done in [0, 1] and a text.
 
@@ -248,10 +246,8 @@ def follow(
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
-    if time_limit is not None:
-        time_limit = number("time_limit", time_limit, above=0.0)
-    deadline = NEVER if time_limit is None else Deadline.within(time_limit)
-    improves_until = NEVER if time_limit is None else Deadline.within(IMPROVING * time_limit)
+    limit = TimeLimit(time_limit, "sampling positions")
+    deadline, say = limit.deadline, limit.noting(notify)
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()
     if given is not None:
@@ -275,10 +271,10 @@ def follow(
             near=q_start,
             executor=executor,
             seed=seeding.seed,
-            progress=until(deadline, part(notify, 0.0, 0.4)),
+            progress=until(deadline, part(say, 0.0, 0.4)),
         )
         planner = ToolPathPlanner(
-            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=improves_until
+            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=deadline
         )
         sampler = layers.sampler
         assert sampler is not None
@@ -296,7 +292,7 @@ def follow(
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
         parts = find_parts(
-            planner, epsilon, interruptions, until(deadline, part(notify, 0.4, 0.6)), connects=positions is None, start=begin
+            planner, epsilon, interruptions, until(deadline, part(say, 0.4, 0.6)), connects=positions is None, start=begin
         )
         if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
@@ -309,8 +305,12 @@ def follow(
             message = f"{prefix}{where}; {parts.message}{parts.planner.in_the_way(search)}"
             return failed(replace(draft, search=search), False, message)
         free_objective = replace(objective, task=kinematics.task)
+        cut_short = False
 
         def plan_free(begin: Array, goal: Array, seconds: float, notify: Progress) -> tuple[JointPath, Trajectory] | Failure:
+            nonlocal cut_short
+            cut_short = cut_short or deadline.left < seeding.time_limit
+            seconds = min(seconds, deadline.left)
             if seconds <= 0:
                 return Failure(message="no time was left for a free motion")
             made = plan(
@@ -339,15 +339,16 @@ def follow(
             clearance=clearance,
             torque=torque,
             plan_free=plan_free,
-            seconds=min(seeding.time_limit, deadline.left),
+            seconds=seeding.time_limit,
         )
         joiner = PartsJoiner(
-            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(notify, 0.6, 0.9)
+            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(say, 0.6, 0.9)
         )
         motion = joiner.first_of(parts)
         draft = replace(draft, candidates=motion.candidates)
         if isinstance(motion, PartsFailure):
-            return failed(replace(draft, search=motion.search, status=Status.NO_PATH), False, motion.message)
+            status = Status.NOT_IN_TIME if cut_short else Status.NO_PATH
+            return failed(replace(draft, search=motion.search, status=status), False, motion.message)
         still = all(each.refined.path.length < COINCIDENT for each in motion.parts)
         if still and np.ptp(path.sample(POSE_SAMPLES), axis=0).max() > COINCIDENT:
             wanted = "a task for which the arm has to move: one configuration meets what counts of all poses"
@@ -379,6 +380,13 @@ def follow(
             speeds = [f"the tool speed is not constant: {each}" for each in unsteady]
             return replace(report, deviation=deviation, faults=(*report.faults, *left, *speeds))
 
+        ending = sum(each.refined.ending for each in motion.parts)
+
+        def end(share: float, text: str) -> None:
+            say(share, text)
+            if share < 1:
+                limit.check_ending(ending * (1 - share) / (1 - TIMING))
+
         return finish(
             draft,
             lambda: _time(motion, robot, integral, tool_speed, slowdown, torque=torque),
@@ -386,8 +394,8 @@ def follow(
             clearance=clearance,
             torque=torque,
             throw=False,
-            notify=notify,
-            begins=0.95,
+            notify=end,
+            begins=TIMING,
             amend=compare_with_path,
         )
 
@@ -397,7 +405,7 @@ def follow(
         nothing = PartialPlan(
             robot=robot, scene=scene, status=Status.NOT_IN_TIME, workspace_path=path, tolerance=with_defaults(tolerance)
         )
-        return failed(nothing, throw, f"no motion along the path was found within time_limit = {time_limit:g} s")
+        return failed(nothing, throw, limit.missed("motion along the path"))
     report = followed.report
     if report is not None and not (report.passed or report.collision_free or deadline.passed):
         # a motion may touch bodies between positions that nearly touch them

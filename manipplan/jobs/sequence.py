@@ -9,10 +9,10 @@ from manipplan.goals.read import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
-from manipplan.plans.result import Plan
+from manipplan.plans.result import PartialPlan, Plan, failed
 from manipplan.programs.assemble import assemble
 from manipplan.programs.choose import Chosen, Planner, ProgramSearch
-from manipplan.programs.leg_motions import Node, RawMotion, Stop, nodes_of, part_poses_after
+from manipplan.programs.leg_motions import Node, RawMotion, Stop, ToolPathPlanners, nodes_of, part_poses_after
 from manipplan.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.programs.program import Program
 from manipplan.programs.steps import Attach, Detach, ProgramStep
@@ -20,11 +20,11 @@ from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
-from manipplan.support.deadline import work_time
+from manipplan.support.deadline import OutOfTimeError, TimeLimit, until, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
-from manipplan.support.status import Failure
+from manipplan.support.status import Failure, Status
 from manipplan.timing.retime import check_timing_limits
 
 
@@ -42,6 +42,7 @@ def sequence(
     seeding: Seeding = Seeding(),
     clearance: float = 0.0,
     torque: bool = False,
+    time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> Program:
     """Plan a program of moves as one: pick, carry, place, weld, retreat.
@@ -70,6 +71,8 @@ def sequence(
             go the short way to every goal that is a configuration.
         clearance: distance [m] to keep from obstacles and between the arm's own links.
         torque: keep the joints' effort limits as well.
+        time_limit: time [s] for all of it; None: none. A program is found first, and better ones are searched while timing and
+            checks are likely to end in time. What is built once per robot or scene does not count.
         progress: called with the fraction done in [0, 1] and a text.
 
     Returns:
@@ -79,7 +82,8 @@ def sequence(
         InvalidInputError: an argument is invalid, no goal of a move can be reached, or a tool speed is too fast; the message
             names the step, and the fastest speed.
         UnknownNameError: a part or state of that name is not there; the nearest names are listed.
-        PlanningError: no program was found, or a part did not pass its check; the message names the step.
+        PlanningError: no program was found, or a part did not pass its check; the message names the step. Where none was found
+            in time, `result` is a PartialPlan with Status.NOT_IN_TIME.
     """
     instance("robot", robot, Robot)
     check_options(objective, shape, seeding)
@@ -90,7 +94,9 @@ def sequence(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     blend, clearance = number("blend", blend, least=0.0), number("clearance", clearance, least=0.0)
     flag("torque", torque)
-    notify = as_callback(progress)
+    limit = TimeLimit(time_limit, "configurations of the steps")
+    notify = limit.noting(as_callback(progress))
+    in_time = until(limit.deadline, notify)
     check_timing_limits(robot.limits)
     given = read_configuration("start", start, robot)
     q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
@@ -100,22 +106,26 @@ def sequence(
     nodes: list[list[Node]] = []
     known, needed = first, needed_by(legs)
     part_poses = [PartPoses.at_first(robot, scene, needed[0])]
-    for k, leg in enumerate(legs):
-        notify(0.2 * k / len(legs), f"configurations of step {leg.number}")
-        nodes.append(nodes_of(leg, known, q_start, objective, clearance, part_poses, needed[k + 1]))
-        known, part_poses = _known_after(leg, known), part_poses_after(nodes[-1])
-    free = sum(each.is_free for each in legs)
-    search = ProgramSearch(
-        legs=legs,
-        nodes=nodes,
-        start=q_start,
-        state=first,
-        objective=objective,
-        clearance=clearance,
-        planner=_planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque),
-        deadline=work_time() + seeding.time_limit * max(free, 1),
-    )
-    chosen = search.best(part(notify, 0.2, 0.9))
+    planners = ToolPathPlanners(objective=objective, clearance=clearance, deadline=limit.deadline)
+    try:
+        for k, leg in enumerate(legs):
+            in_time(0.2 * k / len(legs), f"configurations of step {leg.number}")
+            nodes.append(nodes_of(leg, known, q_start, planners, part_poses, needed[k + 1]))
+            known, part_poses = _known_after(leg, known), part_poses_after(nodes[-1])
+        search = ProgramSearch(
+            legs=legs,
+            nodes=nodes,
+            start=q_start,
+            state=first,
+            planners=planners,
+            planner=_planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque),
+            deadline=work_time() + seeding.time_limit * max(sum(each.is_free for each in legs), 1),
+        )
+        chosen = search.best(part(in_time, 0.2, 0.9))
+        limit.check_ending(search.ending)
+    except OutOfTimeError:
+        late = PartialPlan(robot=robot, scene=scene, status=Status.NOT_IN_TIME)
+        failed(late, True, limit.missed("program"))
     if chosen is None:
         reasons = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
         raise PlanningError(f"no program was found: {reasons}")
@@ -146,7 +156,7 @@ def sequence(
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
-    def plan_leg(leg: Leg, q: Array, entry: Array, state: State) -> Plan | Failure:
+    def plan_leg(leg: Leg, q: Array, entry: Array, state: State, seconds: float) -> Plan | Failure:
         try:
             made = plan(
                 state.robot,
@@ -156,7 +166,7 @@ def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clear
                 constraints=leg.constraints.constraints,
                 objective=objective,
                 shape=shape,
-                seeding=seeding,
+                seeding=replace(seeding, time_limit=min(seeding.time_limit, seconds / seeding.count)),
                 clearance=clearance,
                 torque=torque,
                 throw=False,

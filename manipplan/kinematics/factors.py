@@ -30,7 +30,7 @@ from manipplan.robots.model_tree import axis_of, frame_index, is_prismatic
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.derivatives import determinant
 from manipplan.symbolic.task import Task
@@ -66,7 +66,7 @@ class DeterminantFactor:
     value: Value
 
 
-@once_per_owner
+@once_per_source
 def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     """The factors of det J of the tool's pose; empty where the arm has none of the two constructions.
 
@@ -285,7 +285,7 @@ def singularity_signs(kinematics: Kinematics) -> SingularitySigns | None:
     return _singularity_signs(kinematics.robot, kinematics.task, kinematics.compiled, kinematics.backend)
 
 
-@once_per_owner
+@once_per_source
 def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns:
     is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
     factors = determinant_factors(robot) if is_pose else ()

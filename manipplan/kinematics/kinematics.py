@@ -26,7 +26,7 @@ from manipplan.support.deadline import building
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNameError
 from manipplan.support.expressions import making_expressions
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_owner, source_of
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
@@ -320,6 +320,12 @@ class Kinematics:
     def __reduce__(self) -> tuple[object, ...]:
         return kinematics_of, (self.robot, self.task, self.measure, self.backend, self.compiled, self.threads)
 
+    def of(self, robot: "Robot") -> "Kinematics":
+        """The same for a robot whose joints and tools are the same, such as the arm with a part in its hand."""
+        made = object.__new__(type(self))
+        vars(made).update(vars(self) | {"robot": robot})
+        return made
+
     def pose(self, q: ArrayLike) -> Array:
         """T_world_tool, (..., 4, 4); for a relative task the pose of the tool in the frame that it refers to."""
         return self._evaluate("pose", q)
@@ -500,6 +506,8 @@ def posture_of(robot: "Robot", chain: SymbolicChain, task: Task) -> Posture:
 
 @once_per_owner
 def _kinematics(robot: "Robot", task: Task, measure: Measure, backend: str, compiled: bool | str, threads: int) -> Kinematics:
+    if source_of(robot) is not robot:
+        return _kinematics(source_of(robot), task, measure, backend, compiled, threads).of(robot)
     return Kinematics(
         robot=robot,
         task=task,

@@ -380,10 +380,14 @@ class Line(CartesianPath):
     def _at(self, s: Array) -> tuple[Array, Array]:
         positions = self.start[:3, 3] + s[:, None] * (self.end - self.start)[:3, 3]
         turn = pin.log3(self.start[:3, :3].T @ self.end[:3, :3])
-        rotations = np.array([self.start[:3, :3] @ pin.exp3(each * turn) for each in s]).reshape(-1, 3, 3)
         if not turn.any():
-            rotations = np.broadcast_to(self.start[:3, :3], rotations.shape)
-        return positions, rotations
+            return positions, np.broadcast_to(self.start[:3, :3], (len(s), 3, 3))
+        return positions, np.array([self.start[:3, :3] @ pin.exp3(each * turn) for each in s]).reshape(-1, 3, 3)
+
+    @property
+    def length(self) -> float:
+        """Length of the tool's path [m]."""
+        return float(np.linalg.norm((self.end - self.start)[:3, 3]))
 
 
 @one_line

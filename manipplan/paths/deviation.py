@@ -304,7 +304,8 @@ def distances_from(
         some = poses[begin : begin + BLOCK]
         first, other = _nearest(some, line, free, radian)
         pieces = np.clip([first - 1, first, first + 1, other - 1, other, other + 1], 0, len(line) - 2)
-        found = np.array([_from_piece(some, line[k], line[k + 1], free, radian) for k in pieces])  # (6, 2, …)
+        k, each = pieces.ravel(), np.tile(some, (len(pieces), 1, 1))
+        found = np.array(_from_piece(each, line[k], line[k + 1], free, radian)).reshape(2, *pieces.shape).swapaxes(0, 1)
         best = (found[:, 0] + radian * found[:, 1]).argmin(axis=0)
         own = found[best, :, np.arange(len(some))]
         if tolerance is not None:

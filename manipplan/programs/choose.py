@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.read import Target
 from manipplan.goals.solutions import nearest
@@ -23,7 +22,7 @@ from manipplan.programs.legs import Leg, State, rounded
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.deadline import work_time
+from manipplan.support.deadline import OutOfTimeError, work_time
 from manipplan.support.progress import Progress
 from manipplan.support.status import Failure
 from manipplan.support.tolerances import COINCIDENT
@@ -37,8 +36,11 @@ NEARBY = 0.05
 #: Cost of a motion that is not planned yet, added to g of its straight line.
 UNPLANNED = 1e9
 
-#: Plans a free motion of a leg from one configuration (n,) to another, in a state: the plan, or why there is none.
-Planner = Callable[[Leg, Array, Array, State], Plan | Failure]
+#: Shares of the time that a program takes to be found: for timing and checking it; of that left for its free motions.
+ENDING, FREE = 0.4, 0.6
+
+#: Plans a free motion of a leg from one configuration (n,) to another, in a state, within a time [s].
+Planner = Callable[[Leg, Array, Array, State, float], Plan | Failure]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,24 +69,24 @@ class ProgramSearch:
         legs, nodes: the legs, and the nodes of each.
         start: (n,) where the program begins.
         state: arm and scene at the beginning.
-        objective, clearance: of all motions.
+        planners: of motions along paths of the tool, with what holds for all motions.
         planner: plans free motions.
         deadline: in `work_time` [s]; after it no further program is tried.
         failures: why free motions or motions along paths failed.
+        ending: time that timing and checks of a program are likely to take [s]; 0 before one was found.
     """
 
     legs: list[Leg]
     nodes: list[list[Node]]
     start: Array
     state: State
-    objective: PathObjective
-    clearance: float
+    planners: ToolPathPlanners
     planner: Planner
     deadline: float
     failures: list[str] = field(default_factory=list)
+    ending: float = 0.0
 
     def __post_init__(self) -> None:
-        self._planners = ToolPathPlanners(objective=self.objective, clearance=self.clearance)
         self._made_motions: dict[tuple[object, ...], LegMotion | LegFailure] = {}
         self._free: dict[tuple[object, ...], Plan | Failure] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
@@ -98,14 +100,25 @@ class ProgramSearch:
         self._planned = [np.zeros(each.shape, dtype=bool) for each in self._between]
 
     def best(self, notify: Progress) -> Chosen | None:
-        """The best program; None where none was found, as `failures` tell."""
+        """The best program; None where none was found, as `failures` tell.
+
+        Raises OutOfTimeError where the time limit of the job passed before one was found.
+        """
         best: Chosen | None = None
+        began = work_time()
         while len(self.failures) < FAILURES * len(self.legs):
             nodes, bound = self._chain(None if best is None else best.minimum)
             enough = self.late or len(self._free) >= MOTIONS * len(self.legs)
             if nodes is None or (best is not None and (bound <= best.minimum * (1 + GAIN) or enough)):
                 break
-            made = self._made(nodes, -np.inf if best is None else best.minimum * (1 + GAIN), notify)
+            try:
+                made = self._made(nodes, -np.inf if best is None else best.minimum * (1 + GAIN), notify)
+            except OutOfTimeError:
+                if best is None:
+                    raise
+                break
+            if made is not None and best is None:
+                self.ending = ENDING * (work_time() - began)
             if made is not None and (best is None or made.minimum > best.minimum * (1 + GAIN)):
                 best = made
             elif made is None and self.late:
@@ -114,8 +127,8 @@ class ProgramSearch:
 
     @property
     def late(self) -> bool:
-        """Whether the time is over."""
-        return work_time() >= self.deadline
+        """Whether the time is over, but for that for timing and checks."""
+        return work_time() >= self.deadline or self.planners.deadline.left < self.ending
 
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.
@@ -205,13 +218,18 @@ class ProgramSearch:
             if isinstance(q, Failure):
                 self._made_motions[key] = LegFailure(message=f"steps[{leg.number}]: {q.message}")
             else:
-                self._made_motions[key] = motion_of_leg(leg, q, state, self._planners, here.found)
+                self._made_motions[key] = motion_of_leg(leg, q, state, self.planners, here.found)
         return self._made_motions[key]
 
     def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | Failure:
         key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
         if key not in self._free:
-            self._free[key] = self.planner(self.legs[k], q, entry, state)
+            left = self.planners.deadline.left - self.ending
+            if not self.ending:  # the motions of the first program share the time
+                left *= FREE / sum(each.is_free for each in self.legs[k:])
+            if left <= 0:
+                raise OutOfTimeError
+            self._free[key] = self.planner(self.legs[k], q, entry, state, left)
         return self._free[key]
 
     def _lines(self, one: list[Node], other: list[Node]) -> tuple[Array, Array, Array]:
@@ -221,13 +239,14 @@ class ProgramSearch:
         elsewhere after the one than before the other.
         """
         robot = self.state.robot
-        integral = self.objective.integral(robot)
+        integral = self.planners.objective.integral(robot)
         bounds, lengths = np.full((len(one), len(other)), -np.inf), np.full((len(one), len(other)), np.inf)
         likely = np.zeros((len(one), len(other)))
         ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
         given = np.array([each.is_given for each in other])
         for k, begin in enumerate(one):
-            fits = [j for j, key in enumerate(keys) if key == begin.after.key]
+            after = begin.after.key
+            fits = [j for j, key in enumerate(keys) if key == after]
             if fits:
                 near = np.where(given[fits, None], ends[fits], nearest_turns(robot, ends[fits], begin.q))
                 for row, j in enumerate(fits):

@@ -18,17 +18,20 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.programs.steps import Attach, Detach, MoveAlong, Wait
-from manipplan.search.layers import STRIDE, choose_positions
+from manipplan.search.layers import choose_positions
 from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import silent
 from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
-from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
+from manipplan.tool_path.engine import SPACING, ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
+from manipplan.tool_path.gap import explain_gap
+from manipplan.tool_path.parts import NotConnected, connect, find_whole
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
@@ -102,23 +105,20 @@ class ToolPathPlanners:
 
     Attributes:
         objective, clearance: of all motions.
+        deadline: after which none is searched.
     """
 
     objective: PathObjective
     clearance: float
+    deadline: Deadline = NEVER
     stored: dict[tuple[object, ...], ToolPathPlanner | LegFailure] = field(default_factory=dict)
 
-    def along(
-        self, number: int, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False
-    ) -> ToolPathPlanner | LegFailure:
-        """The planner of motions along a path of a step in a state, or why a position is out of reach or not free.
-
-        `closer`: with half the distance between positions.
-        """
-        key = (number, closer, rounded(path(0.0)), state.history)
+    def along(self, number: int, step: MoveAlong, path: CartesianPath, state: State) -> ToolPathPlanner | LegFailure:
+        """The planner of motions along a path of a step in a state, or why a position is out of reach or not free."""
+        key = (number, rounded(path(0.0)), state.history)
         if key not in self.stored:
             try:
-                made: ToolPathPlanner | LegFailure = self.made(step, path, state, closer=closer)
+                made: ToolPathPlanner | LegFailure = self.made(step, path, state)
             except InvalidInputError as error:
                 made = LegFailure(message=f"{error.argument} is not {error.allowed}", always=True)
             if len(self.stored) >= STORED_PLANNERS:
@@ -127,9 +127,9 @@ class ToolPathPlanners:
         return self.stored[key]
 
     def made(
-        self, step: MoveAlong, path: CartesianPath, state: State, *, closer: bool = False, near: Array | None = None
+        self, step: MoveAlong, path: CartesianPath, state: State, *, near: Array | None = None, spacing: float | None = None
     ) -> ToolPathPlanner:
-        """The same, not stored, with samples near a configuration (n,) if it is given.
+        """The same, not stored, with samples near a configuration (n,) if it is given, and `spacing` as in `sample_layers`.
 
         Raises InvalidInputError for a position that is out of reach or not free.
         """
@@ -142,14 +142,21 @@ class ToolPathPlanners:
         layers = sample_layers(
             state.robot,
             path,
-            choose_positions(path, stride=STRIDE / 2 if closer else STRIDE) if positions is None else positions,
+            choose_positions(path) if positions is None else positions,
             task=step.task,
             measure=measure,
             scene=state.scene,
             clearance=clearance,
+            spacing=spacing,
             near=near,
+            progress=self.check,
         )
-        return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance)
+        inside, improves_until = layers.inside(state.robot.limits), Deadline.within(self.deadline.left / 2)
+        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=improves_until)
+
+    def check(self, _share: float, _text: str) -> None:
+        """Raise OutOfTimeError after the deadline."""
+        self.deadline.check()
 
 
 def motion_of_leg(
@@ -200,37 +207,43 @@ def motion_of_leg(
     return LegMotion(entry=entry, items=tuple(items), exit=q, state=state, minimum=min([at_entry, *least]))
 
 
-def has_closer(step: MoveAlong) -> bool:
-    """Whether closer positions are tried where no motion along a path is found."""
-    return isinstance(step.path, CartesianPath) and step.positions is None
-
-
 def _along(
     number: int, step: MoveAlong, path: CartesianPath, q: Array, state: State, planners: ToolPathPlanners
 ) -> RawMotion | LegFailure:
     """The best motion along a path that begins at q (n,), or why there is none."""
-    epsilon = EPSILON if isinstance(step.path, CartesianPath) else STRAIGHT_EPSILON
-    failures: list[LegFailure] = []
-    for closer in (False, True) if has_closer(step) else (False,):
-        planner = planners.along(number, step, path, state, closer=closer)
-        if isinstance(planner, LegFailure):
-            failures.append(planner)
-            break
-        made = planner.best_from(q, epsilon)
-        if isinstance(made, JointPath):
-            return _motion(number, step, planner.path, made, state)
-        failures.append(LegFailure(message=made.message))
-        if isinstance(step.path, CartesianPath) and planner.has_several_parameters:
-            near = planners.made(step, path, state, closer=closer, near=q).best_from(q, epsilon)
-            if isinstance(near, JointPath):
-                return _motion(number, step, planner.path, near, state)
-    messages = dict.fromkeys(each.message for each in failures)
-    return replace(failures[0], message="; with positions half as far apart: ".join(messages))
+    planners.deadline.check()
+    is_straight = not isinstance(step.path, CartesianPath)
+    epsilon = STRAIGHT_EPSILON if is_straight else EPSILON
+    planner = planners.along(number, step, path, state)
+    if isinstance(planner, LegFailure):
+        return planner
+    made = planner.best_from(q, epsilon)
+    if isinstance(made, Failure) and not is_straight and planner.has_several_parameters:
+        made = planners.made(step, path, state, near=q).best_from(q, epsilon)
+    if isinstance(made, Failure) and step.positions is None:
+        planner = planner if is_straight else planners.made(step, path, state, near=q, spacing=SPACING)
+        made = _connected(planner, q, epsilon, state, planners)
+    return _motion(number, step, path, made, state) if isinstance(made, JointPath) else LegFailure(message=made.message)
+
+
+def _connected(
+    planner: ToolPathPlanner, q: Array, epsilon: float, state: State, planners: ToolPathPlanners
+) -> JointPath | Failure:
+    """The best motion from q (n,) through as many positions as it needs, or why there is none."""
+    try:
+        whole = find_whole(planner, epsilon, planners.check, start=q)
+    except InvalidInputError as error:  # a pose between the positions that is out of reach or not free
+        return Failure(message=f"{error.argument} is not {error.allowed}")
+    if isinstance(whole, NotConnected):
+        return Failure(message=explain_gap(whole.planner, epsilon))
+    path = whole.planner.closely_along(whole.found, silent, hold_start=True).path
+    outside = outside_limits(path, state.robot)
+    return Failure(message=outside) if outside else path
 
 
 def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
-    path = configurations.planner.along(configurations.motion(k), silent, hold_start=True).path
+    path = configurations.planner.closely_along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return LegFailure(message=outside) if outside else _motion(number, step, configurations.planner.path, path, state)
 
@@ -281,8 +294,7 @@ def nodes_of(
     leg: Leg,
     state: State,
     start: Array,
-    objective: PathObjective,
-    clearance: float,
+    planners: ToolPathPlanners,
     part_poses: Sequence[PartPoses],
     needed: set[str],
 ) -> list[Node]:
@@ -290,6 +302,7 @@ def nodes_of(
 
     Args:
         state: what is known of arm and scene at the leg before anything is planned.
+        planners: of motions along paths of the tool.
         part_poses: where parts may be before the leg.
         needed: the parts on which goals of later legs depend.
 
@@ -297,9 +310,9 @@ def nodes_of(
     """
     pose = state.robot.kinematics().pose
     if any(each.pose is not None and each.pose.of for each in leg.targets):
-        nodes = _at_targets(leg, state, start, objective, clearance, part_poses)
+        nodes = _at_targets(leg, state, start, planners, part_poses)
     else:
-        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, objective, clearance) for each in part_poses]
+        nodes = [replace(node, before=each) for node in _nodes(leg, state, start, planners) for each in part_poses]
     nodes = _different_bounds(nodes, MOST_NODES if len(part_poses) == 1 else MOST_OF_POSES)
     return [replace(node, after=node.before.after(leg, pose(node.q)).of(needed)) for node in nodes]
 
@@ -309,20 +322,21 @@ def part_poses_after(nodes: Sequence[Node]) -> list[PartPoses]:
     return different([each.after for each in nodes])
 
 
-def _nodes(leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float) -> list[Node]:
+def _nodes(leg: Leg, state: State, start: Array, planners: ToolPathPlanners) -> list[Node]:
     """The nodes of a leg whose goals do not depend on where parts are."""
-    kinematics = objective.kinematics(state.robot)
+    kinematics = planners.objective.kinematics(state.robot)
     if not leg.is_free:
         return [Node(q=start, goal_index=0, bound=float(kinematics.manipulability(start)))]
     if leg.along is not None:
-        return list(_on_path(leg, state, ToolPathPlanners(objective=objective, clearance=clearance)))
-    return _at_targets(leg, state, start, objective, clearance, [NOWHERE])
+        return list(_on_path(leg, state, planners))
+    return _at_targets(leg, state, start, planners, [NOWHERE])
 
 
 def _at_targets(
-    leg: Leg, state: State, start: Array, objective: PathObjective, clearance: float, part_poses: Sequence[PartPoses]
+    leg: Leg, state: State, start: Array, planners: ToolPathPlanners, part_poses: Sequence[PartPoses]
 ) -> list[Node]:
     """Nodes at the goals of a leg, for each set of poses that the parts may have."""
+    objective, clearance = planners.objective, planners.clearance
     kinematics = objective.kinematics(state.robot)
     model = state.scene.collision_model(state.robot)
     nodes = [
@@ -348,6 +362,7 @@ def _at_targets(
         ]
 
     for first in range(0, len(poses), TOGETHER):
+        planners.deadline.check()
         with suppress(InvalidInputError):
             nodes += found(first, TOGETHER)
     if not nodes and poses:
@@ -394,16 +409,15 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
         planner = planners.made(along, along.path, state)
-        first = max_min_search(planner.layers, EPSILON, throw=False)
+        first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
+        if not first.connected and along.positions is None:
+            planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
+            first = max_min_search(planner.layers, EPSILON, explain=False, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
-    if not first.connected and has_closer(along):
-        with suppress(InvalidInputError):  # about positions that were not asked for; the search that failed says why
-            closer = planners.made(along, along.path, state, closer=True)
-            again = max_min_search(closer.layers, EPSILON, throw=False)
-            planner, first = (closer, again) if again.connected else (planner, first)
     if not first.connected:
-        raise PlanningError(f"steps[{number}]: {first.message}{planner.in_the_way(first)}", first)
+        where = first.message if along.positions is not None else explain_gap(planner, EPSILON)
+        raise PlanningError(f"steps[{number}]: {where}{planner.in_the_way(first)}", first)
     configurations = FirstConfigurations(planner=planner, best=first)
     for k in configurations.different(state.robot, MOST_NODES):
         yield Node(

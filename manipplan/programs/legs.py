@@ -10,6 +10,7 @@ of a leg are found for every way in which the parts may be there, and go with th
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -160,7 +161,7 @@ class PartPoses:
                 placed[name] = frame_pose(robot.model, part.frame, robot.neutral) @ pose
         return cls(held=held, placed=placed).of(names)
 
-    @property
+    @cached_property
     def key(self) -> tuple[object, ...]:
         """Equal for the same places."""
         poses = [(kind, name, pose) for kind in ("held", "placed") for name, pose in sorted(getattr(self, kind).items())]

@@ -34,7 +34,7 @@ from manipplan.robots.table import robot_table
 from manipplan.support.checks import Array, ArrayLike, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner, state_without_memo
+from manipplan.support.memo import once_per_source, share_results, state_without_memo
 
 if TYPE_CHECKING:
     from manipplan.collision.self_collisions import SelfCollisions
@@ -481,7 +481,7 @@ class Robot(Pictured):
         frame = self.tool if tool is None else known_tool(self, "tool", tool)
         geometry, bodies = attached.with_part(self.model, self.geometry, frame, shape, name)
         carried = {**self.carried, name: CarriedPart(solid=shape, bodies=bodies, frame=frame)}
-        return replace(self, geometry=geometry, carried=carried)
+        return share_results(replace(self, geometry=geometry, carried=carried), self)
 
     def detach(self, name: str = "part") -> "Robot":
         """The arm without the part of that name.
@@ -490,7 +490,8 @@ class Robot(Pictured):
         """
         one_of("name", name, self.carried, empty="none: the robot carries nothing")
         geometry = attached.without_bodies(self.geometry, self.carried[name].bodies)
-        return replace(self, geometry=geometry, carried={each: part for each, part in self.carried.items() if each != name})
+        carried = {each: part for each, part in self.carried.items() if each != name}
+        return share_results(replace(self, geometry=geometry, carried=carried), self)
 
     def link_of(self, body: pin.GeometryObject) -> str:
         """The name of the part or link to which a body of `geometry` belongs; a geom of the world of an MJCF is its own.
@@ -538,6 +539,6 @@ class Robot(Pictured):
         return robot_table(self)
 
 
-@once_per_owner
+@once_per_source
 def _tree(robot: Robot) -> model_tree.JointTree:
     return model_tree.joint_tree(robot.model)

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from manipplan.support.checks import number
+
 
 class OutOfTimeError(Exception):
     """The deadline has passed. It does not leave the package: whoever set the deadline goes on with what was found."""
@@ -115,3 +117,43 @@ def until(deadline: Deadline, notify: Callable[[float, str], None]) -> Callable[
         notify(share, text)
 
     return check
+
+
+#: Share of a time limit by which it may be exceeded, and share of the likely time for timing and checks without which these are
+#: not begun.
+EXCESS, LEAST_ENDING = 0.1, 0.9
+
+
+class TimeLimit:
+    """The time limit of a job, which ends with timing and checks.
+
+    Attributes:
+        seconds: the limit [s]; None: none.
+        deadline: when it passes.
+        step: the text of the last progress.
+    """
+
+    def __init__(self, seconds: float | None, step: str) -> None:
+        """`step`: the first one. Raises InvalidInputError for a limit that is none."""
+        self.seconds = None if seconds is None else number("time_limit", seconds, above=0.0)
+        self.deadline = NEVER if self.seconds is None else Deadline.within(self.seconds)
+        self.step = step
+        self._last = NEVER if self.seconds is None else Deadline(at=self.deadline.at + EXCESS * self.seconds)
+
+    def noting(self, notify: Callable[[float, str], None]) -> Callable[[float, str], None]:
+        """A progress callback that remembers the step."""
+
+        def note(share: float, text: str) -> None:
+            self.step = text
+            notify(share, text)
+
+        return note
+
+    def check_ending(self, seconds: float) -> None:
+        """Raise OutOfTimeError if timing and checks, which are likely to take so many seconds, would end too late."""
+        if self._last.left < LEAST_ENDING * seconds:
+            raise OutOfTimeError
+
+    def missed(self, what: str) -> str:
+        """The message where nothing was found in time."""
+        return f"no {what} was proven within time_limit = {self.seconds:g} s; the last step was {self.step!r}"

@@ -14,8 +14,8 @@ Other = TypeVar("Other")
 Made = TypeVar("Made")
 Arguments = ParamSpec("Arguments")
 
-#: The attribute that holds the results, by function and arguments.
-MEMO = "_memo"
+#: The attributes that hold the results, by function and arguments, and the owner whose results are shared.
+MEMO, SOURCE = "_memo", "_source"
 
 
 def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
@@ -36,6 +36,29 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
         return found
 
     return kept
+
+
+def once_per_source(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
+    """The same for results that an owner shares with its source; see `share_results`."""
+    stored = once_per_owner(make)
+
+    @wraps(make)
+    def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
+        return stored(source_of(owner), *arguments, **options)
+
+    return kept
+
+
+def share_results(made: Owner, source: Owner) -> Owner:
+    """Let what was made from a source have its results of `once_per_source`: nothing that these depend on differs."""
+    vars(made)[SOURCE] = source_of(source)
+    return made
+
+
+def source_of(owner: Owner) -> Owner:
+    """The owner whose results are shared: the source, or the owner itself."""
+    source: Owner = vars(owner).get(SOURCE, owner)
+    return source
 
 
 def once_per_pair(make: Callable[[Owner, Other], Made]) -> Callable[[Owner, Other], Made]:
@@ -63,4 +86,4 @@ def _memo(owner: object) -> dict[Any, Any]:
 
 def state_without_memo(owner: object) -> dict[str, Any]:
     """The state of an owner for pickle, without results: they hold pointers into Pinocchio, which cannot be copied."""
-    return {name: value for name, value in vars(owner).items() if name != MEMO}
+    return {name: value for name, value in vars(owner).items() if name not in (MEMO, SOURCE)}

@@ -7,7 +7,7 @@ import casadi as ca
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import one_of
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.symbolic.chain import Placement, SymbolicChain
 from manipplan.symbolic.pinocchio_casadi import bindings_installed, pinocchio_casadi
 
@@ -28,7 +28,7 @@ def chain_of(robot: "Robot", backend: str) -> SymbolicChain:
     return _chain(robot, backend)
 
 
-@once_per_owner
+@once_per_source
 def _chain(robot: "Robot", backend: str) -> SymbolicChain:
     return SymbolicChain.of(robot.model, robot.tool) if backend == "chain" else PinocchioChain.by(robot, backend)
 

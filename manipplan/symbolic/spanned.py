@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import once_per_source
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.relative import task_rows
 from manipplan.symbolic.task import Task
@@ -27,7 +27,7 @@ def usual_task(robot: "Robot") -> Task:
     return Task.pose() if min(len(robot.joints_of(tool)) for tool in robot.tools) >= 6 else Task.position()
 
 
-@once_per_owner
+@once_per_source
 def default_task(robot: "Robot") -> Task:
     """`Robot.default_task`: the usual task, or its part that the joints span.
 
@@ -49,7 +49,7 @@ def default_task(robot: "Robot") -> Task:
     return usual
 
 
-@once_per_owner
+@once_per_source
 def is_always_singular(robot: "Robot", task: Task) -> bool:
     """Whether the Jacobian of a task has dependent rows in every configuration of the arm of some tool."""
     for each in robot.tools:

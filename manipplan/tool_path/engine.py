@@ -19,7 +19,7 @@ from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
 from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.deadline import NEVER, Deadline, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
@@ -41,6 +41,7 @@ class RefinedToolPath:
         seed: the same for the path that the search found.
         loose: (k,) the intervals between positions, by where they begin, in which the path does not follow the workspace path,
             or touches a body.
+        ending: time that timing and checks are likely to take [s].
     """
 
     search: SearchResult
@@ -48,6 +49,7 @@ class RefinedToolPath:
     path: JointPath
     seed: JointPath
     loose: NDArray[np.int64]
+    ending: float
 
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
@@ -55,8 +57,12 @@ MORE_POSITIONS = "Take more positions"
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
 #: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
+#: Largest step of a joint between neighbouring samples of an arm with one degree of redundancy [rad or m].
+SPACING = 0.05
 #: Time for a refinement that may take none [s].
 SHORTEST = 1e-3
+#: Time that timing and checks of a motion take [s], at least, and for each second in which its path is joined.
+ENDING, ENDING_OF_JOINING = 0.3, 25.0
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
 
@@ -73,7 +79,7 @@ class ToolPathPlanner:
         allowed: largest error between the positions, which are met exactly, where no refinement makes use of it; None: see
             `tolerance`.
         halvings: how often the distance between two positions was halved, for each of them; None: never.
-        deadline: from which on motions are no longer improved.
+        deadline: by which motions are improved, timed and checked.
         has_fixed_positions: whether no positions can be added, since the candidates of these were chosen one by one.
     """
 
@@ -212,12 +218,14 @@ class ToolPathPlanner:
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
-        limit = None if self.deadline is NEVER else max(self.deadline.left, SHORTEST)
+        began = work_time()
+        seed, _ = self._joined(found.q, None, hold_start=hold_start)
+        ending = ENDING + ENDING_OF_JOINING * (work_time() - began)
+        limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
-        seed, _ = self._joined(found.q, None, hold_start=hold_start)
-        loose = self._touching(path) | ~is_inside
-        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=np.flatnonzero(loose))
+        loose = np.flatnonzero(self._touching(path) | ~is_inside)
+        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=loose, ending=ending)
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The same with more positions where it is loose between those there are, from the same first configuration."""
@@ -226,7 +234,7 @@ class ToolPathPlanner:
         alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
         planner = replace(self, layers=alone)
         for _ in range(CLOSER):
-            if not len(made.loose) or self.has_fixed_positions or self.deadline.passed:
+            if not len(made.loose) or self.has_fixed_positions or self.deadline.left < made.ending:
                 break
             try:
                 planner = planner.halved(made.loose, silent)

@@ -21,7 +21,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
 from manipplan.support.checks import Array
-from manipplan.support.deadline import work_time
+from manipplan.support.deadline import Deadline, work_time
 from manipplan.support.progress import Progress, part
 from manipplan.support.status import Failure
 from manipplan.support.tolerances import COINCIDENT
@@ -238,6 +238,8 @@ def choose_entry(
     plan_transit: PlanTransit,
     seconds: float,
     notify: Progress,
+    *,
+    enough: float = np.inf,
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and path together.
 
@@ -254,16 +256,21 @@ def choose_entry(
         plan_transit: plans lead-ins.
         seconds: time limit of all lead-ins together [s].
         notify: called with the share done.
+        enough: the minimum manipulability of the motion before, beyond which more does not count.
     """
-    configurations = FirstConfigurations(planner=planner, best=first, cap=float(integral.kinematics.manipulability(start)))
+    configurations = FirstConfigurations(
+        planner=planner, best=first, cap=min(float(integral.kinematics.manipulability(start)), enough)
+    )
     waiting = list(islice(configurations.ranked(start, integral), LISTED))
     if planner.layers.closed and int(first.indices[0]) not in {index for _, index in waiting}:
         (row,) = rate_candidates(first.q[:1], [0], start, integral)  # others may have no motion that returns to them
         waiting.append((replace(row, bound=min(row.bound, first.minimum)), int(first.indices[0])))
     done: list[GoalCandidate] = []
     best: Entry | None = None
+    deadline = planner.deadline
+    planner = replace(planner, deadline=Deadline.within(deadline.left / 2))  # the other half is for lead-ins
     failure, tried, planned = "", 0, 0
-    while waiting and tried < TRIES and planned < MOTIONS and (seconds > 0 or not tried):
+    while waiting and tried < TRIES and planned < MOTIONS and (not tried or (seconds > 0 and not planner.deadline.passed)):
         if best is not None:
             better = [each for each in waiting if each[0].bound > best.minimum * (1 + GAIN)]
             if not better:
@@ -280,9 +287,8 @@ def choose_entry(
         tried += 1
         refined = planner.closely_along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
         began = work_time()
-        lead_in = plan_transit(
-            refined.path.start, max(SHARE * seconds, min(LEAST, seconds)), part(notify, 1 - 0.7 * left, 1 - 0.5 * left)
-        )
+        most = min(max(SHARE * seconds, min(LEAST, seconds)), deadline.left - refined.ending)
+        lead_in = plan_transit(refined.path.start, most, part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
         seconds -= work_time() - began
         row = replace(row, q=refined.path.start)
         if isinstance(lead_in, Failure):

@@ -21,7 +21,7 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.deadline import OutOfTimeError
+from manipplan.support.deadline import Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
@@ -98,6 +98,14 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
         planner = planner.halved(intervals, notify)
 
 
+def find_whole(
+    planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
+) -> FoundPart | NotConnected:
+    """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
+    options = _find_parts(connect(planner, epsilon, part(notify, 0.0, 0.5), start=start), epsilon, 0, notify, start)
+    return options if isinstance(options, NotConnected) else next(options)[0]
+
+
 def find_parts(
     planner: ToolPathPlanner,
     epsilon: ArrayLike,
@@ -110,7 +118,7 @@ def find_parts(
     """The fewest parts, with the largest minimum manipulability, or why there are none with so few interruptions.
 
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
-    added where the joint path of a part is loose between those there are.
+    added where the joint path of the first part is loose between those there are.
 
     Args:
         planner: of motions along the whole path.
@@ -138,9 +146,9 @@ def find_parts(
             break  # what is loose is left to the check
         found = next(options), options
         count = len(planner.layers.q)
-        loose = np.unique(np.concatenate([(each.first + each.refined.loose) % count for each in found[0]]))
-        loose = planner.intervals(HALVED_STEP, loose)
-        if not len(loose) or planner.deadline.passed or k == CLOSER:
+        first = found[0][0]  # what is loose of the others is seen from the configurations in which they begin
+        loose = planner.intervals(HALVED_STEP, np.unique((first.first + first.refined.loose) % count))
+        if not len(loose) or planner.deadline.left < first.refined.ending or k == CLOSER:
             break
         try:
             planner = planner.halved(loose, silent)
@@ -172,16 +180,17 @@ def _find_parts(
     fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
     return (
         [
-            _part(best, *ends, epsilon, is_held=k == 0 and best is begun and start is not None)
+            _part(best, *ends, epsilon, (k + 1) / len(edges), is_held=k == 0 and best is begun and start is not None)
             for k, ends in enumerate(pairwise(edges))
         ]
         for edges in (fewest.edges, *fewest.others)
     )
 
 
-def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, *, is_held: bool) -> FoundPart:
-    """The part from one position to another."""
+def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, time: float, *, is_held: bool) -> FoundPart:
+    """The part from one position to another, improved until a share of the time that is left is over."""
     of_part, s = planner.between(first, last), planner.layers.s
+    of_part = replace(of_part, deadline=Deadline.within(time * planner.deadline.left))
     assert s is not None
     count = len(s)
     return FoundPart(
@@ -315,6 +324,7 @@ class PartsJoiner:
         transits, pieces = self.transits, list[FollowedPart]()
         search = parts[0].found
         candidates: tuple[GoalCandidate, ...] = ()
+        least = np.inf
         returns = self.closed and not parts[0].planner.layers.closed
         for k, each in enumerate(parts):
             share = part(notify, k / len(parts), (k + 1) / len(parts))
@@ -322,6 +332,7 @@ class PartsJoiner:
             # an interrupted motion around a closed path begins where that takes the fewest interruptions
             if begin is None or (not pieces and self.hold_start and not returns):
                 pieces.append(FollowedPart(part=each, refined=each.refined, transit=None))
+                least = transits.integral.cost(each.refined.path).min_manipulability
                 continue
             plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
@@ -329,13 +340,14 @@ class PartsJoiner:
             if isinstance(plan_transit, Failure):
                 return failure(message=where + plan_transit.message, candidates=candidates)
             choice = choose_entry(
-                each.planner, each.found, begin, self.transits.integral, plan_transit, self.transits.seconds, share
+                each.planner, each.found, begin, transits.integral, plan_transit, transits.seconds, share, enough=least
             )
             if not pieces:
                 candidates = choice.candidates
             if choice.entry is None:
                 return failure(message=where + choice.failure, candidates=candidates)
             pieces.append(FollowedPart(part=each, refined=choice.entry.refined, transit=choice.entry.lead_in))
+            least = min(least, choice.entry.minimum)
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
         plan_transit, first = transits.between(pieces[-1].refined.path.goal, self.way), pieces[0].refined.path.start

@@ -83,6 +83,14 @@ def test_a_tray_is_carried_on_from_where_the_hands_took_it(baxter, waiter, scene
     np.testing.assert_array_equal(plan.path.start, taken.path.goal)
 
 
+def test_a_time_limit_that_is_too_short_for_both_arms_is_said(waiter, scene):
+    plan = mp.carry(waiter, WAY, GRASPS, scene, time_limit=0.05, throw=False)
+    assert plan.status is mp.Status.NOT_IN_TIME and plan.trajectory is None
+    assert plan.message.startswith("no motion of both arms was proven within time_limit = 0.05 s; the last step was 'sampling")
+    with pytest.raises(mp.errors.InvalidInputError, match="^time_limit: got 0"):
+        mp.carry(waiter, WAY, GRASPS, scene, time_limit=0.0)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["tiago_dual", "talos"])
 def test_robots_with_a_torso_carry_and_hold_it_still(name):

@@ -6,7 +6,7 @@ from program_cell import DOWN, UPRIGHT, carried_to, part_pose, placed_part, pose
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.programs.leg_motions import nodes_of
+from manipplan.programs.leg_motions import ToolPathPlanners, nodes_of
 from manipplan.programs.legs import NOWHERE, State, read_steps
 
 
@@ -93,11 +93,12 @@ def test_each_of_many_grasps_is_searched_as_well_as_alone(hand):
             pose[:3, :3] = Rotation.from_euler("ZX", [turn, np.pi - tilt]).as_matrix()
             pose[:3, 3] = [0.5, 0.2, 0.1] - 0.03 * pose[:3, 2]
             tilted.append(pose)
-    objective, state = mp.PathObjective(), State(robot=hand, scene=mp.Scene())
+    planners = ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)
+    state = State(robot=hand, scene=mp.Scene())
 
     def bounds(goals):
         (leg,) = read_steps([mp.MoveTo(goals)], hand, hand.neutral)
-        nodes = nodes_of(leg, state, hand.neutral, objective, 0.0, [NOWHERE], set())
+        nodes = nodes_of(leg, state, hand.neutral, planners, [NOWHERE], set())
         return [max(node.bound for node in nodes if node.goal_index == k) for k in range(len(goals))]
 
     alone = np.array([bounds([goal])[0] for goal in tilted])

@@ -472,3 +472,25 @@ def test_paths_whose_orientation_is_free_follow_each_other(panda):
     times = [program.marks[0].path_begin, program.marks[1].begin, program.duration]
     reached = panda.kinematics().pose(program.trajectory(np.array(times)))[:, :3, 3]
     np.testing.assert_allclose(reached, points, atol=2e-4)
+
+
+# ---- the time limit
+
+
+def test_a_program_that_is_not_found_in_time_is_refused_with_the_step(hand, cell, steps):
+    with pytest.raises(
+        mp.errors.PlanningError, match="no program was proven within time_limit = 0.01 s; the last step was"
+    ) as caught:
+        mp.sequence(hand, "default", steps, cell, time_limit=0.01)
+    assert caught.value.result.status is mp.Status.NOT_IN_TIME
+
+
+def test_a_time_limit_that_is_not_reached_changes_no_program(hand, cell, steps, program):
+    again = mp.sequence(hand, "default", steps, cell, blend=0.05, time_limit=600.0)
+    np.testing.assert_array_equal(again.trajectory.q, program.trajectory.q)
+
+
+@pytest.mark.parametrize("limit", [0.0, -1.0, np.inf, np.nan, "1"])
+def test_a_time_limit_of_a_program_that_is_none_is_refused(hand, limit):
+    with pytest.raises(mp.errors.InvalidInputError, match="^time_limit: got"):
+        mp.sequence(hand, "default", [mp.MoveTo("default")], time_limit=limit)
