@@ -158,10 +158,10 @@ class Task:
 
         Raises InvalidInputError for values that are negative, too large or all 0.
         """
-        widths = [
-            np.broadcast_to(number_array(*each), 3) if np.ndim(each[1]) == 0 else finite_array(*each, (3,))
-            for each in (("position", position), ("rotation", rotation))
-        ]
+        widths = []
+        for name, value in (("position", position), ("rotation", rotation)):
+            given = number_array(name, value)
+            widths.append(np.full(3, number(name, given.item())) if given.ndim == 0 else finite_array(name, given, (3,)))
         region = PoseRegion(
             position=tuple(widths[0].tolist()),
             rotation=tuple(widths[1].tolist()),

@@ -454,6 +454,10 @@ def calls(folder: Path) -> dict[str, Call]:
         "Task.pointing": C(mp.Task.pointing, {"axis": (1.0, 0, 0), "length": 1.0, "relative_to": "a"}),
         "Task.pose": C(mp.Task.pose, {"length": 1.0, "relative_to": "a"}),
         **{f"Task.{name}": C(getattr(mp.Task, name), {"relative_to": "a"}) for name in ("orientation", "planar", "position")},
+        "Task.within": C(
+            mp.Task.pose().within,
+            {"position": 0.1, "rotation": 0.0, "cone": 0.1, "axis": (1.0, 0, 0), "spin": 1.0, "frame": "tool"},
+        ),
         "Tolerance": C(mp.Tolerance, {"position": 0.1, "rotation": 0.1}),
         "Tolerance.scaled": C(mp.Tolerance(position=0.1).scaled, {"factor": 2.0}),
         "Trajectory": C(mp.Trajectory, {"t": motion.t, "q": motion.q, "qd": motion.qd, "joint_names": motion.joint_names}),

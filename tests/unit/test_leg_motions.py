@@ -1,11 +1,12 @@
-"""Motions of legs along paths: what is said where positions half as far apart find none either."""
+"""Motions of legs along paths: what is said where the positions that are added find none either."""
 
 from types import SimpleNamespace
 
 import pytest
 
 import manipplan as mp
-from manipplan.programs.leg_motions import LegFailure, ToolPathPlanners, _along, _on_path
+from manipplan.programs import leg_motions
+from manipplan.programs.leg_motions import ToolPathPlanners, _along, _on_path
 from manipplan.search.sampling import sample_layers
 from manipplan.support.status import Failure
 
@@ -23,43 +24,26 @@ def state(planar):
     return SimpleNamespace(robot=planar, scene=mp.Scene(), history=())
 
 
-def finder_that_fails_with_closer(planner):
-    def made(self, number, step, path, state, *, closer=False):
-        return LegFailure(message="path is not reached at s = 0.25", always=True) if closer else planner
-
-    return made
+def no_pose(*_, **__):
+    raise mp.errors.InvalidInputError("path, s = 0.25", [], "a pose within reach")
 
 
-def test_the_first_reason_is_kept_and_is_not_for_every_start(planar, step, state, monkeypatch):
+def test_a_pose_between_positions_out_of_reach_is_not_for_every_start(planar, step, state, monkeypatch):
     """That a position in between is out of reach does not rule out other configurations in which the path begins."""
     failure = Failure(message="positions 3 and 4 are not connected")
     planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
-    monkeypatch.setattr(ToolPathPlanners, "along", finder_that_fails_with_closer(planner))
+    monkeypatch.setattr(ToolPathPlanners, "along", lambda *_: planner)
+    monkeypatch.setattr(leg_motions, "find_whole", no_pose)
     finders = ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)
-    failure = _along(1, step, step.path, planar.neutral, state, finders)
-    expected = "positions 3 and 4 are not connected; with positions half as far apart: path is not reached at s = 0.25"
-    assert (failure.message, failure.always) == (expected, False)
+    failure = _along(1, step, step.path, planar.neutral + 0.4, state, finders)
+    assert (failure.message, failure.always) == ("path, s = 0.25 is not a pose within reach", False)
 
 
-def test_a_reason_that_is_the_same_twice_is_said_once(planar, step, state, monkeypatch):
-    failure = Failure(message="not connected")
-    planner = SimpleNamespace(has_several_parameters=False, path=step.path, best_from=lambda *_: failure)
-    monkeypatch.setattr(ToolPathPlanners, "along", lambda *_, **__: planner)
-    finders = ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)
-    assert _along(1, step, step.path, planar.neutral, state, finders).message == "not connected"
-
-
-def test_no_error_is_about_positions_that_were_not_asked_for(planar, step, state, monkeypatch):
-    """Where a leg begins on a path and its positions are not connected, that is the error."""
+def test_a_pose_between_positions_that_no_configuration_reaches_is_named(planar, step, state, monkeypatch):
     layers = sample_layers(planar, step.path, 4)
     apart = mp.Layers(q=(layers.q[0], layers.q[1] + 3.0, *layers.q[2:]), m=layers.m, s=layers.s, continuous=layers.continuous)
-
-    def made(self, step, path, state, *, closer=False, near=None):
-        if closer:
-            raise mp.errors.InvalidInputError("path", path, "free at s = 0.25")
-        return SimpleNamespace(layers=apart, in_the_way=lambda _: "")
-
-    monkeypatch.setattr(ToolPathPlanners, "made", made)
+    monkeypatch.setattr(ToolPathPlanners, "made", lambda *_, **__: SimpleNamespace(layers=apart))
+    monkeypatch.setattr(leg_motions, "connect", no_pose)
     leg = SimpleNamespace(rest=[(2, step)], along=step)
-    with pytest.raises(mp.errors.PlanningError, match=r"steps\[2\]: no candidate of position 1 can be reached"):
+    with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[2\].path, s = 0.25: got .* a pose within reach"):
         list(_on_path(leg, state, ToolPathPlanners(objective=mp.PathObjective(), clearance=0.0)))
