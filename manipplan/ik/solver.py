@@ -185,7 +185,7 @@ class Solver:
         return held + swivel + (() if self.by_rows else self.free.names)
 
     @property
-    def sampled(self) -> tuple[str, ...]:
+    def sampled_names(self) -> tuple[str, ...]:
         """Names of what has a number of samples: the parameters, or those of the arm and the poses of a region."""
         bounded = self.free.bounds
         return self.names if bounded is None else (*self.names[: -len(bounded)], "poses of the region")
@@ -193,7 +193,12 @@ class Solver:
     @property
     def is_line(self) -> bool:
         """Whether the arm itself has one parameter, so that solutions of a pose are lines over it; or one motion is free."""
-        return len(self.names) == 1 or (self.free.bounds is not None and len(self.sampled) == 2)
+        return len(self.names) == 1 or (self.free.bounds is not None and len(self.sampled_names) == 2)
+
+    @property
+    def has_several_parameters(self) -> bool:
+        """Whether a configuration is likely to be between samples, since solutions of a pose are more than lines."""
+        return len(self.names) > 1 and not self.is_line
 
     @cached_property
     def _enumeration(self) -> Enumeration:
@@ -228,7 +233,7 @@ class Solver:
 
     def finer_counts(self) -> list[int]:
         """Numbers of samples per parameter to be tried where the default finds nothing; none without a closed form."""
-        r = len(self.sampled)
+        r = len(self.sampled_names)
         if self.form is None or not r:
             return []
         usual = SAMPLES[min(r, len(SAMPLES)) - 1]
@@ -263,7 +268,7 @@ class Solver:
         return not set(self.held).isdisjoint(slides_of(self.robot))
 
     def _grid(self, samples: int | Sequence[int] | None, usual: Sequence[int], poses: Array) -> ParameterGrid:
-        counts = sample_counts(samples, self.sampled, usual)
+        counts = sample_counts(samples, self.sampled_names, usual)
         if math.prod(counts) > MOST_SAMPLES:
             raise InvalidInputError("samples", samples, f"at most {MOST_SAMPLES:,} in all, not {' x '.join(map(str, counts))}")
         limits = window(self.robot, poses)
@@ -306,7 +311,7 @@ class Solver:
         if not free:
             return [np.zeros((0, len(self.names)))] * len(poses)
         own = len(self.names) - free
-        rows = self.grid([usual[own - 1]] * own + [1] * (len(self.sampled) - own), usual, poses)
+        rows = self.grid([usual[own - 1]] * own + [1] * (len(self.sampled_names) - own), usual, poses)
         return [np.hstack([rows[:, :own], np.tile(each, (len(rows), 1))]) for each in self.free.values(poses, poses)]
 
     def parameters_of(self, q: Array, poses: Array) -> Array:

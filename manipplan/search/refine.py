@@ -189,7 +189,7 @@ class _Refiner:
         """The best path through samples around `q` (L, n) and the configurations of `q` itself."""
         solver = self.sampler.solver
         parameters = solver.parameters_of(q, self.poses)
-        own = len(solver.sampled) - (solver.free.bounds is not None)  # the program moves the poses within a region
+        own = len(solver.sampled_names) - (solver.free.bounds is not None)  # the program moves the poses within a region
         if own == 0:
             return q
         spread = float(width.max())

@@ -180,9 +180,9 @@ def sample_layers(
     _check_grid(sampler, n, samples, usual, allowed)
     s = check_positions(positions, closed=closed)
     is_default = samples is None
-    if samples is None and sampler.solver.free.bounds is not None:
+    if samples is None and sampler.solver.free.bounds is not None and sampler.solver.form is not None:
         most = min(max(IN_REGION[0] / (n * sampler.solver.most), IN_REGION[1]), IN_REGION[2])
-        samples = [max(int(most ** (1 / len(sampler.solver.sampled))), FEWEST)] * len(sampler.solver.sampled)
+        samples = [max(int(most ** (1 / len(sampler.solver.sampled_names))), FEWEST)] * len(sampler.solver.sampled_names)
     poses = np.array([pose_matrix(f"path, position {k} of 0 to {n - 1}", pose) for k, pose in enumerate(path(s))])
     values = sampler.solver.grid(samples, usual, poses)
     share = _share_found(sampler, poses, values, allowed)
@@ -190,7 +190,7 @@ def sample_layers(
         most = int((ENOUGH / (share * n)) ** (1 / len(sampler.solver.names)))
         values = sampler.solver.grid(max(most, FEWEST), usual, poses)
     near_values = np.zeros((0, len(sampler.solver.names)))
-    if near is not None and not sampler.solver.is_line:
+    if near is not None and sampler.solver.has_several_parameters:
         q = finite_array("near", near, (robot.n,))
         near_values = sampler.solver.parameters_of(q[None], poses[:1])[0] + _offsets(len(sampler.solver.names))
     sampling = PathSampling(
@@ -329,7 +329,7 @@ def _check_grid(
     """Raises InvalidInputError where the poses or the grid of parameters would not fit into memory."""
     from manipplan.ik.solver import sample_counts
 
-    counts = sample_counts(samples, sampler.solver.sampled, usual)
+    counts = sample_counts(samples, sampler.solver.sampled_names, usual)
     for argument, value, needed in (("positions", n, 8 * 16 * n), ("samples", samples, GRID * math.prod(counts))):
         if needed > allowed:
             wanted = f"fewer: they need {needed / 1e9:.2g} GB, and memory allows {allowed / 1e9:.2g} GB"

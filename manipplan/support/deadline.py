@@ -150,7 +150,7 @@ class TimeLimit:
         return note
 
     def check_ending(self, seconds: float) -> None:
-        """Raise OutOfTimeError if timing and checks, which are likely to take so many seconds, would end too late."""
+        """Raise OutOfTimeError if timing and checks, which take about this long [s], would end too late."""
         if self._last.left < LEAST_ENDING * seconds:
             raise OutOfTimeError
 

@@ -26,7 +26,7 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
     """
 
     @wraps(make)
-    def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
+    def call_once(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
         memo = _memo(owner)
         key = (make, arguments, tuple(sorted(options.items())))
         if key not in memo:
@@ -35,7 +35,7 @@ def once_per_owner(make: Callable[Concatenate[Owner, Arguments], Made]) -> Calla
         found: Made = memo[key]
         return found
 
-    return kept
+    return call_once
 
 
 def once_per_source(make: Callable[Concatenate[Owner, Arguments], Made]) -> Callable[Concatenate[Owner, Arguments], Made]:
@@ -43,10 +43,10 @@ def once_per_source(make: Callable[Concatenate[Owner, Arguments], Made]) -> Call
     stored = once_per_owner(make)
 
     @wraps(make)
-    def kept(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
+    def call_once(owner: Owner, /, *arguments: Arguments.args, **options: Arguments.kwargs) -> Made:
         return stored(source_of(owner), *arguments, **options)
 
-    return kept
+    return call_once
 
 
 def share_results(made: Owner, source: Owner) -> Owner:
@@ -68,14 +68,14 @@ def once_per_pair(make: Callable[[Owner, Other], Made]) -> Callable[[Owner, Othe
     """
 
     @wraps(make)
-    def kept(owner: Owner, other: Other, /) -> Made:
+    def call_once(owner: Owner, other: Other, /) -> Made:
         found: WeakKeyDictionary[Other, Made] = _memo(owner).setdefault(make, WeakKeyDictionary())
         if other not in found:
             with building(), making_expressions():
                 found[other] = make(owner, other)
         return found[other]
 
-    return kept
+    return call_once
 
 
 def _memo(owner: object) -> dict[Any, Any]:

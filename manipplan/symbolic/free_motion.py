@@ -316,7 +316,7 @@ class BoundedMotion(FreeMotion):
         return np.broadcast_to(np.eye(6), (len(poses), 6, 6))
 
     def spread(self, count: int) -> Array:
-        """Values (count, f) that are spread over the region, some of them on its boundary; its middle is the first."""
+        """Values (count, f) that are spread over the region, some of them on its boundary."""
         bounds = self.bounds
         if len(bounds) == 1:
             return np.linspace(-bounds, bounds, count) if count > 1 else np.zeros((1, 1))
@@ -325,7 +325,7 @@ class BoundedMotion(FreeMotion):
         for _ in range(60):
             ratio = (1.0 + ratio) ** (1.0 / (len(bounds) + 1))
         shares = (0.5 + np.arange(count)[:, None] * ratio ** -np.arange(1.0, len(bounds) + 1)) % 1.0
-        return np.asarray(np.clip(BEYOND * (2 * shares - 1), -1.0, 1.0) * bounds)
+        return np.asarray(np.clip(WIDENED * (2 * shares - 1), -1.0, 1.0) * bounds)
 
     @property
     def _axis(self) -> Array:
@@ -333,7 +333,7 @@ class BoundedMotion(FreeMotion):
 
 
 #: How much farther than a region samples are spread before they are taken to its boundary.
-BEYOND = 1.3
+WIDENED = 1.3
 
 
 def tilts_of(directions: Array, axis: Array) -> Array:

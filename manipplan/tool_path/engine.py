@@ -100,7 +100,7 @@ class ToolPathPlanner:
     @property
     def has_several_parameters(self) -> bool:
         """Whether a configuration is likely to be no sample, so that samples around it can connect it."""
-        return not self._sampler.solver.is_line
+        return self._sampler.solver.has_several_parameters
 
     def is_at_start(self, q: Array) -> bool:
         """Whether the tool stands at the first pose at q (n,): near enough for a spline that goes on inside the tolerance."""

@@ -268,3 +268,15 @@ def test_a_plan_with_a_region_is_saved_and_read(panda, tmp_path):
     plan.save(tmp_path / "plan")
     again = mp.Plan.load(tmp_path / "plan")
     assert again.result.task == task
+
+
+def test_a_planar_arm_turns_within_its_region(planar):
+    start = planar.kinematics().pose(planar.neutral + 0.4)
+    end = start.copy()
+    end[1, 3] += 0.2
+    path = mp.CartesianPath.line(start, end)
+    task = planar.default_task.within(rotation=0.3)
+    plan = mp.follow(planar, path, objective=mp.PathObjective(task=task))
+    assert plan.report.passed and judged(planar, plan, task.region, path) == []
+    with pytest.raises(mp.errors.InvalidInputError, match="no cone, for a planar arm"):
+        mp.follow(planar, path, objective=mp.PathObjective(task=planar.default_task.within(cone=0.1)))
