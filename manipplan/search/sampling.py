@@ -6,8 +6,8 @@ CandidateSampler: the candidates of one position, in this process or another one
 import math
 import pickle
 import threading
-from collections.abc import Callable, Sequence
-from concurrent.futures import Executor, ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -29,6 +29,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers, check_positions, count_positions
 from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, pose_matrix
+from manipplan.support.deadline import NEVER, Cancellation, Deadline
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.processes.workers import usable_memory
 from manipplan.support.progress import Progress, as_callback
@@ -65,7 +66,9 @@ class SamplingSpec:
 
 
 #: Number of samples whose configurations one job finds, and of configurations that are checked for collisions together.
-JOB, BLOCK = 8192, 65536
+JOB, BLOCK = 8192, 8192
+#: Time between reports of progress [s].
+REPORT = 0.05
 #: How often the distance between two samples is halved where their solutions are apart.
 HALVINGS = 7
 #: Difference from a full turn that counts as none [rad].
@@ -251,12 +254,16 @@ class PathSampling:
         """The candidates at poses (p, 4, 4) for their `sets`; name(k) is in the error that says why there are none."""
         found = list[PositionSample]()
         with ExitStack() as stack:
+            cancellation = Cancellation()  # processes, other than threads, end the jobs that they have begun
             run = self.executor if self.executor is not None else stack.enter_context(ThreadPoolExecutor(all_cores()))
             count = max(1, min(JOB // max(map(len, sets)), -(-len(poses) // (4 * all_cores()))))
             blocks = [slice(k, k + count) for k in range(0, len(poses), count)]
-            jobs = [run.submit(self.sampler.sample, poses[each], sets[each], self.spacing) for each in blocks]
+            jobs = [run.submit(self.sampler.sample, poses[each], sets[each], self.spacing, cancellation) for each in blocks]
+            stack.callback(cancellation.cancel)
             stack.callback(lambda: [job.cancel() for job in jobs])
             for job in jobs:
+                while not wait([job], REPORT).done:
+                    notify(len(found) / len(poses), f"sampling positions: {sum(len(each.m) for each in found):,} candidates")
                 for each in job.result():
                     if not len(each.q):
                         k = len(found)
@@ -378,8 +385,13 @@ class CandidateSampler:
     def __reduce__(self) -> tuple[object, ...]:
         return _sampler_of, (pickle.dumps(self.spec),)
 
-    def sample(self, poses: Array, sets: Sequence[Array], spacing: Array | None = None) -> "list[PositionSample]":
-        """The candidates of each of poses (p, 4, 4) for its parameters, sets[k] (s, r); see `sample_layers` for `spacing`."""
+    def sample(
+        self, poses: Array, sets: Sequence[Array], spacing: Array | None = None, deadline: Deadline = NEVER
+    ) -> "list[PositionSample]":
+        """The candidates of each of poses (p, 4, 4) for its parameters, sets[k] (s, r); see `sample_layers` for `spacing`.
+
+        Raises OutOfTimeError soon after the deadline.
+        """
         lines = [np.zeros(len(each), dtype=np.bool_) for each in sets]
         if spacing is not None and self.solver.form is not None and self.solver.is_line:
             lines = [np.asarray((np.abs(each[:, 1:]) < EVEN).all(axis=1)) for each in sets]  # those of the whole pose
@@ -390,16 +402,16 @@ class CandidateSampler:
             owners, values = np.repeat(np.arange(len(poses)), [len(each) for each in some]), np.concatenate(some)
             if not len(values):
                 continue
-            found = self._solve(poses, owners, values)
+            found = self._solve(poses, owners, values, deadline)
             if between is not None:
-                owners, found = self._fill(poses, owners, values, found, between)
+                owners, found = self._fill(poses, owners, values, found, between, deadline)
             every.append(found.q)
             of.append(owners[found.source])
-        return self._candidates(np.concatenate(every), np.concatenate(of), len(poses))
+        return self._candidates(np.concatenate(every), np.concatenate(of), len(poses), deadline)
 
-    def _candidates(self, found: Array, of: NDArray[np.int64], count: int) -> "list[PositionSample]":
+    def _candidates(self, found: Array, of: NDArray[np.int64], count: int, deadline: Deadline) -> "list[PositionSample]":
         """Those of configurations found (k, n) that are free, at every full turn, for each of `count` positions."""
-        free = np.concatenate([self.free(found[begin : begin + BLOCK]) for begin in range(0, max(len(found), 1), BLOCK)])
+        free = np.concatenate([self.free(found[each]) for each in _slices(len(found), BLOCK, deadline)])
         rows, q = self.solver.with_turns(found[free])  # full turns change no collisions
         order = np.argsort(of[free][rows], kind="stable")
         q, m = q[order], self.kinematics.manipulability(q)[order]
@@ -408,10 +420,11 @@ class CandidateSampler:
         every = zip(np.split(q, ends), np.split(m, ends), reached.tolist(), strict=True)
         return [PositionSample(q=np.ascontiguousarray(q), m=m, reached=reached) for q, m, reached in every]
 
-    def _solve(self, poses: Array, owners: NDArray[np.int64], values: Array) -> Found:
-        blocks = [slice(begin, begin + CHUNK) for begin in range(0, len(values), CHUNK)]
-        found = [self.solver.solve_once(poses, owners[each], values[each]) for each in blocks]
-        source = [each.source + block.start for each, block in zip(found, blocks, strict=True)]
+    def _solve(self, poses: Array, owners: NDArray[np.int64], values: Array, deadline: Deadline) -> Found:
+        found, source = list[Found](), list[NDArray[np.int64]]()
+        for each in _slices(len(values), CHUNK, deadline):
+            found.append(self.solver.solve_once(poses, owners[each], values[each], deadline))
+            source.append(found[-1].source + each.start)
         return Found(
             q=np.concatenate([each.q for each in found]),
             source=np.concatenate(source),
@@ -419,7 +432,13 @@ class CandidateSampler:
         )
 
     def _fill(
-        self, poses: Array, owners: NDArray[np.int64], values: Array, found: Found, spacing: Array
+        self,
+        poses: Array,
+        owners: NDArray[np.int64],
+        values: Array,
+        found: Found,
+        spacing: Array,
+        deadline: Deadline,
     ) -> tuple[NDArray[np.int64], Found]:
         """More samples of the one parameter where solutions of neighbouring values are farther apart than `spacing` (n,).
 
@@ -443,7 +462,7 @@ class CandidateSampler:
             if not len(wide):
                 break
             middle, own = (values[wide] + values[wide + 1]) / 2, owners[wide]
-            more = self._solve(poses, own, middle)
+            more = self._solve(poses, own, middle, deadline)
             found = Found(
                 q=np.concatenate([found.q, more.q]),
                 source=np.concatenate([found.source, more.source + len(values)]),
@@ -482,7 +501,10 @@ class CandidateSampler:
         """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
         assert self.collision is not None
         q = np.concatenate(
-            [self.solver.solve_once(pose[None], np.zeros(len(some), dtype=np.int64), some).q for some in _blocks(values)]
+            [
+                self.solver.solve_once(pose[None], np.zeros(len(values[each]), dtype=np.int64), values[each]).q
+                for each in _slices(len(values), CHUNK)
+            ]
         )
         q = q[:: -(-len(q) // MEASURED)]
         least = [self.collision.least_distance(each[None]) for each in q]
@@ -494,8 +516,11 @@ class CandidateSampler:
         return nearest_to(self.spec.robot.kinematics(Task.pose(length=1.0), threads=1), self.solver.free, pose)
 
 
-def _blocks(values: Array) -> list[Array]:
-    return [values[begin : begin + CHUNK] for begin in range(0, len(values), CHUNK)]
+def _slices(rows: int, block: int, deadline: Deadline = NEVER) -> Iterator[slice]:
+    """Slices of up to `block` of a number of rows, at least one; raises OutOfTimeError after the deadline."""
+    for begin in range(0, max(rows, 1), block):
+        deadline.check()
+        yield slice(begin, begin + block)
 
 
 def _with_end(values: Array) -> Array:

@@ -5,7 +5,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -98,6 +98,20 @@ class Deadline:
 
     def __reduce__(self) -> tuple[object, ...]:
         return _of_clock, (time.time() + self.left,)  # monotonic clocks of two machines begin at different times
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cancellation(Deadline):
+    """A deadline that passes when it is cancelled, for threads of this process."""
+
+    event: threading.Event = field(default_factory=threading.Event)
+
+    def cancel(self) -> None:
+        self.event.set()
+
+    @property
+    def passed(self) -> bool:
+        return self.event.is_set()
 
 
 def _of_clock(at: float) -> Deadline:
