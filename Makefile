@@ -4,12 +4,12 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test quick test-all test-long browser ffmpeg lint types docs links pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
 
-test: $(READY) ffmpeg
+test: $(READY) ffmpeg egl
 	$(BIN)/python -m pytest
 
 # For work on the code, in less than a minute: the first case of each test that took less than 0.2 s when it ran last.
@@ -17,7 +17,7 @@ quick: $(READY)
 	$(BIN)/python -m pytest --brief tests/unit
 
 # Adds the slow tests, all examples of the laws, the pages, the studies, the benchmarks and what needs a browser.
-test-all: $(READY) browser ffmpeg
+test-all: $(READY) browser ffmpeg egl
 	$(BIN)/python -m pytest -m "not long and not site"
 
 test-long: $(READY)
@@ -25,14 +25,18 @@ test-long: $(READY)
 
 # Tests drive the interactive planar page, and read films back; without these programs they fail and say the same line.
 browser:
-	$(call program,chromium chromium-browser google-chrome,chromium)
+	$(call package,command -v chromium || command -v chromium-browser || command -v google-chrome,chromium)
 
 ffmpeg:
-	$(call program,ffmpeg,ffmpeg)
+	$(call package,command -v ffmpeg,ffmpeg)
 
-# Installs package $(2) unless one of the programs $(1) is there.
-define program
-@for name in $(1); do command -v $$name >/dev/null && exit 0; done; \
+# Films are rendered without a display.
+egl:
+	$(call package,test "$$(uname)" != Linux || /sbin/ldconfig -p | grep -q libEGL.so.1,libegl1 libgl1-mesa-dri)
+
+# Installs packages $(2) unless the command $(1) succeeds.
+define package
+@if $(1) >/dev/null 2>&1; then exit 0; fi; \
 if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
   apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $(2) && exit 0; \
 fi; \
@@ -58,7 +62,7 @@ links: $(READY)
 	$(BIN)/python -m sphinx -q -D plot_gallery=0 -b linkcheck docs docs/_build/links
 
 # The picture and the animation of the README.
-pictures: $(READY)
+pictures: $(READY) egl
 	$(BIN)/python docs/make_pictures.py
 
 # Builds the kernels again after a change of manipplan/csrc: the library, and their text in LLVM's language for machines without

@@ -1,4 +1,4 @@
-"""Write the picture and the animation of the README and the start page: `make pictures`, or `python docs/make_pictures.py`."""
+"""Write the picture and the films of the README and the start page: `make pictures`, or `python docs/make_pictures.py`."""
 
 from pathlib import Path
 
@@ -17,6 +17,7 @@ plan = mp.plan(
     clearance=problem.clearance,
 )
 viz.save_figure(plan, FOLDER / "demo.png")
-viz.animate(plan, FOLDER / "demo.gif", fps=12.5, speed=0.75, size=(8.0, 4.0), dpi=80, colours=64)
-for file in (FOLDER / "demo.png", FOLDER / "demo.gif"):
-    print(f"{file}: {file.stat().st_size // 1000} kB")
+viz.film(plan, FOLDER / "demo.webp")
+viz.film(plan, FOLDER / "demo_dark.webp", dark=True)
+for name in ("demo.png", "demo.webp", "demo_dark.webp"):
+    print(f"{name}: {(FOLDER / name).stat().st_size // 1000} kB")

@@ -16,10 +16,12 @@ from manipplan.viz.curves import (
     plot_singular_values,
 )
 from manipplan.viz.figure import draw_figure, save_figure
+from manipplan.viz.films import film
 
 __all__ = [
     "animate",
     "draw_figure",
+    "film",
     "plot_arm",
     "plot_convergence",
     "plot_deviation",

@@ -12,7 +12,7 @@ import numpy as np
 
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.plans.result import PartialPlan, Plan
-from manipplan.support.checks import finite_array, instance, number, whole_number
+from manipplan.support.checks import Array, finite_array, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, MissingProgramError
 from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, as_callback
@@ -36,25 +36,33 @@ from manipplan.viz.shapes import arm_surfaces, joined
 HOLD = 1.0
 
 
-def _write_gif(stream: IO[bytes], figure: Any, some: Iterable[None], frames: Iterable[None], fps: float, colours: int) -> None:
+def write_gif(stream: IO[bytes], figure: Any, some: Iterable[None], frames: Iterable[None], fps: float, colours: int) -> None:
     """Write frames as a GIF, with durations in hundredths of a second and `HOLD` for the last one.
 
     Both `some` and `frames` show one frame after the other; the colours are chosen from `some`.
     """
+    from PIL import Image
+
+    palette = _palette([picture_of(figure) for _ in some], colours)
+    pictures = [picture_of(figure).quantize(palette=palette, dither=Image.Dither.NONE) for _ in frames]
+    ends = np.round(100 * np.arange(len(pictures)) / fps).astype(int)
+    durations = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
+    pictures[0].save(stream, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
+
+
+def picture_of(figure: Any) -> Any:
+    """The figure as a Pillow image."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     canvas: Any = FigureCanvasAgg(figure)
+    canvas.draw()
+    return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
-    def picture() -> Any:
-        canvas.draw()
-        return Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
 
-    palette = _palette([picture() for _ in some], colours)
-    pictures = [picture().quantize(palette=palette, dither=Image.Dither.NONE) for _ in frames]
-    ends = np.round(100 * np.arange(len(pictures)) / fps).astype(int)
-    durations = [*(10 * np.diff(ends)).tolist(), int(1000 * HOLD)]
-    pictures[0].save(stream, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
+def frame_times(duration: float, speed: float, fps: float) -> Array:
+    """The times of the frames of a motion of `duration` [s]."""
+    return np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
 
 def _write_mp4(stream: IO[bytes], figure: Any, frames: Iterable[None], fps: float) -> None:
@@ -148,8 +156,7 @@ def animate(
 
         if not FFMpegWriter.isAvailable():
             raise MissingProgramError("ffmpeg", "sudo apt-get install ffmpeg", "or write a .gif file, which needs no program")
-    duration = shown.trajectory.duration
-    times = np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
+    times = frame_times(shown.trajectory.duration, speed, fps)
 
     def write(stream: IO[bytes]) -> None:
         from matplotlib.figure import Figure
@@ -165,7 +172,7 @@ def animate(
 
         if kind == ".gif":
             some = (show(time) for time in times[[0, len(times) // 2, -1]])
-            _write_gif(stream, figure, some, frames(), fps, colours)
+            write_gif(stream, figure, some, frames(), fps, colours)
         else:
             _write_mp4(stream, figure, frames(), fps)
 

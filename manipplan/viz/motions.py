@@ -98,10 +98,14 @@ def drawn_tools(robot: Robot, task: Task | None = None) -> tuple[DrawnTool, ...]
 
 def ellipsoid_scale(robot: Robot, tools: Sequence[DrawnTool], q: Array) -> float:
     """Scale at which the largest radius of the ellipsoids of all tools at q (k, n) is `SHARE` of the longest arm's length."""
-    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
-    long = max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms)
     largest = max(np.linalg.norm(tool.jacobian(q), ord=2, axis=(1, 2)).max() for tool in tools)
-    return float(SHARE * long / max(largest, 1e-9))
+    return float(SHARE * arm_length(robot) / max(largest, 1e-9))
+
+
+def arm_length(robot: Robot) -> float:
+    """The length of the longest arm from base to tool along its joints [m]."""
+    arms = [(robot.arm(tool), list(robot.joints_of(tool))) for tool in robot.tools]
+    return float(max(np.linalg.norm(np.diff(skeleton(arm, robot.neutral[own]), axis=0), axis=1).sum() for arm, own in arms))
 
 
 def skeleton(robot: Robot, q: Array) -> Array:

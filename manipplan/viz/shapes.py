@@ -94,16 +94,19 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
     if isinstance(shape, coal.Halfspace | coal.Plane):
         return _square(np.asarray(shape.n), float(shape.d))
     if isinstance(shape, coal.BVHModelBase):
-        triangles = mesh_triangles(shape)
-    else:
-        polygons = surface_of(shape, FINE).faces
-        fans = [
-            np.array([face for face in polygons if len(face) == n])[:, [[0, k, k + 1] for k in range(1, n - 1)]]
-            for n in {len(face) for face in polygons}
-        ]
-        triangles = np.concatenate([fan.reshape(-1, 3, 3) for fan in fans])
+        return faces_of(mesh_triangles(shape), most)
+    polygons = surface_of(shape, FINE).faces
+    fans = [
+        np.array([face for face in polygons if len(face) == n])[:, [[0, k, k + 1] for k in range(1, n - 1)]]
+        for n in {len(face) for face in polygons}
+    ]
+    return faces_of(np.concatenate([fan.reshape(-1, 3, 3) for fan in fans]))
+
+
+def faces_of(triangles: Array, most: int | None = None) -> tuple[Array, Faces]:
+    """Vertices (v, 3) and faces (f, 3) of triangles (t, 3, 3), at most about `most`; sharp edges have vertices on each side."""
     vertices, faces = merge_corners(triangles)
-    if isinstance(shape, coal.BVHModelBase) and len(faces) > most:
+    if most is not None and len(faces) > most:
         import fast_simplification
 
         fewer = fast_simplification.simplify(vertices.astype(np.float32), faces.astype(np.int32), target_count=most)

@@ -189,6 +189,7 @@ def calls(folder: Path) -> dict[str, Call]:
     layers = mp.sample_layers(arm, line, 4, task=position, measure="yoshikawa")
     found = mp.max_min_search(layers, 1.0)
     plan = mp.plan(arm, q, goal)
+    reach = [0.0, -0.8, 0.0, -2.4, 0.0, 1.6, 0.8]
     link = planar.PlanarArm([1.0, 1.0, 1.0])
     two = planar.PlanarArm([1.0, 1.0])
     tracking = mp.track(arm, line, q, formulations.General(), dt=0.05, duration=1.0, task=position)
@@ -760,6 +761,20 @@ def calls(folder: Path) -> dict[str, Call]:
                 "size": (4.0, 3.0),
                 "dpi": 20.0,
                 "colours": 96,
+            },
+            heavy=True,
+        ),
+        "viz.film": C(
+            viz.film,
+            {
+                "plan": mp.plan(mp.load_robot("panda"), reach, np.add(reach, 0.01)),
+                "file": str(folder / "film.webp"),
+                "dark": False,
+                "width": 300,
+                "fps": 2.0,
+                "speed": 1.0,
+                "colours": 96,
+                "quality": 50,
             },
             heavy=True,
         ),

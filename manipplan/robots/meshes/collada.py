@@ -1,4 +1,4 @@
-"""COLLADA files (DAE): the triangles of their visual scene.
+"""COLLADA files (DAE): the triangles of their visual scene, and their colours.
 
 By hand: pycollada, which trimesh uses, drops what it cannot read and only notes it as an error of the document.
 """
@@ -14,6 +14,10 @@ from manipplan.robots.meshes.polygons import move_triangles, numbers, split_poly
 from manipplan.support.checks import Array
 
 Indices = NDArray[np.int64]
+#: Red, green and blue in [0, 1].
+Colour = tuple[float, float, float]
+#: The material of triangles (t, 3, 3), and these.
+Part = tuple[str | None, Array]
 
 #: Kinds of primitives with an area that are read.
 PRIMITIVES = ("triangles", "polylist", "polygons", "tristrips", "trifans")
@@ -28,6 +32,25 @@ def read_collada(argument: str, file: Path) -> tuple[Array, float, str]:
 
     Raises ValueError with the fault, or FileFormatError for XML that cannot be read.
     """
+    document = _read_document(argument, file)
+    up = (document.root.findtext("asset/up_axis") or "").strip().lower().removesuffix("_up")
+    parts = [triangles for _, triangles in document.parts()]
+    return np.concatenate([np.empty((0, 3, 3)), *parts]), document.unit, up
+
+
+def read_coloured(argument: str, file: Path) -> list[tuple[Colour | None, Array]]:
+    """The triangles (t, 3, 3) [m] of each diffuse colour, in the root frame; None: of those without one, such as textured ones.
+
+    Raises as `read_collada`.
+    """
+    document = _read_document(argument, file)
+    by_colour: dict[Colour | None, list[Array]] = {}
+    for material, triangles in document.parts():
+        by_colour.setdefault(document.colour_of(material), []).append(triangles)
+    return [(colour, document.unit * np.concatenate(some)) for colour, some in by_colour.items()]
+
+
+def _read_document(argument: str, file: Path) -> "_Document":
     root = read_bounded_xml(argument, file)
     for element in root.iter():
         element.tag = element.tag.rpartition(":")[2]
@@ -35,13 +58,7 @@ def read_collada(argument: str, file: Path) -> tuple[Array, float, str]:
             raise ValueError(f"<{element.tag}> needs numbers, not <{element[0].tag}>")
     if root.tag != "COLLADA":
         raise ValueError(f"its root is <{root.tag}>")
-    document = _Document(root)
-    unit = root.find("asset/unit")
-    up = (root.findtext("asset/up_axis") or "").strip().lower().removesuffix("_up")
-    length = float(unit.get("meter", "1")) if unit is not None else 1.0
-    if not 0.0 < length < np.inf:
-        raise ValueError(f"its unit is {length:g} m")
-    return document.triangles(), length, up
+    return _Document(root)
 
 
 class _Document:
@@ -50,19 +67,36 @@ class _Document:
     def __init__(self, root: ET.Element) -> None:
         self.root = root
         self.by_id = {str(each.get("id")): each for each in root.iter() if each.get("id") is not None}
-        self.meshes: dict[ET.Element, Array] = {}
+        self.meshes: dict[ET.Element, list[Part]] = {}
         self.nodes = 0
-        self.found: list[Array] = []
+        self.found: list[Part] = []
+        unit = root.find("asset/unit")
+        self.unit = float(unit.get("meter", "1")) if unit is not None else 1.0
+        if not 0.0 < self.unit < np.inf:
+            raise ValueError(f"its unit is {self.unit:g} m")
 
-    def triangles(self) -> Array:
-        """Triangles of the scene; without a scene, of all geometries as they are."""
+    def parts(self) -> list[Part]:
+        """The triangles of the scene with their materials; without a scene, of all geometries as they are."""
         instance = self.root.find("scene/instance_visual_scene")
         if instance is None:
-            self.found = [self._mesh(each) for each in self.root.findall("library_geometries/geometry")]
+            self.found = [part for each in self.root.findall("library_geometries/geometry") for part in self._mesh(each)]
         else:
             for node in self._find_named(instance.get("url"), "visual_scene").findall("node"):
                 self._add(node, np.eye(4), 0)
-        return np.concatenate([np.empty((0, 3, 3)), *self.found])
+        return self.found
+
+    def colour_of(self, material: str | None) -> Colour | None:
+        """The diffuse colour of a material, its id; None where it has none."""
+        found = self.by_id.get(str(material))
+        link = found.find("instance_effect") if found is not None else None
+        effect = self.by_id.get(str(link.get("url")).removeprefix("#")) if link is not None else None
+        diffuse = next((each for each in effect.iter("diffuse")), None) if effect is not None else None
+        text = diffuse.findtext("color") if diffuse is not None else None
+        values = numbers(text or "")
+        if len(values) != 4 or not ((values >= 0) & (values <= 1)).all():
+            return None
+        red, green, blue, _ = values.tolist()
+        return red, green, blue
 
     def _find_named(self, url: str | None, tag: str) -> ET.Element:
         element = self.by_id.get(str(url).removeprefix("#"))
@@ -77,8 +111,10 @@ class _Document:
         transform = parent @ _transform(node)
         for child in node:
             if child.tag == "instance_geometry":
-                mesh = self._mesh(self._find_named(child.get("url"), "geometry"))
-                self.found.append(move_triangles(mesh, transform))
+                bound = {str(each.get("symbol")): str(each.get("target")) for each in child.iter("instance_material")}
+                for symbol, mesh in self._mesh(self._find_named(child.get("url"), "geometry")):
+                    material = bound.get(str(symbol), str(symbol)).removeprefix("#")
+                    self.found.append((material, move_triangles(mesh, transform)))
             elif child.tag == "instance_node":
                 self._add(self._find_named(child.get("url"), "node"), transform, depth + 1)
             elif child.tag == "node":
@@ -86,14 +122,14 @@ class _Document:
             elif child.tag == "instance_controller":
                 raise ValueError("it has skins or morphs, which are not read")
 
-    def _mesh(self, geometry: ET.Element) -> Array:
-        """Triangles of a geometry, in its own frame."""
+    def _mesh(self, geometry: ET.Element) -> list[Part]:
+        """The triangles of each primitive of a geometry, in its own frame, with the symbol of its material."""
         if geometry not in self.meshes:
             mesh = geometry.find("mesh")
             if mesh is None:
                 raise ValueError("it has a <geometry> without <mesh>, which is not read")
-            found = [self._primitive(each) for each in mesh if each.tag in PRIMITIVES]
-            self.meshes[geometry] = np.concatenate([np.empty((0, 3, 3)), *found])
+            primitives = [each for each in mesh if each.tag in PRIMITIVES]
+            self.meshes[geometry] = [(each.get("material"), self._primitive(each)) for each in primitives]
         return self.meshes[geometry]
 
     def _primitive(self, primitive: ET.Element) -> Array:

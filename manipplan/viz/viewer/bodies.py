@@ -6,6 +6,7 @@ The visual geometry of a robot, read from its description only when the robot is
 import logging
 from dataclasses import dataclass
 from itertools import cycle
+from pathlib import Path
 
 import coal
 import numpy as np
@@ -14,6 +15,7 @@ import pinocchio as pin
 from manipplan.collision.scene import Scene
 from manipplan.robots import attached, mjcf, subchain
 from manipplan.robots.description import read_visuals
+from manipplan.robots.meshes.collada import read_coloured
 from manipplan.robots.model_tree import frame_index, plain_angles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -21,7 +23,7 @@ from manipplan.support.errors import InvalidInputError, ManipplanError
 from manipplan.support.memo import once_per_owner
 from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz import style
-from manipplan.viz.shapes import MOST, Faces, triangles_of
+from manipplan.viz.shapes import MOST, Faces, faces_of, triangles_of
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -56,6 +58,8 @@ log = logging.getLogger("manipplan")
 Colour = tuple[float, float, float, float]
 #: Maximum number of triangles of a mesh that does not move, such as the legs of a humanoid.
 STILL = 1000
+#: Number of triangles that each colour of a mesh may have at least.
+LEAST = 150
 #: Colour of geometry without a colour of its own.
 GREY = (0.72, 0.74, 0.77, 1.0)
 
@@ -106,15 +110,37 @@ def _bodies(geometry: pin.GeometryModel) -> tuple[DrawnBody, ...]:
         red, green, blue, alpha = (float(c) for c in item.meshColor)
         colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
         most = MOST if item.parentJoint else STILL
-        made += _drawn(item.name, item.parentJoint, item.placement, item.geometry, colour, most)
+        parts = () if item.overrideMaterial else _coloured_parts(item)
+        if parts:
+            total = sum(len(triangles) for _, triangles in parts)
+            for own, triangles in parts:
+                share = max(most * len(triangles) // total, LEAST)
+                made += _moved(item.name, item.parentJoint, item.placement, faces_of(triangles, share), own)
+        else:
+            made += _drawn(item.name, item.parentJoint, item.placement, item.geometry, colour, most)
     return tuple(made)
+
+
+def _coloured_parts(item: pin.GeometryObject) -> list[tuple[Colour, Array]]:
+    """The triangles (t, 3, 3) [m] of each colour of a mesh, where its file has colours that are read, as COLLADA files may."""
+    file = Path(item.meshPath)
+    if file.suffix.lower() != ".dae" or not file.is_file():
+        return []
+    scale = np.asarray(item.meshScale)
+    parts = [((*colour, 1.0) if colour else GREY, scale * part) for colour, part in read_coloured("file", file) if len(part)]
+    return [(colour, part[:, ::-1] if scale.prod() < 0 else part) for colour, part in parts]
 
 
 def _drawn(
     name: str, joint: int, place: pin.SE3, shape: coal.CollisionGeometry, colour: Colour, most: int = MOST
 ) -> list[DrawnBody]:
     """The body, or nothing for a mesh without triangles."""
-    vertices, faces = triangles_of(shape, most)
+    return _moved(name, joint, place, triangles_of(shape, most), colour)
+
+
+def _moved(name: str, joint: int, place: pin.SE3, surface: tuple[Array, Faces], colour: Colour) -> list[DrawnBody]:
+    """The body of a surface in its own frame, or nothing for one without triangles."""
+    vertices, faces = surface
     vertices = vertices @ place.rotation.T + place.translation
     return [DrawnBody(name=name, joint=joint, vertices=vertices, faces=faces, colour=colour)] if len(faces) else []
 
