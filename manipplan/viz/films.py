@@ -61,13 +61,12 @@ def film(
     Raises:
         InvalidInputError: an argument is not usable, the robot is planar, or the file cannot be written.
         PlanningError: the plan has no trajectory.
-        MissingExtraError: a package of the extra is not installed.
+        MissingExtraError: MuJoCo is not installed.
         ManipplanError: MuJoCo cannot render here.
     """
     notify = as_callback(progress)
-    for package in ("mujoco", "fast_simplification"):
-        if find_spec(package) is None:
-            raise MissingExtraError(package.replace("_", "-"), "film")
+    if find_spec("mujoco") is None:
+        raise MissingExtraError("mujoco", "film")
     kind = Path(file).suffix.lower() if isinstance(file, str | Path) else ""
     if kind not in (".webp", ".gif", ".png"):
         raise InvalidInputError("file", file, "a file whose name ends in .webp, .gif or .png")

@@ -38,6 +38,8 @@ GROUND = {False: (0.955, 0.96, 0.97), True: (0.135, 0.15, 0.175)}
 LARGE = {False: (0.86, 0.84, 0.81, 1.0), True: (0.34, 0.35, 0.37, 1.0)}
 #: Radius of a line ahead of the tool, and of the way that it has gone [m].
 AHEAD, GONE = 0.005, 0.0075
+#: Maximum number of shapes in a picture.
+MOST_SHAPES = 4000
 #: Smallest radius of an ellipsoid [m].
 THIN = 0.004
 
@@ -66,7 +68,8 @@ class Renderer:
 
         Raises ManipplanError where MuJoCo cannot render.
         """
-        mujoco = _mujoco()
+        import mujoco
+
         self.robot, self.size = robot, size
         self._data = robot.model.createData()
         spec, points = self._world(mujoco, dark), [shown]
@@ -85,10 +88,15 @@ class Renderer:
         self._camera = mujoco.MjvCamera()
         self._camera.lookat[:], self._camera.distance = _fit(np.concatenate(points), size[0] / size[1])
         self._camera.azimuth, self._camera.elevation = AZIMUTH, ELEVATION
+        self._rectangle = mujoco.MjrRect(0, 0, FINER * size[0], FINER * size[1])
+        self._shown, self._options = mujoco.MjvScene(self._model, maxgeom=MOST_SHAPES), mujoco.MjvOption()
         try:
-            self._renderer = mujoco.Renderer(self._model, FINER * size[1], FINER * size[0])
-        except Exception as error:  # each of MuJoCo's backends has errors of its own
+            self._screen = _context_type()(FINER * size[0], FINER * size[1])
+            self._screen.make_current()
+            self._buffers = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        except Exception as error:  # each of the libraries that can be used has errors of its own
             raise ManipplanError(f"MuJoCo cannot render here: {error}. {REMEDY}") from error
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._buffers)
 
     def _world(self, mujoco: Any, dark: bool) -> Any:
         """Light, background, and a body for each joint."""
@@ -117,22 +125,27 @@ class Renderer:
             lines: ways of tools.
             ellipsoids: with their centres (3,) [m], metres per unit of their radii, and colours.
         """
-        mujoco = _mujoco()
+        import mujoco
+
         pin.forwardKinematics(self.robot.model, self._data, q)
         for mocap, place in zip(self._mocap, self._data.oMi, strict=True):
             self._state.mocap_pos[mocap] = place.translation
             self._state.mocap_quat[mocap] = pin.Quaternion(place.rotation).coeffs()[[3, 0, 1, 2]]
         mujoco.mj_forward(self._model, self._state)
-        self._renderer.update_scene(self._state, self._camera)
+        every = mujoco.mjtCatBit.mjCAT_ALL
+        mujoco.mjv_updateScene(self._model, self._state, self._options, None, self._camera, every, self._shown)
         for line in lines:
             self._add_line(mujoco, line)
         for ellipsoid, centre, scale, colour in ellipsoids:
             radii = np.maximum(scale * np.asarray(ellipsoid.radii), THIN)
             axes = np.asarray(ellipsoid.axes) * [1.0, 1.0, np.sign(np.linalg.det(ellipsoid.axes))]
             self._add(mujoco, mujoco.mjtGeom.mjGEOM_ELLIPSOID, radii, centre, axes, (*style.rgb(colour), 0.45))
-        fine = self._renderer.render()
-        height, width = self.size[1], self.size[0]
-        return np.asarray(fine.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3)).round(), dtype=np.uint8)
+        width, height = self.size
+        fine = np.empty((FINER * height, FINER * width, 3), dtype=np.uint8)
+        self._screen.make_current()
+        mujoco.mjr_render(self._rectangle, self._shown, self._buffers)
+        mujoco.mjr_readPixels(fine, None, self._rectangle, self._buffers)  # the lowest row comes first
+        return np.asarray(fine[::-1].reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3)).round(), dtype=np.uint8)
 
     def _add_line(self, mujoco: Any, line: DrawnWay) -> None:
         for k in range(len(line.points) - 1):
@@ -144,7 +157,7 @@ class Renderer:
 
     def _add(self, mujoco: Any, kind: Any, size: Array, centre: Array, axes: Array, colour: Sequence[float]) -> Any:
         """A shape of this picture only."""
-        scene = self._renderer.scene
+        scene = self._shown
         geom = scene.geoms[scene.ngeom]
         mujoco.mjv_initGeom(geom, kind, size, centre, np.asarray(axes).ravel(), np.array(colour, dtype=np.float32))
         scene.ngeom += 1
@@ -152,7 +165,8 @@ class Renderer:
 
     def close(self) -> None:
         """Free the buffers."""
-        self._renderer.close()
+        self._buffers.free()
+        self._screen.free()
 
     def __enter__(self) -> Self:
         return self
@@ -162,19 +176,20 @@ class Renderer:
 
 
 #: What helps where no picture can be made.
-REMEDY = "On Linux without a display it needs EGL: sudo apt-get install libegl1 libgl1-mesa-dri"
+REMEDY = "On Linux it needs EGL: sudo apt-get install libegl1 libgl1-mesa-dri"
 
 
-def _mujoco() -> Any:
-    """The package; without a display it renders by EGL, unless MUJOCO_GL says otherwise."""
-    if sys.platform == "linux" and "DISPLAY" not in os.environ:
-        os.environ.setdefault("MUJOCO_GL", "egl")
-    import mujoco
-
-    return mujoco
+def _context_type() -> Any:
+    """The class of a place to render to: of EGL on Linux, unless the variable MUJOCO_GL names another library."""
+    if sys.platform == "linux" and not os.environ.get("MUJOCO_GL"):
+        from mujoco.egl import GLContext
+    else:
+        from mujoco.gl_context import GLContext
+    return GLContext
 
 
 def _add_mesh(mujoco: Any, spec: Any, body: Any, name: str, vertices: Array, faces: Faces, colour: Sequence[float]) -> None:
+    vertices = np.concatenate([vertices, *[vertices[:1]] * max(4 - len(vertices), 0)])  # MuJoCo wants four
     mesh = spec.add_mesh(name=name, uservert=vertices.ravel(), userface=faces.ravel().astype(np.int32))
     mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
     kind = mujoco.mjtGeom.mjGEOM_MESH

@@ -1,6 +1,6 @@
 """Shapes as surfaces: polygons and edges for pictures, and triangles for a browser."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import coal
@@ -27,6 +27,10 @@ CREASE, SHARP = 0.35, 0.6
 TRIANGLES, CUBES = 5000, 2000
 #: Maximum number of triangles per mesh: a browser without a graphics card can still animate two arms of ten links.
 MOST = 4000
+#: Number of decimals of corners [m] that are one where they agree.
+DIGITS = 7
+#: How often the size of the cells is halved in which corners become one.
+HALVINGS = 12
 #: Half the side of the square that is drawn for a plane in a browser [m].
 PLANE = 1.5
 
@@ -89,7 +93,7 @@ def surface_of(shape: coal.CollisionGeometry, around: int = AROUND) -> Surface:
 def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array, Faces]:
     """Vertices (v, 3) [m] in the shape's frame and faces (f, 3) for a browser.
 
-    A mesh has about `most` triangles. Vertices along sharp edges are separate on each side. A plane is a square.
+    A mesh has at most `most` triangles. Vertices along sharp edges are separate on each side. A plane is a square.
     """
     if isinstance(shape, coal.Halfspace | coal.Plane):
         return _square(np.asarray(shape.n), float(shape.d))
@@ -104,20 +108,62 @@ def triangles_of(shape: coal.CollisionGeometry, most: int = MOST) -> tuple[Array
 
 
 def faces_of(triangles: Array, most: int | None = None) -> tuple[Array, Faces]:
-    """Vertices (v, 3) and faces (f, 3) of triangles (t, 3, 3), at most about `most`; sharp edges have vertices on each side."""
-    vertices, faces = merge_corners(triangles)
-    if most is not None and len(faces) > most:
-        import fast_simplification
+    """Vertices (v, 3) and faces (f, 3) of triangles (t, 3, 3), at most `most`; sharp edges have vertices on each side."""
+    [(vertices, faces)] = faces_of_parts([triangles], most)
+    return vertices, faces
 
-        fewer = fast_simplification.simplify(vertices.astype(np.float32), faces.astype(np.int32), target_count=most)
-        vertices, faces = np.asarray(fewer[0], dtype=float), np.asarray(fewer[1], dtype=int)
-    return _crease(vertices, faces) if len(faces) else (vertices, faces)
+
+def faces_of_parts(parts: Sequence[Array], most: int | None = None) -> list[tuple[Array, Faces]]:
+    """The same of the parts of one mesh, which stay joined where they meet; `most` triangles in all."""
+    triangles = np.concatenate(parts)
+    corners, place = np.unique(triangles.reshape(-1, 3).round(DIGITS), axis=0, return_inverse=True)
+    faces, own = place.reshape(-1, 3), np.repeat(np.arange(len(parts)), [len(each) for each in parts])
+    distinct = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+    faces, own = faces[distinct], own[distinct]
+    if most is not None and len(faces) > most:
+        owners = np.full(len(corners), -1)
+        owners[faces.ravel()] = np.repeat(own, 3)
+        shared = np.zeros(len(corners), dtype=bool)
+        shared[faces[owners[faces] != own[:, None]]] = True
+        corners, faces, chosen = _with_fewer_faces(corners, faces, most, np.where(shared, -1, owners))
+        own = own[chosen]
+    return [_crease(corners, faces[own == k]) if (own == k).any() else (corners, faces[:0]) for k in range(len(parts))]
+
+
+def _with_fewer_faces(
+    corners: Array, faces: Faces, most: int, kinds: NDArray[np.int64] | None = None
+) -> tuple[Array, Faces, Faces]:
+    """At most `most` triangles: corners (k, 3) of one kind, of `kinds` (k,), in one cell of a grid become their mean.
+
+    So nothing tears, unlike where edges are collapsed one by one: meshes of CAD programs consist of patches. Returns corners,
+    faces, and which ones these were.
+    """
+    finest, coarsest = 0.0, float(np.ptp(corners, axis=0).max())
+    fewer = corners, faces[:0], np.zeros(0, dtype=np.int64)
+    for _ in range(HALVINGS):
+        cell = (finest + coarsest) / 2
+        cells = np.floor((corners - corners.min(axis=0)) / cell)
+        if kinds is not None:
+            cells = np.column_stack([cells, kinds])
+        _, own = np.unique(cells, axis=0, return_inverse=True)
+        moved = own.ravel()[faces]
+        flat = (moved == np.roll(moved, 1, axis=1)).any(axis=1)
+        begin = moved.argmin(axis=1)[:, None]
+        turned = np.take_along_axis(moved, np.add(begin, [0, 1, 2]) % 3, axis=1)  # the smallest corner comes first
+        chosen = np.flatnonzero(~flat)[np.unique(turned[~flat], axis=0, return_index=True)[1]]
+        if len(chosen) > most:
+            finest = cell
+        else:
+            number = np.bincount(own.ravel())
+            means = [np.bincount(own.ravel(), each) / number for each in corners.T]
+            coarsest, fewer = cell, (np.stack(means, axis=1), moved[chosen], chosen)
+    return fewer
 
 
 def obstacle_surfaces(scene: Scene) -> Iterator[tuple[str, Surface]]:
     """Name and surface, in the world, of each bounded obstacle; for a mesh, all its parts together.
 
-    A mesh that is not convex is drawn with at most about `TRIANGLES` triangles, a cloud as at most `CUBES` cubes.
+    A mesh that is not convex is drawn with at most `TRIANGLES` triangles, a cloud as at most `CUBES` cubes.
     """
     for name, obstacle in zip(scene.names, scene.obstacles, strict=True):
         if isinstance(obstacle, PointCloud):
@@ -201,14 +247,10 @@ def _revolve(radius: Array, height: Array, around: int, *, rings: tuple[int, ...
 
 
 def _mesh(mesh: coal.BVHModelBase) -> Surface:
-    """The triangles of a mesh, and the edges where it bends or ends; corners in one cell of a grid are one if it has many."""
-    triangles = mesh_triangles(mesh)
-    corners, faces = merge_corners(triangles)
-    cell = np.ptp(corners, axis=0).max() / 200
-    while len(faces) > TRIANGLES:
-        corners, faces = merge_corners((np.rint(corners / cell) * cell)[faces])
-        faces = faces[np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1]]
-        cell *= 1.3
+    """At most `TRIANGLES` triangles of a mesh, and the edges where it bends or ends."""
+    corners, faces = merge_corners(mesh_triangles(mesh))
+    if len(faces) > TRIANGLES:
+        corners, faces, _ = _with_fewer_faces(corners, faces, TRIANGLES)
     sides, beside, cosines = _sides(corners, faces)
     ends = (beside < 0).any(axis=1)
     return _triangular(corners, faces, sides[ends | (np.abs(cosines) < np.cos(CREASE))])  # neighbours may face opposite ways

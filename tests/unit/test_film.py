@@ -9,12 +9,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
+from scipy.spatial import cKDTree
 
 import manipplan as mp
 from manipplan import viz
+from manipplan.collision.world import mesh_triangles
 from manipplan.robots.meshes.collada import read_collada, read_coloured
 from manipplan.viz import render, style
-from manipplan.viz.viewer.bodies import appearance_of
+from manipplan.viz.shapes import faces_of
+from manipplan.viz.viewer.bodies import appearance_of, visual_geometry
 
 
 @pytest.fixture(scope="module")
@@ -115,6 +118,30 @@ def test_meshes_have_the_colours_of_their_files():
             seen, hull = np.concatenate(own), item.geometry.vertices() @ item.placement.rotation.T + item.placement.translation
             assert np.abs(seen.min(axis=0) - hull.min(axis=0)).max() < 0.02
             assert np.abs(seen.max(axis=0) - hull.max(axis=0)).max() < 0.02
+
+
+def nearest_apart(points, others):
+    return cKDTree(others).query(points)[0].max()
+
+
+@pytest.mark.parametrize(("robot", "body", "most"), [("baxter", "pedestal_0", 2500), ("ur5", "forearm_link_0", 1000)])
+def test_a_mesh_with_fewer_triangles_has_no_part_missing(robot, body, most):
+    geometry, _ = visual_geometry(mp.load_robot(robot))
+    [item] = [each for each in geometry.geometryObjects if each.name == body]
+    triangles = mesh_triangles(item.geometry)
+    vertices, faces = faces_of(triangles, most)
+    assert 0.5 * most < len(faces) <= most
+    rng = np.random.default_rng(0)
+
+    def sampled(corners, count):
+        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        chosen = corners[rng.choice(len(corners), count, p=areas / areas.sum())]
+        return np.einsum("kc,kcx->kx", rng.dirichlet(np.ones(3), count), chosen)
+
+    size = np.ptp(triangles.reshape(-1, 3), axis=0).max()
+    whole, fewer = sampled(triangles, 40000), sampled(vertices[faces], 40000)
+    assert nearest_apart(whole, fewer) < 0.05 * size
+    assert nearest_apart(fewer, whole) < 0.05 * size
 
 
 MESH = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema"><asset><unit meter="0.01"/></asset>

@@ -23,7 +23,7 @@ from manipplan.support.errors import InvalidInputError, ManipplanError
 from manipplan.support.memo import once_per_owner
 from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz import style
-from manipplan.viz.shapes import MOST, Faces, faces_of, triangles_of
+from manipplan.viz.shapes import MOST, Faces, faces_of_parts, triangles_of
 
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
@@ -56,10 +56,8 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
 log = logging.getLogger("manipplan")
 
 Colour = tuple[float, float, float, float]
-#: Maximum number of triangles of a mesh that does not move, such as the legs of a humanoid.
-STILL = 1000
-#: Number of triangles that each colour of a mesh may have at least.
-LEAST = 150
+#: Number of triangles of all meshes that do not move, such as the legs of a humanoid, and of one of them at least.
+STILL, LEAST_STILL = 30_000, 1000
 #: Colour of geometry without a colour of its own.
 GREY = (0.72, 0.74, 0.77, 1.0)
 
@@ -106,16 +104,17 @@ def appearance_of(robot: Robot) -> Appearance:
 
 def _bodies(geometry: pin.GeometryModel) -> tuple[DrawnBody, ...]:
     made: list[DrawnBody] = []
+    still = sum(not item.parentJoint for item in geometry.geometryObjects)
+    of_still = min(max(STILL // max(still, 1), LEAST_STILL), MOST)
     for item in geometry.geometryObjects:
         red, green, blue, alpha = (float(c) for c in item.meshColor)
         colour = (red, green, blue, alpha) if item.overrideMaterial else GREY
-        most = MOST if item.parentJoint else STILL
+        most = MOST if item.parentJoint else of_still
         parts = () if item.overrideMaterial else _coloured_parts(item)
         if parts:
-            total = sum(len(triangles) for _, triangles in parts)
-            for own, triangles in parts:
-                share = max(most * len(triangles) // total, LEAST)
-                made += _moved(item.name, item.parentJoint, item.placement, faces_of(triangles, share), own)
+            surfaces = faces_of_parts([triangles for _, triangles in parts], most)
+            for (own, _), surface in zip(parts, surfaces, strict=True):
+                made += _moved(item.name, item.parentJoint, item.placement, surface, own)
         else:
             made += _drawn(item.name, item.parentJoint, item.placement, item.geometry, colour, most)
     return tuple(made)

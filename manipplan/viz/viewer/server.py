@@ -234,7 +234,7 @@ def has_display() -> bool:
 
 def require_extra() -> None:
     """Raise MissingExtraError before any work if a package of the extra `viewer` is not installed."""
-    for package in ("viser", "trimesh", "fast_simplification"):
+    for package in ("viser", "trimesh"):
         try:
             importlib.import_module(package)
         except ImportError as error:
