@@ -5,6 +5,7 @@ checked motion that does not meet the request (its status says why), 4 a pose ou
 """
 
 import logging
+import os
 import sys
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
@@ -13,12 +14,13 @@ import tyro
 from rich.console import Console
 
 from manipplan.cli import commands
+from manipplan.cli.doctor import doctor
 from manipplan.cli.terminal import show_line
 from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, OutOfReachError
 from manipplan.support.untrusted import printable
 
 NAMES = ("demo", "plan", "run", "follow", "improve", "check", "view", "study", "robots")
-COMMANDS: dict[str, Callable[..., int | None]] = {name: getattr(commands, name) for name in NAMES}
+COMMANDS: dict[str, Callable[..., int | None]] = {name: getattr(commands, name) for name in NAMES} | {"doctor": doctor}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -37,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = tyro.extras.subcommand_cli_from_dict(
             COMMANDS,
             prog="manipplan",
-            description="Robot-arm motion that stays far from singularities.",
+            description="Robot-arm motion that stays away from singularities. --version prints the version.",
             args=arguments,
         )
     except ManipplanError as error:
@@ -60,4 +62,8 @@ class _Printable(logging.Formatter):
 
 def run() -> None:
     """Entry point of the console script."""
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except BrokenPipeError:  # what reads the output has ended, such as `head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)

@@ -16,22 +16,41 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.symbolic.task import Task
 
+RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT")]
+OptionalRobot: TypeAlias = Annotated[str | None, arg(metavar="ROBOT")]
+Folder: TypeAlias = Annotated[Path, arg(metavar="FOLDER")]
+InputFile: TypeAlias = Annotated[Path, arg(metavar="FILE")]
+OptionalFile: TypeAlias = Annotated[Path | None, arg(metavar="FILE")]
+Configuration: TypeAlias = Annotated[tuple[str, ...], arg(metavar="Q [Q ...]")]
+Numbers: TypeAlias = Annotated[tuple[float, ...], arg(metavar="X [X ...]")]
+Counts: TypeAlias = Annotated[tuple[int, ...], arg(metavar="N [N ...]")]
+OptionalCount: TypeAlias = Annotated[int | None, arg(metavar="N")]
+OptionalSpeed: TypeAlias = Annotated[float | None, arg(metavar="METRES/SECOND")]
+Words: TypeAlias = Annotated[tuple[str, ...], arg(metavar="NAME=VALUE [...]")]
+OptionalName: TypeAlias = Annotated[str | None, arg(metavar="NAME")]
+Axis: TypeAlias = Annotated[tuple[float, float, float] | None, arg(metavar="X Y Z")]
+Metres: TypeAlias = Annotated[float, arg(metavar="METRES")]
+Seconds: TypeAlias = Annotated[float, arg(metavar="SECONDS")]
+OptionalSeconds: TypeAlias = Annotated[float | None, arg(metavar="SECONDS")]
+Distances: TypeAlias = Annotated[tuple[float, float], arg(metavar="METRES RADIANS")]
+OptionalDistances: TypeAlias = Annotated[tuple[float, float] | None, arg(metavar="METRES RADIANS")]
+
 
 @dataclass(frozen=True, kw_only=True)
 class RobotOptions:
     """Options of the robot and its scene."""
 
-    scene: Path | None = None
+    scene: OptionalFile = None
     """YAML file with obstacles."""
-    tool: str | None = None
+    tool: OptionalName = None
     """Tool frame, if the robot is a file."""
-    srdf: Path | None = None
+    srdf: OptionalFile = None
     """Semantic description (SRDF), if the robot is a file."""
-    locked: tuple[str, ...] = ()
+    locked: Words = ()
     """Joints that do not belong to the arm, such as those of a hand: name=value [rad or m], or the name of an SRDF state."""
-    velocity: tuple[float, ...] = ()
+    velocity: Numbers = ()
     """Velocity limits [rad/s or m/s] instead of the robot's, one number or one per joint."""
-    acceleration: tuple[float, ...] = ()
+    acceleration: Numbers = ()
     """Acceleration limits [rad/s² or m/s²], in the same form."""
 
     def load(

@@ -13,7 +13,31 @@ from rich.table import Column, Table
 from tyro.conf import Positional
 
 from manipplan.cli import terminal
-from manipplan.cli.arm import RobotOptions, WithRobotOptions, columns_of, configuration_of, task_of
+from manipplan.cli.arm import (
+    Axis,
+    Configuration,
+    Counts,
+    Distances,
+    Folder,
+    InputFile,
+    Metres,
+    Numbers,
+    OptionalCount,
+    OptionalDistances,
+    OptionalFile,
+    OptionalName,
+    OptionalRobot,
+    OptionalSeconds,
+    OptionalSpeed,
+    RobotName,
+    RobotOptions,
+    Seconds,
+    WithRobotOptions,
+    Words,
+    columns_of,
+    configuration_of,
+    task_of,
+)
 from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.pose_goal import Goal
@@ -44,25 +68,25 @@ from manipplan.timing.constant_speed import STEADY
 
 
 def plan(
-    robot: Positional[str],
+    robot: Positional[RobotName],
     /,
-    start: tuple[str, ...],
-    goal: tuple[str, ...] = (),
-    goal_pose: tuple[float, ...] = (),
-    goals: Path | None = None,
-    constraints: Path | None = None,
-    out: Path = Path("plan"),
+    start: Configuration,
+    goal: Configuration = (),
+    goal_pose: Numbers = (),
+    goals: OptionalFile = None,
+    constraints: OptionalFile = None,
+    out: Folder = Path("plan"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: tuple[float, ...] = (),
+    jerk: Numbers = (),
     power: float = 1.0,
-    measure: str | None = None,
+    measure: OptionalName = None,
     degree: int = 6,
     shifts: Literal["none", "nearest", "within-limits"] = "none",
-    clearance: float = 0.0,
+    clearance: Metres = 0.0,
     torque: bool = False,
     seed: int = 0,
     seeds: int = 1,
-    time_limit: float = 10.0,
+    time_limit: Seconds = 10.0,
 ) -> int:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
@@ -126,14 +150,14 @@ def _goal(arm: Robot, words: Sequence[str], pose: Sequence[float], file: Path | 
 
 
 def run(
-    program: Positional[Path],
+    program: Positional[InputFile],
     /,
-    robot: str = "",
-    out: Path = Path("program"),
+    robot: RobotName = "",
+    out: Folder = Path("program"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: tuple[float, ...] = (),
+    jerk: Numbers = (),
     torque: bool = False,
-    time_limit: float | None = None,
+    time_limit: OptionalSeconds = None,
 ) -> int:
     """Plan a program of moves and write its trajectory as CSV, JSON and ROS JointTrajectory, with a report.
 
@@ -170,34 +194,34 @@ def run(
         files = made.save(folder)
         notify(1.0, "done")
     terminal.show_assumptions(Console(), arm)
-    terminal.show_result(str(made), files)
+    terminal.show_result(str(made), files, folder)
     return 0
 
 
 def follow(
-    robot: Positional[str],
-    poses: Positional[Path],
+    robot: Positional[RobotName],
+    poses: Positional[InputFile],
     /,
-    start: tuple[str, ...] = (),
-    tool_speed: float | None = None,
+    start: Configuration = (),
+    tool_speed: OptionalSpeed = None,
     slowdown: float = STEADY,
-    positions: int | None = None,
+    positions: OptionalCount = None,
     interruptions: int = 0,
-    retreat: tuple[float, ...] = (0.05,),
+    retreat: Numbers = (0.05,),
     epsilon: float = 0.2,
-    samples: tuple[int, ...] = (),
-    pointing: tuple[float, float, float] | None = None,
+    samples: Counts = (),
+    pointing: Axis = None,
     only: Literal["position", "orientation"] | None = None,
-    tolerance: tuple[float, float] | None = None,
-    out: Path = Path("follow"),
+    tolerance: OptionalDistances = None,
+    out: Folder = Path("follow"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: tuple[float, ...] = (),
-    clearance: float = 0.0,
+    jerk: Numbers = (),
+    clearance: Metres = 0.0,
     closed: bool = False,
     torque: bool = False,
-    measure: str | None = None,
+    measure: OptionalName = None,
     seed: int = 0,
-    time_limit: float | None = None,
+    time_limit: OptionalSeconds = None,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
@@ -257,17 +281,17 @@ def follow(
 
 
 def improve(
-    robot: Positional[str],
-    recorded: Positional[Path],
+    robot: Positional[RobotName],
+    recorded: Positional[InputFile],
     /,
-    tolerance: tuple[float, float] = (0.02, 0.2),
-    duration: float | None = None,
+    tolerance: Distances = (0.02, 0.2),
+    duration: OptionalSeconds = None,
     degrees: bool = False,
-    column: tuple[str, ...] = (),
-    clearance: float = 0.0,
-    measure: str | None = None,
-    time_limit: float | None = None,
-    out: Path = Path("improve"),
+    column: Words = (),
+    clearance: Metres = 0.0,
+    measure: OptionalName = None,
+    time_limit: OptionalSeconds = None,
+    out: Folder = Path("improve"),
     options: WithRobotOptions = RobotOptions(),
 ) -> int:
     """Make a recorded joint motion smooth and raise its manipulability, and write it as CSV, JSON and ROS JointTrajectory.
@@ -309,25 +333,25 @@ def improve(
 
 
 def check(
-    trajectory: Positional[Path],
+    trajectory: Positional[InputFile],
     /,
-    robot: str,
-    start: tuple[str, ...] = (),
-    goal: tuple[str, ...] = (),
+    robot: RobotName,
+    start: Configuration = (),
+    goal: Configuration = (),
     options: WithRobotOptions = RobotOptions(),
-    jerk: tuple[float, ...] = (),
-    path: Path | None = None,
-    path_begin: float = 0.0,
-    tolerance: tuple[float, float] | None = None,
-    pointing: tuple[float, float, float] | None = None,
+    jerk: Numbers = (),
+    path: OptionalFile = None,
+    path_begin: Seconds = 0.0,
+    tolerance: OptionalDistances = None,
+    pointing: Axis = None,
     only: Literal["position", "orientation"] | None = None,
-    constraints: Path | None = None,
-    clearance: float = 0.0,
+    constraints: OptionalFile = None,
+    clearance: Metres = 0.0,
     torque: bool = False,
     power: float = 1.0,
-    measure: str | None = None,
+    measure: OptionalName = None,
     degrees: bool = False,
-    column: tuple[str, ...] = (),
+    column: Words = (),
     json: bool = False,
 ) -> int:
     """Judge a trajectory and print its report; the exit code is 0 if every check passed, and 1 if not.
@@ -383,7 +407,7 @@ def check(
     return 0 if report.passed else 1
 
 
-def demo(out: Path = Path("demo"), seed: int = 0) -> int:
+def demo(out: Folder = Path("demo"), seed: int = 0) -> int:
     """Plan for a Panda among five boxes, and for a planar arm of three links between the configurations of (6.13) in kth2012.
 
     Args:
@@ -413,12 +437,12 @@ def demo(out: Path = Path("demo"), seed: int = 0) -> int:
 
 
 def view(
-    result: Positional[Path],
+    result: Positional[InputFile],
     /,
     port: int = 8080,
     host: str = "localhost",
     browser: bool = True,
-    record: Path | None = None,
+    record: OptionalFile = None,
 ) -> None:
     """Show a saved plan or program in the browser until Ctrl-C, or record it as an HTML file.
 
@@ -446,7 +470,7 @@ def view(
 Paper = Literal["kth2012", "dufour2020", "guilamo2006", "singularities"]
 
 
-def study(paper: Positional[Paper], /, quick: bool = False, out: Path | None = None) -> None:
+def study(paper: Positional[Paper], /, quick: bool = False, out: OptionalFile = None) -> None:
     """Reproduce all tables and figures of a paper or of a study of our own, and collect them in report.html.
 
     Args:
@@ -480,7 +504,7 @@ REMEDIES = {
 }
 
 
-def robots(name: Positional[str | None] = None, /, *, names: bool = False) -> None:
+def robots(name: Positional[OptionalRobot] = None, /, *, names: bool = False) -> None:
     """List the known arms, or print the table of one.
 
     Args:

@@ -1,5 +1,6 @@
 """Output of every command: a progress bar, and at the end the report and the files."""
 
+import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -49,7 +50,7 @@ def show_plan(plan: Plan, files: Sequence[Path], *lines: str) -> int:
     Returns the exit code: 0, or 3 for a checked motion that does not meet the request.
     """
     show_assumptions(Console(), plan.robot)
-    show_result("\n  ".join((str(plan.report), *lines)), files)
+    show_result("\n  ".join((str(plan.report), *lines)), files, files[0].parent)
     return 0 if plan.status.ok else 3
 
 
@@ -62,11 +63,13 @@ def show_assumptions(console: Console, robot: Robot) -> None:
         show_line(console, line, style="dim")
 
 
-def show_result(report: str, files: Sequence[Path]) -> None:
-    """Print a report and its files."""
+def show_result(report: str, files: Sequence[Path], folder: Path | None = None) -> None:
+    """Print a report, its files, and how to view the saved plan or program in `folder`."""
     console = Console()
     show_line(console, report)
-    show_line(console, "wrote " + " ".join(map(str, files)) + "\n")
+    show_line(console, "wrote " + " ".join(map(str, files)))
+    if folder is not None:
+        show_line(console, f"to see it: manipplan view {shlex.quote(str(folder))}\n")
 
 
 def show_line(console: Console, text: str, style: str = "") -> None:

@@ -1,10 +1,14 @@
 """The command line: what it writes, its exit codes, and one-line errors without tracebacks."""
 
 import os
+import re
+import shlex
 import signal
 import subprocess
 import sys
 import time
+import tomllib
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +19,7 @@ from chains import chain_file
 import manipplan as mp
 from manipplan.cli import main
 
+doctor = import_module("manipplan.cli.doctor")  # the package has its function under this name
 START = ["0", "1.5", "-2"]
 
 
@@ -378,3 +383,40 @@ def test_the_help_has_a_box_for_the_robot(command, capsys):
         main([command, "--help"])
     told = capsys.readouterr().out
     assert "robot options" in told and "options options" not in told
+
+
+@pytest.mark.parametrize("command", ["plan", "follow", "improve", "run", "check", "view", "study", "demo", "robots"])
+def test_the_help_says_what_is_wanted(command, capsys):
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    told = capsys.readouterr().out
+    assert not re.search(r"\{None\}\|(PATH|STR|FLOAT|INT)|\bPATH\b|\[STR", told)
+
+
+def test_doctor_lists_every_extra_and_runs_its_tests(capsys, monkeypatch):
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"]
+    assert set(doctor.EXTRAS) == set(project["optional-dependencies"]) - {"docs", "dev"}
+    assert main(["doctor"]) == 0
+    told = capsys.readouterr().out
+    assert "failed" not in told and told.count("OPTIMAL") == 2 and "FOLLOWED" in told
+    assert all(f"{extra}: " in told for extra in doctor.EXTRAS)
+
+    def fail():
+        raise mp.errors.PlanningError("no path")
+
+    def lack():
+        raise mp.errors.MissingExtraError("example-robot-data", "robots")
+
+    monkeypatch.setattr(doctor, "find_spec", lambda name: None)
+    monkeypatch.setattr(doctor, "TESTS", {"first": fail, "second": lack})
+    assert main(["doctor"]) == 1
+    told = capsys.readouterr().out
+    assert "first: failed: no path" in told and "second: left out: example-robot-data is not installed" in told
+    assert told.count("pip install 'manipplan[viewer]'") == 1
+
+
+def test_output_that_is_not_read_to_its_end_is_no_error():
+    code = "import sys; sys.argv = ['manipplan', 'robots']; from manipplan.cli import run; run()"
+    line = f"{shlex.quote(sys.executable)} -c {shlex.quote(code)} | true"
+    made = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
+    assert "Traceback" not in made.stderr
