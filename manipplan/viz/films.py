@@ -171,6 +171,7 @@ class _FilmFigure:
         for side in ("left", "bottom"):
             ax.spines[side].set_visible(False)
         ax.tick_params(colors=self.ink, length=0, labelsize=8 * self.scale)
+        ax.tick_params(axis="x", pad=6 * self.scale)
         ax.set(xlim=(0, shown.t[-1]), ylim=(0, 1.12 * max(each.manipulability.max() for each in self.motions)))
         ax.locator_params(axis="y", nbins=4)
         ax.xaxis.set_major_formatter(lambda t, _: f"{t:g} s")
