@@ -24,11 +24,12 @@ import manipplan as mp
 from manipplan.cli import main
 from manipplan.support.status import Status
 from manipplan.viz import viewer
+from manipplan.viz.motions import ShownMotion
 from manipplan.viz.shapes import MOST, triangles_of
 from manipplan.viz.viewer import plan_viewer
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
-from manipplan.viz.viewer.plan_viewer import Chart, ChartLine
+from manipplan.viz.viewer.plan_viewer import Chart, ChartLine, chart_of
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -274,6 +275,25 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
     page = open_page(file.as_uri())  # which fails at the end where anything else was asked for
     first = drawn(page)
     drawn(page, differs_from=first)
+
+    def shown_now():
+        """Time of viser's player, that of the panel, the mark's place and the height of the last dot, our curve's."""
+        return page.evaluate(
+            """() => [Number(document.querySelector('[role=slider]').getAttribute('aria-valuenow')),
+            parseFloat(document.getElementById('now').textContent), Number(document.querySelector('.now').getAttribute('x1')),
+            Number([...document.querySelectorAll('#figures circle')].at(-1).getAttribute('cy'))]"""
+        )
+
+    def follows():
+        player, panel, mark, height = shown_now()
+        player, chart = min(player, plan.trajectory.duration), chart_of(ShownMotion.of(plan))
+        [own] = re.findall(r'<line class="now" x1="([^"]+)"', chart.svg(panel))
+        at = re.findall(r'<circle cx="[^"]+" cy="([^"]+)"', chart.svg(panel))[-1]
+        return abs(player - panel) < 0.1 and abs(mark - float(own)) < 2 and abs(height - float(at)) < 2
+
+    wait_until(follows)
+    before = shown_now()[2]
+    wait_until(lambda: abs(shown_now()[2] - before) > 10)
     page.keyboard.press("Space")
     assert page.locator("#figures svg polyline").count() == 2
     assert f"{plan.trajectory.duration:.2f} s" in page.text_content("#figures")

@@ -3,6 +3,7 @@
 Parts of the panel that all viewers share, such as the measure over time as SVG, which a browser draws without scripts.
 """
 
+import json
 import threading
 import time
 from collections.abc import Mapping, Sequence
@@ -301,8 +302,27 @@ def about(motion: ShownMotion) -> str:
 
 #: Time for which the last picture is shown before the motion repeats [s].
 PAUSE = 0.8
-#: Folds the panel initially on a narrow screen.
-FOLD = "<script>if (innerWidth < 700) document.getElementById('figures').open = false</script>"
+#: Folds the panel initially on a narrow screen, and moves the mark in its chart with the time of viser's player.
+FOLLOW = """<script>{
+const panel = document.getElementById('figures'), lines = panel.querySelectorAll('polyline');
+if (innerWidth < 600) panel.open = false;
+const curves = [...lines].map(each => each.getAttribute('points').split(' ').map(point => point.split(',').map(Number)));
+const [end, values] = JSON.parse(panel.dataset.motion), steps = values.length - 1;
+function follow() {
+  const time = Number(document.querySelector('[role=slider]')?.getAttribute('aria-valuenow') ?? 0);
+  const at = steps * Math.min(time / end, 1), k = Math.min(Math.floor(at), steps - 1), share = at - k;
+  const between = (a, b) => a + share * (b - a);
+  const x = between(curves[0][k][0], curves[0][k + 1][0]);
+  for (const name of ['x1', 'x2']) panel.querySelector('.now').setAttribute(name, x);
+  panel.querySelectorAll('circle').forEach((dot, i) => {
+    dot.setAttribute('cx', x);
+    dot.setAttribute('cy', between(curves[i][k][1], curves[i][k + 1][1]));
+  });
+  const value = between(values[k], values[k + 1]).toPrecision(3);
+  document.getElementById('now').textContent = `${Math.min(time, end).toFixed(2)} s, measure ${value}`;
+}
+setInterval(follow, 40);
+}</script>"""
 #: End of viser's part of the page.
 END = "</body>"
 
@@ -330,13 +350,10 @@ def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Pat
     motion = ShownMotion.of(plan)
     with Page(0, "localhost", motion.robot.name) as page:
         stage = Stage(page.server, motion)
-        label = page.server.scene.add_label("/time", "", anchor="bottom-left", font_screen_scale=0.8)
         serializer = page.server.get_scene_serializer()
         times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
             stage.place(float(t))
-            label.text = f"{t:.2f} s, measure {float(np.interp(t, motion.t, motion.ours.manipulability)):.3g}"
-            label.position = stage.ellipsoids[0].mesh.position
             serializer.insert_sleep(float(wait))
         html = serializer.as_html()
     cut = html.rindex(END)
@@ -347,9 +364,12 @@ def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Pat
 def _panel(motion: ShownMotion) -> str:
     """The panel beside the scene; it can be folded, so that it covers nothing on a small screen."""
     rows = [("duration", f"{motion.trajectory.duration:.2f} s"), *motion.least()]
+    samples = [float(f"{each:.4g}") for each in np.nan_to_num(motion.ours.manipulability, posinf=0.0)]
     return (
-        '<details open id="figures" style="position:fixed;left:0.8em;top:0.8em;width:min(320px,calc(100vw - 1.6em));z-index:5;'
-        'background:rgba(255,255,255,0.92);border:1px solid #ddd;border-radius:6px;padding:0.4em 0">'
-        '<summary style="font:600 13px sans-serif;padding:0.1em 0.75em;cursor:pointer">'
-        f"{escape(motion.robot.name)}</summary>{chart_of(motion).html()}{table(rows)}</details>{FOLD}"
+        f'<details open id="figures" data-motion="{json.dumps([motion.trajectory.duration, samples])}" style="position:fixed;'
+        "left:0.8em;top:0.8em;width:min(320px,38vw);z-index:5;background:rgba(255,255,255,0.92);border:1px solid #ddd;"
+        'border-radius:6px;padding:0.4em 0"><summary style="font:600 13px sans-serif;padding:0.1em 0.75em;cursor:pointer">'
+        f"{escape(motion.robot.name)}</summary>"
+        '<div id="now" style="font:13px sans-serif;padding:0.2em 0.75em;font-variant-numeric:tabular-nums"></div>'
+        f"{chart_of(motion).html(0.0)}{table(rows)}</details>{FOLLOW}"
     )
