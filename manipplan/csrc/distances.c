@@ -84,6 +84,7 @@ static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer 
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
 static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
+static const int LEVELS = 3;         /* of a tree's levels, every which one is compared by its boxes */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -707,6 +708,22 @@ static void leaf_core(const double *c, double *axes, Core *leaf) {
     leaf->x = axes, leaf->y = axes + 3, leaf->z = axes + 6;
 }
 
+/* Whether a triangle is farther than `reach` from a box in a frame, by the box around it there. */
+static int is_triangle_outside(const double *c, const double *box, const double *frame, double reach) {
+    double around[6] = {INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}, square = 0;
+    for (int k = 0; k < 3; k++) {
+        double p[3];
+        place_back(frame, c + 3 * k, p);
+        for (int i = 0; i < 3; i++) around[i] = p[i] < around[i] ? p[i] : around[i], around[3 + i] = p[i] > around[3 + i] ? p[i] : around[3 + i];
+    }
+    for (int i = 0; i < 3; i++) {
+        double under = box[i] - around[3 + i], over = around[i] - box[3 + i], gap = under > over ? under : over;
+        gap = gap > 0 ? gap : 0;
+        square += gap * gap;
+    }
+    return square > reach * reach;
+}
+
 /* How deep two triangles overlap in one direction, `size` (its square): the shorter way apart along it, at most `least`. */
 static double overlap_along(double (*a)[3], double (*b)[3], const double *d, double size, double least) {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -797,9 +814,10 @@ static void surface(Search *s, long obstacle, long node, long begin, long count,
     const long *child = w->node + 2 * node;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
-        if (in_front(&s->plane, c) + minus_radii > reach) return;
+        if (in_front(&s->plane, c) + minus_radii > reach || in_front(before, c) + minus_radii > reach) return;
+        if (is_triangle_outside(c, w->local + 6 * s->body, s->frame, reach + extra)) return;
         if (!s->moves) one_leaf(s, obstacle, child[1], reach, s->plane.normal);
-        else if (in_front(before, c) + minus_radii <= reach) one_leaf(s, obstacle, child[1], reach, before->normal);
+        else one_leaf(s, obstacle, child[1], reach, before->normal);
         return;
     }
     Plane plane = *before;
@@ -807,10 +825,13 @@ static void surface(Search *s, long obstacle, long node, long begin, long count,
     Core all;
     box_core(box, &all, half);
     if (is_outside(w, all.own + 9, sqrt(dot(half, half)), s->body, s->frame, reach + extra)) return;
-    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3];   /* small beside the body */
+    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3], level = 0;   /* small beside the body */
     if (s->moves && count <= FEW) {
         worthwhile &= count > FEW / 2 || (count > 2 && count <= 4);                  /* not at every level */
         hull_core(w, begin, count, &all);
+    } else if (!s->moves) {
+        for (long left = count; left > 1; left /= 2) level++;
+        worthwhile &= level % LEVELS == 0;
     }
     if (worthwhile) {
         double towards[3];
@@ -966,13 +987,14 @@ static void visit_surface(Search *s, long obstacle, Core *core, double *frame, d
         relative(there, s->frame, frame), place_back(there, s->centre, centre);
         s->frame = frame, s->centre = centre, *core = *s->core, core->frame = frame;
         if (core->kind != POINTS) compose(frame, w->pose + 12 * s->body, core->own), core->frame = core->own;
-        s->core = core, s->closer = s->out ? CLOSER : 0, s->moves = 1;
+        s->core = core, s->moves = 1;
     }
+    s->closer = s->out ? CLOSER : 0;
     Plane plane = s->plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
-    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + GUESS * pair_with(s, obstacle) : 0;
+    double *guess = s->guess ? s->guess + GUESS * pair_with(s, obstacle) : 0;
     if (guess && guess[0] > 0) one_leaf(s, obstacle, (long)guess[0] - 1, reach_of(s, obstacle), plane.normal);
     surface(s, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
-    if (guess) guess[0] = s->leaf + 1;
+    if (guess && s->leaf >= 0) guess[0] = s->leaf + 1;
 }
 
 /* Compare the body, convex or a surface, with a surface that may be closed, as the body may. */
@@ -1286,8 +1308,8 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
             double fresh[GUESS] = {0};
-            int both = w->kind[one] == SURFACE && w->kind[two] == SURFACE;
-            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], both ? guess : fresh, &leaf);
+            int is_surface = w->kind[one] == SURFACE || w->kind[two] == SURFACE;
+            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], is_surface ? guess : fresh, &leaf);
             continue;
         }
         Core first, second;
@@ -1350,12 +1372,12 @@ static int nearest_of(const Simplex *s, double *a, double *b) {
 }
 
 /* The nearest points of the cores of two bodies in the world, their signed distance, and the unit vector from the second to the
-   first; of a body inside a solid it leads out. Returns 0 where the cores nearly touch, or this code cannot tell. */
-static int nearest_points(const World *w, long one, long two, double *a, double *b, double *distance, double *normal) {
+   first; of a body inside a solid it leads out. `guess` (GUESS): as in the world, for this pair. Returns 0 where the cores nearly touch, or this code cannot tell. */
+static int nearest_points(const World *w, long one, long two, double *guess, double *a, double *b, double *distance, double *normal) {
     int kind = (int)w->kind[two], own = (int)w->kind[one];
     if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) return 0;
     if (own == SURFACE && kind <= CYLINDER) {
-        int known = nearest_points(w, two, one, b, a, distance, normal);
+        int known = nearest_points(w, two, one, guess, b, a, distance, normal);
         for (int i = 0; known && i < 3; i++) normal[i] = -normal[i];
         return known;
     }
@@ -1374,7 +1396,7 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
     if (kind == SURFACE) {
         double least = INFINITY;
         const double *there = w->frames + 12 * w->joint[two];
-        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, 0};
+        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, guess};
         visit_solid(&s, two);
         if (isnan(least) || s.leaf < 0) return 0;
         inside = s.inside;
@@ -1406,13 +1428,15 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
    from the second to the first in the frame of the second's joint, and its opposite in that of the first's; the two points in the
    frames of their joints; gradient of the distance by q. nan where only coal can tell. */
 void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, double *out) {
+    double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, q += w->entries, out += 13 + w->entries) {
+        if (k > 0 && memcmp(bodies + 2 * k, bodies + 2 * k - 2, 2 * sizeof *bodies)) memset(guess, 0, sizeof guess);
         long one = bodies[2 * k], two = bodies[2 * k + 1], first = w->joint[one], second = w->joint[two];
         double a[3], b[3], distance, normal[3], back[3];
         int finite = 1;
         for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
         if (finite) place(w, q);
-        if (!finite || !nearest_points(w, one, two, a, b, &distance, normal)) {
+        if (!finite || !nearest_points(w, one, two, guess, a, b, &distance, normal)) {
             for (long i = 0; i < 13 + w->entries; i++) out[i] = NAN;
             continue;
         }
