@@ -171,13 +171,17 @@ class DistanceKernel:
         found[order], bound[order] = found.copy(), bound.copy()
         return found, bound
 
-    def witnesses(self, q: Array, pairs: Numbers) -> Array:
+    def witnesses(self, q: Array, pairs: Numbers, leaves: Numbers) -> Array:
         """For pairs (m,) at q (m, n), (m, 13 + n): as `manipplan_witnesses` says; nan where this kernel cannot tell."""
         order = np.argsort(pairs, kind="stable")
-        q, bodies = np.ascontiguousarray(q[order], dtype=float), self.bodies(pairs[order])
+        q, bodies, leaves = (
+            np.ascontiguousarray(q[order], dtype=float),
+            self.bodies(pairs[order]),
+            np.ascontiguousarray(leaves[order]),
+        )
         found = np.empty((len(q), 13 + self._n))
         with self._lock:
-            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, found.ctypes.data)
+            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, leaves.ctypes.data, found.ctypes.data)
         found[order] = found.copy()
         return found
 

@@ -330,10 +330,13 @@ class CollisionModel:
         row, pair = divmod(int(rows.argmin()), rows.shape[1])
         return float(rows[row, pair]), row, pair
 
-    def witnesses(self, q: Array, pairs: ArrayLike) -> Witnesses:
-        """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n)."""
+    def witnesses(self, q: Array, pairs: ArrayLike, leaves: ArrayLike = -1) -> Witnesses:
+        """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n).
+
+        `leaves` (m,): the triangle or point of the second body, a surface, that counts alone, as in `ProximitySamples`; -1: all.
+        """
         chosen = np.asarray(pairs, dtype=np.int64)
-        found = self._kernel.witnesses(q, chosen)
+        found = self._kernel.witnesses(q, chosen, np.broadcast_to(np.asarray(leaves, dtype=np.int64), chosen.shape))
         for k in np.flatnonzero(np.isnan(found[:, 0])):
             found[k] = self._witness(q[k], int(chosen[k]))
         distances, normals, opposites, points, others, gradients = np.split(found, (1, 4, 7, 10, 13), axis=1)

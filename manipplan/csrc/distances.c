@@ -81,6 +81,7 @@ static const double APART = 1e-6;    /* the direction between cores nearer than 
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
 static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
 static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
+static const double SHARED = 1e-6;   /* nearest points of leaves that differ by less, along each axis, are one [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
 static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
@@ -376,6 +377,30 @@ static int bounds_near(const double *guess, const Core *one, const Core *two, do
     return 1;
 }
 
+/* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
+static int nearest_of(const Simplex *s, double *a, double *b) {
+    double share[3] = {1, 0, 0};
+    if (s->count < 1 || s->count > 3) return 0;
+    if (s->count > 1) {
+        double e[3], f[3] = {0}, p[3];
+        for (int i = 0; i < 3; i++) {
+            e[i] = s->point[1][i] - s->point[0][i], p[i] = s->nearest[i] - s->point[0][i];
+            if (s->count == 3) f[i] = s->point[2][i] - s->point[0][i];
+        }
+        double ee = dot(e, e), ef = dot(e, f), ff = s->count == 3 ? dot(f, f) : 1, area = ee * ff - ef * ef;
+        if (!(area > 0)) return 0;
+        share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
+        share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
+        share[0] = 1 - share[1] - share[2];
+    }
+    for (int i = 0; i < 3; i++) {
+        a[i] = 0;
+        for (int k = 0; k < s->count; k++) a[i] += share[k] * s->first[k][i];
+        b[i] = a[i] - s->nearest[i];
+    }
+    return 1;
+}
+
 /* A triangle on the surface of a polytope around the origin: outward normal and distance of its plane. */
 typedef struct { int corner[3]; double normal[3], distance; } Face;
 
@@ -643,7 +668,36 @@ typedef struct {
     const double *centre; /* of the body's ball, there */
     int moves;            /* whether the surface moves */
     double closer;        /* leaves that are nearer than the nearest so far by less than this are not looked at [m] */
+    struct Leaves *leaves; /* all leaves within reach are listed here; 0: only the nearest counts */
 } Search;
+
+/* Leaves of a surface by their distances from a body, the nearest first. */
+typedef struct Leaves {
+    long count, room;
+    long *leaf;           /* (room) */
+    double *distance;     /* (room) [m] */
+    double *point;        /* (room, 3) their nearest points */
+} Leaves;
+
+/* List a leaf whose nearest point is p; where there is no room, in place of the farthest. Leaves that share this point count once. */
+static void list_leaf(Search *s, long leaf, double distance, const double *p) {
+    Leaves *l = s->leaves;
+    long at = 0;
+    for (long k = 0; k < l->count; k++) {
+        const double *other = l->point + 3 * k;
+        if (fabs(other[0] - p[0]) < SHARED && fabs(other[1] - p[1]) < SHARED && fabs(other[2] - p[2]) < SHARED) return;
+        at += l->distance[k] <= distance;
+    }
+    if (at == l->room) return;
+    if (l->count < l->room) l->count++;
+    for (long k = l->count - 1; k > at; k--) {
+        l->leaf[k] = l->leaf[k - 1], l->distance[k] = l->distance[k - 1];
+        memcpy(l->point + 3 * k, l->point + 3 * k - 3, 3 * sizeof *p);
+    }
+    l->leaf[at] = leaf, l->distance[at] = distance;
+    memcpy(l->point + 3 * at, p, 3 * sizeof *p);
+    if (l->count == l->room) s->reach = fmin(s->reach, l->distance[l->room - 1]);
+}
 
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
 
@@ -794,6 +848,12 @@ static void one_leaf(Search *s, long obstacle, long at, double reach, const doub
     Simplex simplex;
     memcpy(towards, direction, sizeof towards);
     int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
+    if (s->leaves) {
+        double a[3], b[3];
+        if (apart && low <= reach) s->plane = plane;
+        if (apart && low <= reach && nearest_of(&simplex, a, b)) list_leaf(s, at, high, b);
+        return;
+    }
     if (!apart) {
         if (note_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
     } else if (low <= reach) {
@@ -1261,6 +1321,36 @@ double manipplan_pair(const World *w, const double *q, const long *bodies, doubl
     return pair_distance(w, q, bodies[0], bodies[1], INFINITY, guess, &leaf);
 }
 
+/* The leaves of the second body, a surface, that are nearer than `reach` to the first one, which is convex, at q (entries): their
+   distances, the nearest first, and none that the body meets. Returns their number, at most `room`; 0 for other bodies. */
+long manipplan_leaves(const World *w, const double *q, const long *bodies, double reach, long room, long *leaf, double *distance) {
+    long one = bodies[0], two = bodies[1];
+    double point[3 * room], none = INFINITY, frame[12], centre[3];
+    Leaves all = {0, room, leaf, distance, point};
+    if (w->kind[one] > CYLINDER || w->kind[two] != SURFACE) return 0;
+    place(w, q);
+    Core core, moved;
+    core_of(w, one, &core);
+    Search s = {w, one, &core, 0, 0, reach, &none, 0, FREE, -1, {{0}, 0}, 0};
+    s.leaves = &all;
+    visit_surface(&s, two, &moved, frame, centre);
+    return all.count;
+}
+
+/* The distance of the first of two bodies from a leaf of the second at q (entries), NAN where they meet. */
+double manipplan_leaf(const World *w, const double *q, const long *bodies, long leaf) {
+    place(w, q);
+    Core core, other;
+    double axes[9], towards[3], low, high, from[3];
+    const double *there = w->frames + 12 * w->joint[bodies[1]];
+    core_of(w, bodies[0], &core);
+    leaf_core(w->corners + 9 * leaf, axes, &other), other.frame = there;
+    act(there, w->corners + 9 * leaf, from);
+    for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * bodies[0] + i] - from[i];
+    int apart = shape_bounds(w, bodies[0], &core, bodies[1], &other, towards, INFINITY, -INFINITY, &low, &high, 0, 0);
+    return apart && high - low <= 1e3 * EXACT ? high : NAN;
+}
+
 /* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
    speeds (entries) of q, in the world: joints that carry only `first` count negative. */
 static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
@@ -1347,37 +1437,14 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
     }
 }
 
-/* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
-static int nearest_of(const Simplex *s, double *a, double *b) {
-    double share[3] = {1, 0, 0};
-    if (s->count < 1 || s->count > 3) return 0;
-    if (s->count > 1) {
-        double e[3], f[3] = {0}, p[3];
-        for (int i = 0; i < 3; i++) {
-            e[i] = s->point[1][i] - s->point[0][i], p[i] = s->nearest[i] - s->point[0][i];
-            if (s->count == 3) f[i] = s->point[2][i] - s->point[0][i];
-        }
-        double ee = dot(e, e), ef = dot(e, f), ff = s->count == 3 ? dot(f, f) : 1, area = ee * ff - ef * ef;
-        if (!(area > 0)) return 0;
-        share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
-        share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
-        share[0] = 1 - share[1] - share[2];
-    }
-    for (int i = 0; i < 3; i++) {
-        a[i] = 0;
-        for (int k = 0; k < s->count; k++) a[i] += share[k] * s->first[k][i];
-        b[i] = a[i] - s->nearest[i];
-    }
-    return 1;
-}
-
 /* The nearest points of the cores of two bodies in the world, their signed distance, and the unit vector from the second to the
-   first; of a body inside a solid it leads out. `guess` (GUESS): as in the world, for this pair. Returns 0 where the cores nearly touch, or this code cannot tell. */
-static int nearest_points(const World *w, long one, long two, double *guess, double *a, double *b, double *distance, double *normal) {
+   first; of a body inside a solid it leads out. `leaf`: of the second body, which counts alone; -1: the nearest. `guess` (GUESS): as in
+   the world, for this pair. Returns 0 where the cores nearly touch, or this code cannot tell. */
+static int nearest_points(const World *w, long one, long two, long leaf, double *guess, double *a, double *b, double *distance, double *normal) {
     int kind = (int)w->kind[two], own = (int)w->kind[one];
     if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) return 0;
     if (own == SURFACE && kind <= CYLINDER) {
-        int known = nearest_points(w, two, one, guess, b, a, distance, normal);
+        int known = nearest_points(w, two, one, -1, guess, b, a, distance, normal);
         for (int i = 0; known && i < 3; i++) normal[i] = -normal[i];
         return known;
     }
@@ -1393,7 +1460,13 @@ static int nearest_points(const World *w, long one, long two, double *guess, dou
         for (int i = 0; i < 3; i++) b[i] = a[i] - *distance * normal[i];
         return 1;
     }
-    if (kind == SURFACE) {
+    if (leaf >= 0) {
+        const double *there = w->frames + 12 * w->joint[two];
+        double from[3];
+        leaf_core(w->corners + 9 * leaf, axes, &other), other.frame = there;
+        act(there, w->corners + 9 * leaf, from);
+        for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * one + i] - from[i];
+    } else if (kind == SURFACE) {
         double least = INFINITY;
         const double *there = w->frames + 12 * w->joint[two];
         Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, guess};
@@ -1424,10 +1497,11 @@ static int nearest_points(const World *w, long one, long two, double *guess, dou
     return 1;
 }
 
-/* The nearest points of the cores of pairs bodies (m, 2) at q (m, entries). out (m, 13 + entries): signed distance of the bodies; unit vector
+/* The nearest points of the cores of pairs bodies (m, 2) at q (m, entries). leaf (m): of the second body, a surface, which counts alone;
+   -1: the nearest. out (m, 13 + entries): signed distance of the bodies; unit vector
    from the second to the first in the frame of the second's joint, and its opposite in that of the first's; the two points in the
    frames of their joints; gradient of the distance by q. nan where only coal can tell. */
-void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, double *out) {
+void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, const long *leaf, double *out) {
     double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, q += w->entries, out += 13 + w->entries) {
         if (k > 0 && memcmp(bodies + 2 * k, bodies + 2 * k - 2, 2 * sizeof *bodies)) memset(guess, 0, sizeof guess);
@@ -1436,7 +1510,7 @@ void manipplan_witnesses(const World *w, const double *q, long m, const long *bo
         int finite = 1;
         for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
         if (finite) place(w, q);
-        if (!finite || !nearest_points(w, one, two, guess, a, b, &distance, normal)) {
+        if (!finite || !nearest_points(w, one, two, leaf[k], guess, a, b, &distance, normal)) {
             for (long i = 0; i < 13 + w->entries; i++) out[i] = NAN;
             continue;
         }

@@ -17,7 +17,7 @@ def by_coal(model):
         pair_distances=lambda q, chosen, reach: np.full(len(q), np.nan),
         interval_bounds=lambda q, slopes, chosen, reach, bends: (np.full(len(q), np.nan), np.full(len(q), -np.inf)),
         least=lambda q, reach, step: None,
-        witnesses=lambda q, chosen: np.full((len(q), 13 + n), np.nan),
+        witnesses=lambda q, chosen, leaves: np.full((len(q), 13 + n), np.nan),
         nearest_triangle=lambda q, pair: None,
     )
     return slow
