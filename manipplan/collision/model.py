@@ -333,7 +333,7 @@ class CollisionModel:
     def witnesses(self, q: Array, pairs: ArrayLike, leaves: ArrayLike = -1) -> Witnesses:
         """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n).
 
-        `leaves` (m,): the triangle or point of the second body, a surface, that counts alone, as in `ProximitySamples`; -1: all.
+        `leaves` (m,): the triangle or point of the second body, a surface, that counts alone, as in ProximitySamples; -1: all.
         """
         chosen = np.asarray(pairs, dtype=np.int64)
         found = self._kernel.witnesses(q, chosen, np.broadcast_to(np.asarray(leaves, dtype=np.int64), chosen.shape))

@@ -185,7 +185,7 @@ def test_searches_of_one_model_do_not_share_memory(through_a_post):
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=8)
+@settings(max_examples=8, deadline=None)
 def test_dips_of_single_points_of_a_cloud_are_found(panda, seed):
     """Points that stand side by side are passed one after another: each has its own dip, also where another one is nearer."""
     rng = np.random.default_rng(seed)
