@@ -158,10 +158,12 @@ class DistanceKernel:
         """
         return self._pairs(np.ascontiguousarray(q, dtype=float), self.bodies(pairs), reach)[0]
 
-    def interval_bounds(self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array) -> tuple[Array, Array]:
+    def interval_bounds(
+        self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array, motions: Array
+    ) -> tuple[Array, Array]:
         """The same, with lower bounds (m,) of the distances while the joints move, as `manipplan_intervals` says."""
         order = np.argsort(pairs, kind="stable")  # the nearest triangle of a pair is a first guess for the next
-        arrays = [np.ascontiguousarray(each[order], dtype=float) for each in (q, slopes, reach, bends)]
+        arrays = [np.ascontiguousarray(each[order], dtype=float) for each in (q, slopes, reach, bends, motions)]
         inputs, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs[order])
         found, bound = np.empty(len(q)), np.empty(len(q))
         with self._lock:

@@ -289,7 +289,9 @@ class CollisionModel:
             found[k] = self._distance(q[k], int(chosen[k]))
         return np.asarray(np.minimum(found, reach))
 
-    def interval_bounds(self, q: Array, slopes: Array, pairs: ArrayLike, *, beyond: Array, bends: Array) -> tuple[Array, Array]:
+    def interval_bounds(
+        self, q: Array, slopes: Array, pairs: ArrayLike, *, beyond: Array, bends: Array, motions: Array
+    ) -> tuple[Array, Array]:
         """Distances of one pair at each configuration, as `pair_distances`, and lower bounds while the joints move, (m,) each.
 
         Args:
@@ -298,6 +300,7 @@ class CollisionModel:
             pairs: (m,).
             beyond: (m,) distances above it are cut off there [m].
             bends: (m,) largest motion of a point of one of the bodies relative to the other beyond that by the slopes [m].
+            motions: (m,) largest motion of the bodies towards each other altogether [m].
 
         Returns:
             The distances, and the bounds [m]; -inf where none is known.
@@ -305,7 +308,7 @@ class CollisionModel:
         chosen = np.asarray(pairs, dtype=np.int64)
         if (beyond < 0).any():
             return self.pair_distances(q, chosen, beyond=beyond), np.full(len(q), -np.inf)
-        found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends)
+        found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends, motions)
         for k in np.flatnonzero(np.isnan(found)):
             found[k] = min(self._distance(q[k], int(chosen[k])), beyond[k])
         return found, bounds

@@ -386,7 +386,7 @@ class _Bisection:
         motion, bend = self.motion.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
         beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)  # what is farther is closed
         self.checks += len(rows)
-        found = self.model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend)
+        found = self.model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend, motions=motion)
         distances, bounds = found[0], np.maximum(known, found[1] - SLACK)
         return self._judge(distances, motion, on.change, middles, rows, pairs, bounds)
 

@@ -17,6 +17,7 @@
 enum { POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN };
 enum { FREE, TOUCHING, UNDECIDED };
 enum { GUESS = 22 };        /* see `guess` */
+enum { MOST_PLANES = 16 };  /* of a fence; see there */
 
 typedef struct {
     long n;                 /* number of joints */
@@ -1384,11 +1385,70 @@ static double stays_apart(const Core *one, double behind, const double *normal, 
     return least - behind;
 }
 
+/* Planes between a moving body and the leaves of a surface. */
+typedef struct {
+    const World *w;
+    long body, obstacle;
+    const Core *core;
+    const double *frame;        /* of the body's joint, in the frame of the surface */
+    const double *turning, *moving; /* twist of the body relative to the surface, in the world */
+    double reach, needed, bend; /* leaves beyond `reach` do not count; the others have to stay `needed` away, while points of the body
+                                   move by `bend` beyond the twist [m] */
+    int planes;
+    double normal[MOST_PLANES][3], front[MOST_PLANES]; /* in the frame of the surface: what is behind the front stays away */
+} Fence;
+
+static int is_behind(const Fence *f, const double *box) {
+    for (int k = f->planes - 1; k >= 0; k--) {
+        const double *d = f->normal[k];
+        if (d[0] * box[d[0] > 0 ? 3 : 0] + d[1] * box[d[1] > 0 ? 4 : 1] + d[2] * box[d[2] > 0 ? 5 : 2] <= f->front[k]) return 1;
+    }
+    return 0;
+}
+
+/* Put the plane at the nearest points of the body and a leaf into the fence. Returns whether that leaf stays behind it. */
+static int fence_off(Fence *f, const double *corners, const double *direction) {
+    const World *w = f->w;
+    const double *there = w->frames + 12 * w->joint[f->obstacle];
+    double axes[9], towards[3], low, high, radii = w->radius[f->body] + w->radius[f->obstacle], most = -INFINITY, origin;
+    Core leaf;
+    Plane plane;
+    leaf_core(corners, axes, &leaf), leaf.frame = there;
+    memcpy(towards, direction, sizeof towards);
+    if (!bounds(f->core, &leaf, towards, f->reach + radii, -INFINITY, EXACT, &low, &high, &plane, 0)) return 0;
+    if (low > f->reach + radii) return 1;
+    if (!(low > APART)) return 0;
+    int at = f->planes++;
+    double *normal = f->normal[at];
+    turn_back(there, plane.normal, normal), origin = dot(plane.normal, there + 9);
+    f->front[at] = stays_apart(f->core, origin, plane.normal, f->turning, f->moving) - radii - f->bend - f->needed;
+    for (int k = 0; k < 3; k++) most = fmax(most, dot(normal, corners + 3 * k));
+    return most <= f->front[at];
+}
+
+/* Whether all leaves below a node stay away from the body. */
+static int is_fenced(Fence *f, long node) {
+    const World *w = f->w;
+    const double *box = w->node_box + 6 * node;
+    double middle[3], half[3], direction[3], extra = w->radius[f->obstacle];
+    if (is_behind(f, box)) return 1;
+    for (int i = 0; i < 3; i++) middle[i] = (box[i] + box[3 + i]) / 2, half[i] = (box[3 + i] - box[i]) / 2;
+    if (is_outside(w, middle, sqrt(dot(half, half)), f->body, f->frame, f->reach + extra)) return 1;
+    const long *child = w->node + 2 * node;
+    if (child[0] >= 0) return is_fenced(f, child[0]) && is_fenced(f, child[1]);
+    if (f->planes == MOST_PLANES) return 0;
+    const double *c = w->corners + 9 * child[1], *there = w->frames + 12 * w->joint[f->obstacle];
+    act(there, middle, direction);
+    for (int i = 0; i < 3; i++) direction[i] = w->centres[3 * f->body + i] - direction[i];
+    return is_triangle_outside(c, w->local + 6 * f->body, f->frame, f->reach + extra) || fence_off(f, c, direction);
+}
+
 /* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, entries) with |t| <= 1 and, beyond
-   that, no point of a body of a pair moves relative to the other by more than bends (m). -INFINITY where there is none: in surfaces,
-   where cores meet, and for what is beyond reach. */
+   that, no point of a body of a pair moves relative to the other by more than bends (m), and altogether by more than motions (m).
+   -INFINITY where there is none: between surfaces, where cores meet, and for what is beyond reach. To a surface the bound is reach - motion,
+   which what is beyond reach keeps, or there is none. */
 void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
-                         const double *bends, double *out, double *bound) {
+                         const double *bends, const double *motions, double *out, double *bound) {
     double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, slopes += w->entries) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
@@ -1396,6 +1456,20 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         if (k == 0 || memcmp(q + k * w->entries, q + (k - 1) * w->entries, (size_t)w->entries * sizeof *q)) place(w, q + k * w->entries);
         bound[k] = -INFINITY;
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
+        if (w->kind[two] == SURFACE && w->kind[one] <= CYLINDER && w->joint[one] >= w->joint[two] && isfinite(bends[k])) {
+            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], guess, &leaf);
+            if (leaf < 0 || !(out[k] > 0 && out[k] < reach[k])) continue;
+            Core core;
+            double frame[12], turning[3], moving[3], direction[3];
+            const double *there = w->frames + 12 * w->joint[two];
+            core_of(w, one, &core), relative(there, w->frames + 12 * w->joint[one], frame);
+            twist_of(w, w->joint[two], w->joint[one], slopes, turning, moving);
+            Fence f = {w, one, two, &core, frame, turning, moving, reach[k], reach[k] - motions[k], bends[k], 0, {{0}}, {0}};
+            act(there, w->corners + 9 * leaf, direction);
+            for (int i = 0; i < 3; i++) direction[i] = w->centres[3 * one + i] - direction[i];
+            if (fence_off(&f, w->corners + 9 * leaf, direction) && is_fenced(&f, w->root[two])) bound[k] = f.needed;
+            continue;
+        }
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
             double fresh[GUESS] = {0};
             int is_surface = w->kind[one] == SURFACE || w->kind[two] == SURFACE;
