@@ -82,7 +82,7 @@ static const double APART = 1e-6;    /* the direction between cores nearer than 
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
 static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
 static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
-static const double SHARED = 1e-6;   /* nearest points of leaves that differ by less, along each axis, are one [m] */
+static const double BESIDE = 5e-3;   /* of leaves whose nearest points differ by less only the nearest is listed [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
 static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
@@ -680,15 +680,23 @@ typedef struct Leaves {
     double *point;        /* (room, 3) their nearest points */
 } Leaves;
 
-/* List a leaf whose nearest point is p; where there is no room, in place of the farthest. Leaves that share this point count once. */
+/* List a leaf whose nearest point is p; where there is no room, in place of the farthest. Of leaves whose nearest points are beside each
+   other only the nearest is listed. */
 static void list_leaf(Search *s, long leaf, double distance, const double *p) {
     Leaves *l = s->leaves;
-    long at = 0;
-    for (long k = 0; k < l->count; k++) {
-        const double *other = l->point + 3 * k;
-        if (fabs(other[0] - p[0]) < SHARED && fabs(other[1] - p[1]) < SHARED && fabs(other[2] - p[2]) < SHARED) return;
-        at += l->distance[k] <= distance;
-    }
+    long at = 0, kept = 0;
+    for (int removing = 0; removing < 2; removing++)
+        for (long k = 0; k < l->count; k++) {
+            const double *other = l->point + 3 * k;
+            double gap[3] = {other[0] - p[0], other[1] - p[1], other[2] - p[2]};
+            int is_beside = dot(gap, gap) < BESIDE * BESIDE;
+            if (!removing && is_beside && l->distance[k] <= distance) return;
+            if (!removing || is_beside) continue;
+            l->leaf[kept] = l->leaf[k], l->distance[kept] = l->distance[k];
+            memmove(l->point + 3 * kept++, other, 3 * sizeof *p);
+        }
+    l->count = kept;
+    while (at < kept && l->distance[at] <= distance) at++;
     if (at == l->room) return;
     if (l->count < l->room) l->count++;
     for (long k = l->count - 1; k > at; k--) {

@@ -35,8 +35,8 @@ SMALL_BOX, SMALL, SMALL_HULL = 0.2, 0.08, 0.04
 CUTS, FULL = 48, 0.6
 #: Largest vertical part of the unit normal of a face that counts as upright.
 UPRIGHT = 1e-9
-#: Maximum number of points by which upright frames are compared.
-MOST_TURNED = 4000
+#: Maximum number of points by which upright frames are compared, and number of directions in which the outermost of them count.
+MOST_TURNED, OUTLINE = 4000, 128
 #: Margin around the samples of a piece, so that flat ones have a volume [m].
 MARGIN = 5e-4
 #: Directions of the faces of a piece in its frame (26, 3): along the axes and the diagonals of a cube [klosowski1998].
@@ -360,6 +360,8 @@ class _Polytope:
 def _upright(points: Array) -> Array:
     """The frame (3, 3) with a vertical axis in which the box around points (k, 3) has the smallest base, to 0.05°."""
     plan = points[:: 1 + len(points) // MOST_TURNED, :2]
+    turns = np.linspace(0.0, 2 * np.pi, OUTLINE, endpoint=False)
+    plan = plan[np.argmax(np.array([np.cos(turns), np.sin(turns)]).T @ plan.T, axis=1)]
     angle = 0.0
     for turns in (np.arange(0.0, 90.0), np.arange(-1.0, 1.0, 0.05)):
         angles = np.radians(turns) + angle
@@ -376,27 +378,32 @@ def _find_cut(solid: Array, cell: float, frames: Array) -> NDArray[np.bool_] | N
     these the one with the smallest boxes.
     """
     best: NDArray[np.bool_] | None = None
-    least = [np.inf, np.inf]
+    smallest_volumes = [np.inf, np.inf]
     for local in solid @ frames.transpose(0, 2, 1):
         columns = np.ascontiguousarray(local.T)
         for along in columns:
-            order = np.argsort(along, kind="stable")
-            sizes = _sizes(columns[:, order]), _sizes(columns[:, order[::-1]])[:, ::-1]
-            offsets = along.min() + np.ptp(along) * (np.arange(CUTS) + 0.5) / CUTS
-            counts = np.searchsorted(along[order], offsets, side="right")
-            counts = counts[(counts > 0) & (counts < len(solid))]
-            if not len(counts):
+            low, length = along.min(), np.ptp(along)
+            if not length > 0:
                 continue
-            boxes = np.prod([sizes[0][:, counts - 1] + cell, sizes[1][:, counts] + cell], axis=1)
-            is_filled = np.array([counts, len(solid) - counts]) * cell**3 >= FULL * boxes
+            slice_of = np.clip(np.ceil((along - low) / length * CUTS - 0.5), 0, CUTS).astype(np.int16)
+            counts = np.bincount(slice_of, minlength=CUTS + 1)
+            filled = np.flatnonzero(counts)
+            if len(filled) < 2:
+                continue
+            below = np.cumsum(counts[filled])
+            ordered = columns[:, np.argsort(slice_of, kind="stable")]
+            first = np.append(0, below[:-1])
+            least, most = np.minimum.reduceat(ordered, first, axis=1), np.maximum.reduceat(ordered, first, axis=1)
+            sizes = _sizes(least, most)[:, :-1], _sizes(least[:, ::-1], most[:, ::-1])[:, -2::-1]
+            boxes = np.prod(np.array(sizes) + cell, axis=1)
+            is_filled = np.array([below[:-1], len(solid) - below[:-1]]) * cell**3 >= FULL * boxes
             volumes = np.round([np.where(is_filled, 0.0, boxes).sum(axis=0), boxes.sum(axis=0)], 9)
             smallest = int(np.lexsort(volumes[::-1])[0])
-            if volumes[:, smallest].tolist() < least:
-                best, least = np.zeros(len(solid), dtype=bool), volumes[:, smallest].tolist()
-                best[order[: counts[smallest]]] = True
+            if volumes[:, smallest].tolist() < smallest_volumes:
+                best, smallest_volumes = slice_of <= filled[smallest], volumes[:, smallest].tolist()
     return best
 
 
-def _sizes(points: Array) -> Array:
-    """Edges (3, k) of the boxes around the first 1, 2, ... k of points (3, k)."""
-    return np.asarray(np.maximum.accumulate(points, axis=1) - np.minimum.accumulate(points, axis=1))
+def _sizes(least: Array, most: Array) -> Array:
+    """Edges (3, k) of the boxes around the first 1, 2, ... k boxes with these corners (3, k)."""
+    return np.asarray(np.maximum.accumulate(most, axis=1) - np.minimum.accumulate(least, axis=1))
