@@ -181,7 +181,7 @@ class DistanceSearch:
     def _with_room(self, room: int, known: int) -> ctypes.Structure:
         """Working memory for a number of near pairs, `room`, and of `known` places."""
         count, pairs = INTERVALS + 1, self._kernel.pairs
-        self._found = np.empty(room + MOST_LEAVES * (room + known), dtype=_FOUND)
+        self._found = np.empty(room + (1 + MOST_LEAVES) * (2 * room + known), dtype=_FOUND)
         self._arrays = {
             "bodies": self._kernel.bodies(np.arange(pairs)),
             "s": np.linspace(0.0, 1.0, count),

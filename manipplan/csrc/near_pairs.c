@@ -222,31 +222,31 @@ static void place_brackets(Scan *l) {
     l->dips = found;
 }
 
-/* The last of the bottoms, out[all - 1], gets its leaf. The bottoms of other leaves nearby follow: at the next configurations one of
-   them may be the nearest. Returns the number of all. */
-static long bottoms_beside(const Dips *d, const Scan *l, const long *bodies, Found *out, long first, long all) {
-    Found *bottom = out + all - 1;
-    long leaf[l->most_leaves], wide = 2;
-    double q[d->n], distance[l->most_leaves], step = 1.0 / (double)(l->places - 1), reach = fmax(bottom->distance, l->target) + l->beside;
-    d->curve_at(d->curve, &bottom->s, 1, d->spacing, q);
+/* At a place near which a surface is, add the bottoms of all its leaves there that are not known yet, those in out from `first` on: at the
+   next configurations one of them may be the nearest, and between two places of the grid another one may pass. A place that is a
+   bottom itself, the last one, gets its leaf. Returns the number of all. */
+static long bottoms_beside(const Dips *d, const Scan *l, const Found *at, const long *bodies, Found *out, long first, long all) {
+    long leaf[l->most_leaves];
+    double q[d->n], distance[l->most_leaves], wide = 2.0 / (double)(l->places - 1), reach = fmax(at->distance, l->target) + l->beside;
+    d->curve_at(d->curve, &at->s, 1, d->spacing, q);
     long count = l->leaves(d->world, q, bodies, reach, l->most_leaves, leaf, distance);
-    if (count == 0 || !(fabs(distance[0] - bottom->distance) < 2 * d->grid)) return all;    /* inside a solid distances differ */
-    bottom->leaf = leaf[0];
-    for (long k = 1; k < count; k++) {
-        Bracket b = {.low = fmax(bottom->s - wide * step, 0.0), .middle = bottom->s, .high = fmin(bottom->s + wide * step, 1.0), .left = NAN,
-                     .least = NAN, .right = NAN, .next = NAN, .pair = bottom->pair, .leaf = leaf[k]};
-        if (!complete(d, &b, bodies) || b.left < b.least || b.right < b.least || find_bottoms(d, bodies, 1, &b)) continue;
+    if (count == 0 || !(fabs(distance[0] - at->distance) < 2 * d->grid)) return all;    /* inside a solid distances differ */
+    if (at->is_bottom) out[all - 1].leaf = leaf[0];
+    for (long k = 0; k < count; k++) {
+        Bracket b = {.low = fmax(at->s - wide, 0.0), .middle = at->s, .high = fmin(at->s + wide, 1.0), .left = NAN, .least = NAN,
+                     .right = NAN, .next = NAN, .pair = at->pair, .leaf = leaf[k]};
         int known = 0;
-        for (long i = first; i < all; i++)
-            known |= out[i].pair == b.pair && out[i].leaf == b.leaf && fabs(out[i].s - b.middle) < step / 16;
+        for (long i = first; i < all; i++) known |= out[i].pair == b.pair && out[i].leaf == b.leaf && fabs(out[i].s - b.middle) < wide;
+        if (known || !complete(d, &b, bodies) || b.left < b.least || b.right < b.least || find_bottoms(d, bodies, 1, &b)) continue;
         Found other = {b.least, b.middle, b.pair, b.leaf, 1};
-        if (!known) out[all++] = other;
+        out[all++] = other;
     }
     return all;
 }
 
 /* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every `spacing`-th nearer than
-   the target plus `band`, and the bottoms of dips, of several leaves of a surface, ordered. out: (room + (room + known) most_leaves).
+   the target plus `band`, and the bottoms of dips, of several leaves of a surface, ordered. out: (room + (2 room +
+   known) (1 + most_leaves)).
    Returns their number; MORE_ROOM where there is
    no room; ASKING where the kernel cannot tell a distance. Then the caller puts it in place of NaN in `distance` (stage 1), or in
    `left`, `least` and `right` of a bracket or, where `next` is a place, into `found` (stage 2), and calls again. */
@@ -276,8 +276,10 @@ long manipplan_near_pairs(const Dips *d, Scan *l, double band, Found *out) {
     for (long k = 0; k < l->dips; k++) {
         Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket[k].pair, -1, 1};
         out[all++] = bottom;
-        if (bottom.distance < l->target + l->deep) all = bottoms_beside(d, l, l->bracket_bodies + 2 * k, out, bottoms, all);
+        if (bottom.distance < l->target + l->deep) all = bottoms_beside(d, l, &bottom, l->bracket_bodies + 2 * k, out, bottoms, all);
     }
+    for (long k = 0; k < bottoms; k++)
+        if (out[k].distance < l->target + l->deep) all = bottoms_beside(d, l, out + k, l->bodies + 2 * out[k].pair, out, bottoms, all);
     qsort(out, (size_t)all, sizeof *out, order);
     return all;
 }
