@@ -1,7 +1,8 @@
 """Collision checks: whether they agree with the arms' own meshes, and how long they take.
 
 `--old PATH` adds the times beside version 0.1, whose checkout PATH is: `git worktree add PATH 6f9afba`. The versions take turns
-in one run. Writes docs/benchmarks/collision.md. Times are of this machine, ratios travel better.
+in one run. `--many` measures only the tables of plans among many obstacles. Writes docs/benchmarks/collision.md. Times are of this
+machine, ratios travel better.
 """
 
 import argparse
@@ -448,7 +449,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     sections.append([*head, *(agreement(name, given.configurations) for name in track(given.arms, description="arms"))])
     options = f"--old PATH --plans {given.plans} --configurations {given.configurations}"
     command = f"`.venv/bin/python benchmarks/collision.py {options}`"
-    sections.append([f"Python {platform.python_version()}, {platform.machine()}; command: {command}."])
+    alone = f"`.venv/bin/python benchmarks/collision.py --many --plans {given.plans}`"
+    told = f"command: {command}; the tables of plans, in processor time: {alone}"
+    sections.append([f"Python {platform.python_version()}, {platform.machine()}; {told}."])
     text = "\n\n".join("\n".join(section) for section in sections) + "\n"
     given.out.write_text(text)
     print(text)
