@@ -1,8 +1,8 @@
 """Collision checks: whether they agree with the arms' own meshes, and how long they take.
 
 `--old PATH` adds the times beside version 0.1, whose checkout PATH is: `git worktree add PATH 6f9afba`. The versions take turns
-in one run. `--many` measures only the tables of plans among many obstacles. Writes docs/benchmarks/collision.md. Times are of this
-machine, ratios travel better.
+in one run. `--many` measures only the tables of plans among many obstacles. Writes docs/benchmarks/collision.md. Times are of
+this machine, ratios travel better.
 """
 
 import argparse

@@ -219,7 +219,11 @@ class ClearanceSearch:
         return self.clearance + self.margin
 
     def at(self, curves: Curves, z: Array, curve: Curve, radius: float) -> "DistanceRows":
-        """The distances that are near the target: bottoms of dips first, then the nearest."""
+        """The distances that are near the target: bottoms of dips first, then the nearest.
+
+        A cloud or a mesh has a row for each point or triangle that is passed closely: of the nearest alone, the next step would
+        meet another one.
+        """
         band = min(max(NEAR * radius, LEAST_NEAR), MOST_NEAR)
         samples = self._search.find_near(curve, self.target, band, self.always)
         bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
