@@ -3,8 +3,8 @@
 The distance of a pair of bodies at the middle of an interval of the curve, minus the largest motion of the two towards each
 other on it, is a lower bound of their distance on the interval. A second one comes from the plane between the two at the
 middle: no point of either passes it by more than its velocity there and the largest acceleration on the interval allow. It
-decides where the two slide along each other. Beside a cloud or a mesh a few such planes do, if each of its parts that the body can
-reach is behind one of them. Motion, speed and acceleration of each joint come from the control points of the
+decides where the two slide along each other. Beside a cloud or a mesh a few such planes do, if each of its points and triangles
+that the body can reach is behind one of them. Motion, speed and acceleration of each joint come from the control points of the
 interval and of its derivatives, whose hulls contain them. Where both bounds are too low the interval is halved, for the pairs
 still open.
 
