@@ -28,7 +28,7 @@ CLOSE = 2e-3
 MOST_DIPS = 160
 #: Maximum number of triangles or points of a surface whose dips are located where it is near, and how much farther than the
 #: nearest they may be [m]. As a path moves one of them becomes the nearest, and the body's distance has a kink there.
-MOST_LEAVES, BESIDE = 8, 1e-3
+MOST_LEAVES, FARTHER = 8, 1e-3
 #: Accuracy of the place of a bottom in s.
 BOTTOM = 1e-6
 #: Maximum number of steps to the bottom of a dip. Where the nearest features change at the bottom, it is a kink that is rounded
@@ -197,7 +197,7 @@ class DistanceSearch:
             near=self._kernel.address("near"),
             leaves=self._kernel.address("leaves"),
             most_leaves=MOST_LEAVES,
-            beside=BESIDE,
+            farther=FARTHER,
             places=count,
             spacing=SPACING,
             close=CLOSE,

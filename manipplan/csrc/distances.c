@@ -82,7 +82,7 @@ static const double APART = 1e-6;    /* the direction between cores nearer than 
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
 static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
 static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
-static const double BESIDE = 5e-3;   /* of leaves whose nearest points differ by less only the nearest is listed [m] */
+static const double LEAVES_APART = 5e-3;   /* of leaves whose nearest points differ by less only the nearest is listed [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
 static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
@@ -689,7 +689,7 @@ static void list_leaf(Search *s, long leaf, double distance, const double *p) {
         for (long k = 0; k < l->count; k++) {
             const double *other = l->point + 3 * k;
             double gap[3] = {other[0] - p[0], other[1] - p[1], other[2] - p[2]};
-            int is_beside = dot(gap, gap) < BESIDE * BESIDE;
+            int is_beside = dot(gap, gap) < LEAVES_APART * LEAVES_APART;
             if (!removing && is_beside && l->distance[k] <= distance) return;
             if (!removing || is_beside) continue;
             l->leaf[kept] = l->leaf[k], l->distance[kept] = l->distance[k];

@@ -108,7 +108,7 @@ typedef struct {
     long (*leaves)(const void *world, const double *q, const long *bodies, double reach, long room, long *leaf,
                    double *distance);  /* manipplan_leaves */
     long most_leaves;           /* maximum number of leaves of a surface whose dips are located where it is near */
-    double beside;              /* these leaves are at most this much farther than the nearest, or than the target [m] */
+    double farther;             /* these leaves are at most this much farther than the nearest, or than the target [m] */
     long most_dips;             /* maximum number of brackets apart from those around known places: the lowest */
     long dips;                  /* number of brackets */
     long *bracket_bodies;       /* work: (room + known, 2) */
@@ -227,7 +227,7 @@ static void place_brackets(Scan *l) {
    bottom itself, the last one, gets its leaf. Returns the number of all. */
 static long bottoms_beside(const Dips *d, const Scan *l, const Found *at, const long *bodies, Found *out, long first, long all) {
     long leaf[l->most_leaves];
-    double q[d->n], distance[l->most_leaves], wide = 2.0 / (double)(l->places - 1), reach = fmax(at->distance, l->target) + l->beside;
+    double q[d->n], distance[l->most_leaves], wide = 2.0 / (double)(l->places - 1), reach = fmax(at->distance, l->target) + l->farther;
     d->curve_at(d->curve, &at->s, 1, d->spacing, q);
     long count = l->leaves(d->world, q, bodies, reach, l->most_leaves, leaf, distance);
     if (count == 0 || !(fabs(distance[0] - at->distance) < 2 * d->grid)) return all;    /* inside a solid distances differ */
