@@ -158,23 +158,33 @@ class DistanceKernel:
         """
         return self._pairs(np.ascontiguousarray(q, dtype=float), self.bodies(pairs), reach)[0]
 
-    def interval_bounds(self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array) -> tuple[Array, Array]:
+    def interval_bounds(
+        self, q: Array, slopes: Array, pairs: Numbers, reach: Array, bends: Array, motions: Array
+    ) -> tuple[Array, Array]:
         """The same, with lower bounds (m,) of the distances while the joints move, as `manipplan_intervals` says."""
-        arrays = [np.ascontiguousarray(each, dtype=float) for each in (q, slopes, reach, bends)]
-        inputs, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs)
+        order = np.argsort(pairs, kind="stable")  # the nearest triangle of a pair is a first guess for the next
+        arrays = [np.ascontiguousarray(each[order], dtype=float) for each in (q, slopes, reach, bends, motions)]
+        inputs, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs[order])
         found, bound = np.empty(len(q)), np.empty(len(q))
         with self._lock:
             self._call["intervals"](
                 self._at, *inputs[:2], len(q), bodies.ctypes.data, *inputs[2:], found.ctypes.data, bound.ctypes.data
             )
+        found[order], bound[order] = found.copy(), bound.copy()
         return found, bound
 
-    def witnesses(self, q: Array, pairs: Numbers) -> Array:
+    def witnesses(self, q: Array, pairs: Numbers, leaves: Numbers) -> Array:
         """For pairs (m,) at q (m, n), (m, 13 + n): as `manipplan_witnesses` says; nan where this kernel cannot tell."""
-        q, bodies = np.ascontiguousarray(q, dtype=float), self.bodies(pairs)
+        order = np.argsort(pairs, kind="stable")
+        q, bodies, leaves = (
+            np.ascontiguousarray(q[order], dtype=float),
+            self.bodies(pairs[order]),
+            np.ascontiguousarray(leaves[order]),
+        )
         found = np.empty((len(q), 13 + self._n))
         with self._lock:
-            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, found.ctypes.data)
+            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, leaves.ctypes.data, found.ctypes.data)
+        found[order] = found.copy()
         return found
 
     def nearest_triangle(self, q: Array, pair: int) -> Array | None:

@@ -289,7 +289,9 @@ class CollisionModel:
             found[k] = self._distance(q[k], int(chosen[k]))
         return np.asarray(np.minimum(found, reach))
 
-    def interval_bounds(self, q: Array, slopes: Array, pairs: ArrayLike, *, beyond: Array, bends: Array) -> tuple[Array, Array]:
+    def interval_bounds(
+        self, q: Array, slopes: Array, pairs: ArrayLike, *, beyond: Array, bends: Array, motions: Array
+    ) -> tuple[Array, Array]:
         """Distances of one pair at each configuration, as `pair_distances`, and lower bounds while the joints move, (m,) each.
 
         Args:
@@ -298,6 +300,7 @@ class CollisionModel:
             pairs: (m,).
             beyond: (m,) distances above it are cut off there [m].
             bends: (m,) largest motion of a point of one of the bodies relative to the other beyond that by the slopes [m].
+            motions: (m,) largest motion of the bodies towards each other altogether [m].
 
         Returns:
             The distances, and the bounds [m]; -inf where none is known.
@@ -305,7 +308,7 @@ class CollisionModel:
         chosen = np.asarray(pairs, dtype=np.int64)
         if (beyond < 0).any():
             return self.pair_distances(q, chosen, beyond=beyond), np.full(len(q), -np.inf)
-        found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends)
+        found, bounds = self._kernel.interval_bounds(q, slopes, chosen, beyond, bends, motions)
         for k in np.flatnonzero(np.isnan(found)):
             found[k] = min(self._distance(q[k], int(chosen[k])), beyond[k])
         return found, bounds
@@ -330,10 +333,13 @@ class CollisionModel:
         row, pair = divmod(int(rows.argmin()), rows.shape[1])
         return float(rows[row, pair]), row, pair
 
-    def witnesses(self, q: Array, pairs: ArrayLike) -> Witnesses:
-        """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n)."""
+    def witnesses(self, q: Array, pairs: ArrayLike, leaves: ArrayLike = -1) -> Witnesses:
+        """The nearest points of one pair at each configuration: of pairs (m,) at q (m, n).
+
+        `leaves` (m,): the triangle or point of the second body, a surface, that counts alone, as in ProximitySamples; -1: all.
+        """
         chosen = np.asarray(pairs, dtype=np.int64)
-        found = self._kernel.witnesses(q, chosen)
+        found = self._kernel.witnesses(q, chosen, np.broadcast_to(np.asarray(leaves, dtype=np.int64), chosen.shape))
         for k in np.flatnonzero(np.isnan(found[:, 0])):
             found[k] = self._witness(q[k], int(chosen[k]))
         distances, normals, opposites, points, others, gradients = np.split(found, (1, 4, 7, 10, 13), axis=1)

@@ -3,7 +3,8 @@
 The distance of a pair of bodies at the middle of an interval of the curve, minus the largest motion of the two towards each
 other on it, is a lower bound of their distance on the interval. A second one comes from the plane between the two at the
 middle: no point of either passes it by more than its velocity there and the largest acceleration on the interval allow. It
-decides where the two slide along each other. Motion, speed and acceleration of each joint come from the control points of the
+decides where the two slide along each other. Beside a cloud or a mesh a few such planes do, if each of its points and triangles
+that the body can reach is behind one of them. Motion, speed and acceleration of each joint come from the control points of the
 interval and of its derivatives, whose hulls contain them. Where both bounds are too low the interval is halved, for the pairs
 still open.
 
@@ -386,7 +387,7 @@ class _Bisection:
         motion, bend = self.motion.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
         beyond = np.maximum(self._target + motion + 2 * SLACK, self.upper)  # what is farther is closed
         self.checks += len(rows)
-        found = self.model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend)
+        found = self.model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend, motions=motion)
         distances, bounds = found[0], np.maximum(known, found[1] - SLACK)
         return self._judge(distances, motion, on.change, middles, rows, pairs, bounds)
 

@@ -26,6 +26,9 @@ DEEP = 1e-3
 CLOSE = 2e-3
 #: Maximum number of dips that are located, the lowest: a turning part with many corners, close to another, has hundreds.
 MOST_DIPS = 160
+#: Maximum number of triangles or points of a surface whose dips are located where it is near, and how much farther than the
+#: nearest they may be [m]. As a path moves one of them becomes the nearest, and the body's distance has a kink there.
+MOST_LEAVES, FARTHER = 8, 1e-3
 #: Accuracy of the place of a bottom in s.
 BOTTOM = 1e-6
 #: Maximum number of steps to the bottom of a dip. Where the nearest features change at the bottom, it is a kink that is rounded
@@ -39,10 +42,10 @@ ROOM = 16
 _BRACKET = np.dtype(
     [
         *((name, float) for name in ("low", "middle", "high", "left", "least", "right", "next", "found")),
-        *((name, int) for name in ("steps", "pair")),
+        *((name, int) for name in ("steps", "pair", "leaf")),
     ]
 )
-_FOUND = np.dtype([("distance", float), ("s", float), ("pair", int), ("is_bottom", int)])
+_FOUND = np.dtype([("distance", float), ("s", float), ("pair", int), ("leaf", int), ("is_bottom", int)])
 
 Place = tuple[float, int]
 
@@ -60,23 +63,26 @@ class ProximitySamples:
         distances: signed distances [m].
         s: places on the curve.
         pairs: indices of the pairs.
+        leaves: the triangle or point of a surface that the distance is to; -1: the nearest, or the body is no surface.
         is_bottom: whether the distance has a minimum along the curve there.
     """
 
     distances: Array
     s: Array
     pairs: NDArray[np.intp]
+    leaves: NDArray[np.intp]
     is_bottom: NDArray[np.bool_]
 
     @classmethod
     def of(cls, *found: "ProximitySamples") -> "ProximitySamples":
         """All that was found, in order."""
-        distances, s, pairs, is_bottom = (
-            np.concatenate([np.empty(0, dtype=kind), *(getattr(each, name) for each in found)])
-            for name, kind in (("distances", float), ("s", float), ("pairs", np.intp), ("is_bottom", bool))
-        )
-        order = np.lexsort((is_bottom, pairs, s, distances))
-        return cls(distances=distances[order], s=s[order], pairs=pairs[order], is_bottom=is_bottom[order])
+        kinds = {"distances": float, "s": float, "pairs": np.intp, "leaves": np.intp, "is_bottom": bool}
+        all_found = {
+            name: np.concatenate([np.empty(0, dtype=kind), *(getattr(each, name) for each in found)])
+            for name, kind in kinds.items()
+        }
+        order = np.lexsort([all_found[name] for name in ("is_bottom", "leaves", "pairs", "s", "distances")])
+        return cls(**{name: values[order] for name, values in all_found.items()})
 
     @property
     def least(self) -> float:
@@ -101,6 +107,7 @@ class DistanceSearch:
             spacing=FINE,
             world=kernel.world,
             distance=kernel.address("pair"),
+            distance_of_leaf=kernel.address("leaf"),
             grid=FINE_DISTANCE,
             enough=BOTTOM,
             most_steps=BOTTOM_STEPS,
@@ -122,7 +129,7 @@ class DistanceSearch:
             known: places (s, pair) around which there is always a search for a dip.
         """
         at, pairs = np.array([x for x, _ in known], dtype=float), np.array([pair for _, pair in known], dtype=np.int64)
-        if len(self._found) < 2 * self._scan.room + len(known):
+        if len(self._arrays["bracket"]) < self._scan.room + len(known):
             self._scan = self._with_room(self._scan.room, len(known))
         self._dips.curve = curve.address
         while True:
@@ -137,7 +144,11 @@ class DistanceSearch:
             self._scan = self._with_room(2 * scan.room, len(known))
         found = self._found[:count].copy()
         return ProximitySamples(
-            distances=found["distance"], s=found["s"], pairs=found["pair"], is_bottom=found["is_bottom"].astype(bool)
+            distances=found["distance"],
+            s=found["s"],
+            pairs=found["pair"],
+            leaves=found["leaf"],
+            is_bottom=found["is_bottom"].astype(bool),
         )
 
     def _answer(self, curve: Curve) -> None:
@@ -170,7 +181,7 @@ class DistanceSearch:
     def _with_room(self, room: int, known: int) -> ctypes.Structure:
         """Working memory for a number of near pairs, `room`, and of `known` places."""
         count, pairs = INTERVALS + 1, self._kernel.pairs
-        self._found = np.empty(2 * room + known, dtype=_FOUND)
+        self._found = np.empty(room + (1 + MOST_LEAVES) * (2 * room + known), dtype=_FOUND)
         self._arrays = {
             "bodies": self._kernel.bodies(np.arange(pairs)),
             "s": np.linspace(0.0, 1.0, count),
@@ -184,6 +195,9 @@ class DistanceSearch:
         return struct("near_pairs", "Scan")(
             pairs=pairs,
             near=self._kernel.address("near"),
+            leaves=self._kernel.address("leaves"),
+            most_leaves=MOST_LEAVES,
+            farther=FARTHER,
             places=count,
             spacing=SPACING,
             close=CLOSE,

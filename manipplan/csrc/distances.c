@@ -17,6 +17,7 @@
 enum { POINTS, BOX, CYLINDER, HALFSPACE, SURFACE, UNKNOWN };
 enum { FREE, TOUCHING, UNDECIDED };
 enum { GUESS = 22 };        /* see `guess` */
+enum { MOST_PLANES = 16 };  /* of a fence; see there */
 
 typedef struct {
     long n;                 /* number of joints */
@@ -81,9 +82,11 @@ static const double APART = 1e-6;    /* the direction between cores nearer than 
 static const double FLAT = 1e-13;    /* a polytope's corner this little in front of a face is on it [m] */
 static const double LEAST_AREA = 1e-18; /* smallest area of two of its faces [m²] */
 static const double CLOSER = 1e-10;  /* of two surfaces, leaves that are nearer by less than this are not looked at [m] */
+static const double LEAVES_APART = 5e-3;   /* of leaves whose nearest points differ by less only the nearest is listed [m] */
 static const double TINY = 3e-7;     /* largest side, along each axis, of a triangle that counts as a point [m] */
 static const double PARALLEL = 1e-20; /* square of the sine of the angle between edges that are parallel */
 static const long FEW = 32, LEAST_PAIRS = 64; /* hulls of so few leaves of moving surfaces, and of so many pairs of them, are compared */
+static const int LEVELS = 3;         /* of a tree's levels, every which one is compared by its boxes */
 static const int MOST_STEPS = 300;   /* cylinders converge slowly; polytopes need about ten steps */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -375,6 +378,30 @@ static int bounds_near(const double *guess, const Core *one, const Core *two, do
     return 1;
 }
 
+/* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
+static int nearest_of(const Simplex *s, double *a, double *b) {
+    double share[3] = {1, 0, 0};
+    if (s->count < 1 || s->count > 3) return 0;
+    if (s->count > 1) {
+        double e[3], f[3] = {0}, p[3];
+        for (int i = 0; i < 3; i++) {
+            e[i] = s->point[1][i] - s->point[0][i], p[i] = s->nearest[i] - s->point[0][i];
+            if (s->count == 3) f[i] = s->point[2][i] - s->point[0][i];
+        }
+        double ee = dot(e, e), ef = dot(e, f), ff = s->count == 3 ? dot(f, f) : 1, area = ee * ff - ef * ef;
+        if (!(area > 0)) return 0;
+        share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
+        share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
+        share[0] = 1 - share[1] - share[2];
+    }
+    for (int i = 0; i < 3; i++) {
+        a[i] = 0;
+        for (int k = 0; k < s->count; k++) a[i] += share[k] * s->first[k][i];
+        b[i] = a[i] - s->nearest[i];
+    }
+    return 1;
+}
+
 /* A triangle on the surface of a polytope around the origin: outward normal and distance of its plane. */
 typedef struct { int corner[3]; double normal[3], distance; } Face;
 
@@ -642,7 +669,44 @@ typedef struct {
     const double *centre; /* of the body's ball, there */
     int moves;            /* whether the surface moves */
     double closer;        /* leaves that are nearer than the nearest so far by less than this are not looked at [m] */
+    struct Leaves *leaves; /* all leaves within reach are listed here; 0: only the nearest counts */
 } Search;
+
+/* Leaves of a surface by their distances from a body, the nearest first. */
+typedef struct Leaves {
+    long count, room;
+    long *leaf;           /* (room) */
+    double *distance;     /* (room) [m] */
+    double *point;        /* (room, 3) their nearest points */
+} Leaves;
+
+/* List a leaf whose nearest point is p; where there is no room, in place of the farthest. Of leaves whose nearest points are beside each
+   other only the nearest is listed. */
+static void list_leaf(Search *s, long leaf, double distance, const double *p) {
+    Leaves *l = s->leaves;
+    long at = 0, kept = 0;
+    for (int removing = 0; removing < 2; removing++)
+        for (long k = 0; k < l->count; k++) {
+            const double *other = l->point + 3 * k;
+            double gap[3] = {other[0] - p[0], other[1] - p[1], other[2] - p[2]};
+            int is_beside = dot(gap, gap) < LEAVES_APART * LEAVES_APART;
+            if (!removing && is_beside && l->distance[k] <= distance) return;
+            if (!removing || is_beside) continue;
+            l->leaf[kept] = l->leaf[k], l->distance[kept] = l->distance[k];
+            memmove(l->point + 3 * kept++, other, 3 * sizeof *p);
+        }
+    l->count = kept;
+    while (at < kept && l->distance[at] <= distance) at++;
+    if (at == l->room) return;
+    if (l->count < l->room) l->count++;
+    for (long k = l->count - 1; k > at; k--) {
+        l->leaf[k] = l->leaf[k - 1], l->distance[k] = l->distance[k - 1];
+        memcpy(l->point + 3 * k, l->point + 3 * k - 3, 3 * sizeof *p);
+    }
+    l->leaf[at] = leaf, l->distance[at] = distance;
+    memcpy(l->point + 3 * at, p, 3 * sizeof *p);
+    if (l->count == l->room) s->reach = fmin(s->reach, l->distance[l->room - 1]);
+}
 
 static long pair_with(const Search *s, long obstacle) { return s->pairs ? s->pairs[obstacle] : s->pair; }
 
@@ -705,6 +769,22 @@ static void leaf_core(const double *c, double *axes, Core *leaf) {
     }
     leaf->kind = POINTS, leaf->count = point ? 1 : 3, leaf->frame = still;
     leaf->x = axes, leaf->y = axes + 3, leaf->z = axes + 6;
+}
+
+/* Whether a triangle is farther than `reach` from a box in a frame, by the box around it there. */
+static int is_triangle_outside(const double *c, const double *box, const double *frame, double reach) {
+    double around[6] = {INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}, square = 0;
+    for (int k = 0; k < 3; k++) {
+        double p[3];
+        place_back(frame, c + 3 * k, p);
+        for (int i = 0; i < 3; i++) around[i] = p[i] < around[i] ? p[i] : around[i], around[3 + i] = p[i] > around[3 + i] ? p[i] : around[3 + i];
+    }
+    for (int i = 0; i < 3; i++) {
+        double under = box[i] - around[3 + i], over = around[i] - box[3 + i], gap = under > over ? under : over;
+        gap = gap > 0 ? gap : 0;
+        square += gap * gap;
+    }
+    return square > reach * reach;
 }
 
 /* How deep two triangles overlap in one direction, `size` (its square): the shorter way apart along it, at most `least`. */
@@ -777,6 +857,12 @@ static void one_leaf(Search *s, long obstacle, long at, double reach, const doub
     Simplex simplex;
     memcpy(towards, direction, sizeof towards);
     int apart = shape_bounds(w, s->body, s->core, obstacle, &leaf, towards, reach, little, &low, &high, &plane, &simplex);
+    if (s->leaves) {
+        double a[3], b[3];
+        if (apart && low <= reach) s->plane = plane;
+        if (apart && low <= reach && nearest_of(&simplex, a, b)) list_leaf(s, at, high, b);
+        return;
+    }
     if (!apart) {
         if (note_depth(s, obstacle, s->core, &leaf, &simplex)) s->leaf = at;
     } else if (low <= reach) {
@@ -797,9 +883,10 @@ static void surface(Search *s, long obstacle, long node, long begin, long count,
     const long *child = w->node + 2 * node;
     if (child[0] < 0) {
         const double *c = w->corners + 9 * child[1];
-        if (in_front(&s->plane, c) + minus_radii > reach) return;
+        if (in_front(&s->plane, c) + minus_radii > reach || in_front(before, c) + minus_radii > reach) return;
+        if (is_triangle_outside(c, w->local + 6 * s->body, s->frame, reach + extra)) return;
         if (!s->moves) one_leaf(s, obstacle, child[1], reach, s->plane.normal);
-        else if (in_front(before, c) + minus_radii <= reach) one_leaf(s, obstacle, child[1], reach, before->normal);
+        else one_leaf(s, obstacle, child[1], reach, before->normal);
         return;
     }
     Plane plane = *before;
@@ -807,10 +894,13 @@ static void surface(Search *s, long obstacle, long node, long begin, long count,
     Core all;
     box_core(box, &all, half);
     if (is_outside(w, all.own + 9, sqrt(dot(half, half)), s->body, s->frame, reach + extra)) return;
-    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3];   /* small beside the body */
+    int worthwhile = half[0] + half[1] + half[2] < 2 * w->ball[4 * s->body + 3], level = 0;   /* small beside the body */
     if (s->moves && count <= FEW) {
         worthwhile &= count > FEW / 2 || (count > 2 && count <= 4);                  /* not at every level */
         hull_core(w, begin, count, &all);
+    } else if (!s->moves) {
+        for (long left = count; left > 1; left /= 2) level++;
+        worthwhile &= level % LEVELS == 0;
     }
     if (worthwhile) {
         double towards[3];
@@ -966,13 +1056,14 @@ static void visit_surface(Search *s, long obstacle, Core *core, double *frame, d
         relative(there, s->frame, frame), place_back(there, s->centre, centre);
         s->frame = frame, s->centre = centre, *core = *s->core, core->frame = frame;
         if (core->kind != POINTS) compose(frame, w->pose + 12 * s->body, core->own), core->frame = core->own;
-        s->core = core, s->closer = s->out ? CLOSER : 0, s->moves = 1;
+        s->core = core, s->moves = 1;
     }
+    s->closer = s->out ? CLOSER : 0;
     Plane plane = s->plane = facing(w, s->body, s->centre, w->node_box + 6 * w->root[obstacle]);
-    double *guess = s->guess && w->joint[obstacle] > 0 ? s->guess + GUESS * pair_with(s, obstacle) : 0;
+    double *guess = s->guess ? s->guess + GUESS * pair_with(s, obstacle) : 0;
     if (guess && guess[0] > 0) one_leaf(s, obstacle, (long)guess[0] - 1, reach_of(s, obstacle), plane.normal);
     surface(s, obstacle, w->root[obstacle], w->first[obstacle], w->count[obstacle], &plane);
-    if (guess) guess[0] = s->leaf + 1;
+    if (guess && s->leaf >= 0) guess[0] = s->leaf + 1;
 }
 
 /* Compare the body, convex or a surface, with a surface that may be closed, as the body may. */
@@ -1239,6 +1330,36 @@ double manipplan_pair(const World *w, const double *q, const long *bodies, doubl
     return pair_distance(w, q, bodies[0], bodies[1], INFINITY, guess, &leaf);
 }
 
+/* The leaves of the second body, a surface, that are nearer than `reach` to the first one, which is convex, at q (entries): their
+   distances, the nearest first, and none that the body meets. Returns their number, at most `room`; 0 for other bodies. */
+long manipplan_leaves(const World *w, const double *q, const long *bodies, double reach, long room, long *leaf, double *distance) {
+    long one = bodies[0], two = bodies[1];
+    double point[3 * room], none = INFINITY, frame[12], centre[3];
+    Leaves all = {0, room, leaf, distance, point};
+    if (w->kind[one] > CYLINDER || w->kind[two] != SURFACE) return 0;
+    place(w, q);
+    Core core, moved;
+    core_of(w, one, &core);
+    Search s = {w, one, &core, 0, 0, reach, &none, 0, FREE, -1, {{0}, 0}, 0};
+    s.leaves = &all;
+    visit_surface(&s, two, &moved, frame, centre);
+    return all.count;
+}
+
+/* The distance of the first of two bodies from a leaf of the second at q (entries), NAN where they meet. */
+double manipplan_leaf(const World *w, const double *q, const long *bodies, long leaf) {
+    place(w, q);
+    Core core, other;
+    double axes[9], towards[3], low, high, from[3];
+    const double *there = w->frames + 12 * w->joint[bodies[1]];
+    core_of(w, bodies[0], &core);
+    leaf_core(w->corners + 9 * leaf, axes, &other), other.frame = there;
+    act(there, w->corners + 9 * leaf, from);
+    for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * bodies[0] + i] - from[i];
+    int apart = shape_bounds(w, bodies[0], &core, bodies[1], &other, towards, INFINITY, -INFINITY, &low, &high, 0, 0);
+    return apart && high - low <= 1e3 * EXACT ? high : NAN;
+}
+
 /* The twist (angular velocity, velocity of the world's origin) of the frame of joint `last` in that of joint `first`, for joint
    speeds (entries) of q, in the world: joints that carry only `first` count negative. */
 static void twist_of(const World *w, long first, long last, const double *speed, double *turning, double *moving) {
@@ -1272,11 +1393,70 @@ static double stays_apart(const Core *one, double behind, const double *normal, 
     return least - behind;
 }
 
+/* Planes between a moving body and the leaves of a surface. */
+typedef struct {
+    const World *w;
+    long body, obstacle;
+    const Core *core;
+    const double *frame;        /* of the body's joint, in the frame of the surface */
+    const double *turning, *moving; /* twist of the body relative to the surface, in the world */
+    double reach, needed, bend; /* leaves beyond `reach` do not count; the others have to stay `needed` away, while points of the body
+                                   move by `bend` beyond the twist [m] */
+    int planes;
+    double normal[MOST_PLANES][3], front[MOST_PLANES]; /* in the frame of the surface: what is behind the front stays away */
+} Fence;
+
+static int is_behind(const Fence *f, const double *box) {
+    for (int k = f->planes - 1; k >= 0; k--) {
+        const double *d = f->normal[k];
+        if (d[0] * box[d[0] > 0 ? 3 : 0] + d[1] * box[d[1] > 0 ? 4 : 1] + d[2] * box[d[2] > 0 ? 5 : 2] <= f->front[k]) return 1;
+    }
+    return 0;
+}
+
+/* Put the plane at the nearest points of the body and a leaf into the fence. Returns whether that leaf stays behind it. */
+static int fence_off(Fence *f, const double *corners, const double *direction) {
+    const World *w = f->w;
+    const double *there = w->frames + 12 * w->joint[f->obstacle];
+    double axes[9], towards[3], low, high, radii = w->radius[f->body] + w->radius[f->obstacle], most = -INFINITY, origin;
+    Core leaf;
+    Plane plane;
+    leaf_core(corners, axes, &leaf), leaf.frame = there;
+    memcpy(towards, direction, sizeof towards);
+    if (!bounds(f->core, &leaf, towards, f->reach + radii, -INFINITY, EXACT, &low, &high, &plane, 0)) return 0;
+    if (low > f->reach + radii) return 1;
+    if (!(low > APART)) return 0;
+    int at = f->planes++;
+    double *normal = f->normal[at];
+    turn_back(there, plane.normal, normal), origin = dot(plane.normal, there + 9);
+    f->front[at] = stays_apart(f->core, origin, plane.normal, f->turning, f->moving) - radii - f->bend - f->needed;
+    for (int k = 0; k < 3; k++) most = fmax(most, dot(normal, corners + 3 * k));
+    return most <= f->front[at];
+}
+
+/* Whether all leaves below a node stay away from the body. */
+static int is_fenced(Fence *f, long node) {
+    const World *w = f->w;
+    const double *box = w->node_box + 6 * node;
+    double middle[3], half[3], direction[3], extra = w->radius[f->obstacle];
+    if (is_behind(f, box)) return 1;
+    for (int i = 0; i < 3; i++) middle[i] = (box[i] + box[3 + i]) / 2, half[i] = (box[3 + i] - box[i]) / 2;
+    if (is_outside(w, middle, sqrt(dot(half, half)), f->body, f->frame, f->reach + extra)) return 1;
+    const long *child = w->node + 2 * node;
+    if (child[0] >= 0) return is_fenced(f, child[0]) && is_fenced(f, child[1]);
+    if (f->planes == MOST_PLANES) return 0;
+    const double *c = w->corners + 9 * child[1], *there = w->frames + 12 * w->joint[f->obstacle];
+    act(there, middle, direction);
+    for (int i = 0; i < 3; i++) direction[i] = w->centres[3 * f->body + i] - direction[i];
+    return is_triangle_outside(c, w->local + 6 * f->body, f->frame, f->reach + extra) || fence_off(f, c, direction);
+}
+
 /* As `manipplan_pairs`, with lower bounds (m) of the distances while the joints move by t slopes (m, entries) with |t| <= 1 and, beyond
-   that, no point of a body of a pair moves relative to the other by more than bends (m). -INFINITY where there is none: in surfaces,
-   where cores meet, and for what is beyond reach. */
+   that, no point of a body of a pair moves relative to the other by more than bends (m), and altogether by more than motions (m).
+   -INFINITY where there is none: between surfaces, where cores meet, and for what is beyond reach. To a surface the bound is reach - motion,
+   which what is beyond reach keeps, or there is none. */
 void manipplan_intervals(const World *w, const double *q, const double *slopes, long m, const long *bodies, const double *reach,
-                         const double *bends, double *out, double *bound) {
+                         const double *bends, const double *motions, double *out, double *bound) {
     double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, slopes += w->entries) {
         long one = bodies[2 * k], two = bodies[2 * k + 1], leaf, same = k > 0 && one == bodies[2 * k - 2] && two == bodies[2 * k - 1];
@@ -1284,10 +1464,24 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
         if (k == 0 || memcmp(q + k * w->entries, q + (k - 1) * w->entries, (size_t)w->entries * sizeof *q)) place(w, q + k * w->entries);
         bound[k] = -INFINITY;
         int carried = w->kind[two] == HALFSPACE && w->joint[one] < w->joint[two];
+        if (w->kind[two] == SURFACE && w->kind[one] <= CYLINDER && w->joint[one] >= w->joint[two] && isfinite(bends[k])) {
+            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], guess, &leaf);
+            if (leaf < 0 || !(out[k] > 0 && out[k] < reach[k])) continue;
+            Core core;
+            double frame[12], turning[3], moving[3], direction[3];
+            const double *there = w->frames + 12 * w->joint[two];
+            core_of(w, one, &core), relative(there, w->frames + 12 * w->joint[one], frame);
+            twist_of(w, w->joint[two], w->joint[one], slopes, turning, moving);
+            Fence f = {w, one, two, &core, frame, turning, moving, reach[k], reach[k] - motions[k], bends[k], 0, {{0}}, {0}};
+            act(there, w->corners + 9 * leaf, direction);
+            for (int i = 0; i < 3; i++) direction[i] = w->centres[3 * one + i] - direction[i];
+            if (fence_off(&f, w->corners + 9 * leaf, direction) && is_fenced(&f, w->root[two])) bound[k] = f.needed;
+            continue;
+        }
         if (w->kind[one] > CYLINDER || w->kind[two] > HALFSPACE || carried || !isfinite(bends[k])) {
             double fresh[GUESS] = {0};
-            int both = w->kind[one] == SURFACE && w->kind[two] == SURFACE;
-            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], both ? guess : fresh, &leaf);
+            int is_surface = w->kind[one] == SURFACE || w->kind[two] == SURFACE;
+            out[k] = pair_distance(w, q + k * w->entries, one, two, reach[k], is_surface ? guess : fresh, &leaf);
             continue;
         }
         Core first, second;
@@ -1325,37 +1519,14 @@ void manipplan_intervals(const World *w, const double *q, const double *slopes, 
     }
 }
 
-/* The nearest points of two cores by the last simplex of `bounds`. Returns 0 if it does not tell them. */
-static int nearest_of(const Simplex *s, double *a, double *b) {
-    double share[3] = {1, 0, 0};
-    if (s->count < 1 || s->count > 3) return 0;
-    if (s->count > 1) {
-        double e[3], f[3] = {0}, p[3];
-        for (int i = 0; i < 3; i++) {
-            e[i] = s->point[1][i] - s->point[0][i], p[i] = s->nearest[i] - s->point[0][i];
-            if (s->count == 3) f[i] = s->point[2][i] - s->point[0][i];
-        }
-        double ee = dot(e, e), ef = dot(e, f), ff = s->count == 3 ? dot(f, f) : 1, area = ee * ff - ef * ef;
-        if (!(area > 0)) return 0;
-        share[1] = (ff * dot(p, e) - ef * dot(p, f)) / area;
-        share[2] = (ee * dot(p, f) - ef * dot(p, e)) / area;
-        share[0] = 1 - share[1] - share[2];
-    }
-    for (int i = 0; i < 3; i++) {
-        a[i] = 0;
-        for (int k = 0; k < s->count; k++) a[i] += share[k] * s->first[k][i];
-        b[i] = a[i] - s->nearest[i];
-    }
-    return 1;
-}
-
 /* The nearest points of the cores of two bodies in the world, their signed distance, and the unit vector from the second to the
-   first; of a body inside a solid it leads out. Returns 0 where the cores nearly touch, or this code cannot tell. */
-static int nearest_points(const World *w, long one, long two, double *a, double *b, double *distance, double *normal) {
+   first; of a body inside a solid it leads out. `leaf`: of the second body, which counts alone; -1: the nearest. `guess` (GUESS): as in
+   the world, for this pair. Returns 0 where the cores nearly touch, or this code cannot tell. */
+static int nearest_points(const World *w, long one, long two, long leaf, double *guess, double *a, double *b, double *distance, double *normal) {
     int kind = (int)w->kind[two], own = (int)w->kind[one];
     if (kind == UNKNOWN || own == UNKNOWN || own == HALFSPACE) return 0;
     if (own == SURFACE && kind <= CYLINDER) {
-        int known = nearest_points(w, two, one, b, a, distance, normal);
+        int known = nearest_points(w, two, one, -1, guess, b, a, distance, normal);
         for (int i = 0; known && i < 3; i++) normal[i] = -normal[i];
         return known;
     }
@@ -1371,10 +1542,16 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
         for (int i = 0; i < 3; i++) b[i] = a[i] - *distance * normal[i];
         return 1;
     }
-    if (kind == SURFACE) {
+    if (leaf >= 0) {
+        const double *there = w->frames + 12 * w->joint[two];
+        double from[3];
+        leaf_core(w->corners + 9 * leaf, axes, &other), other.frame = there;
+        act(there, w->corners + 9 * leaf, from);
+        for (int i = 0; i < 3; i++) towards[i] = w->centres[3 * one + i] - from[i];
+    } else if (kind == SURFACE) {
         double least = INFINITY;
         const double *there = w->frames + 12 * w->joint[two];
-        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, 0};
+        Search s = {w, one, &core, 0, 0, INFINITY, &least, 0, FREE, -1, {{0}, 0}, guess};
         visit_solid(&s, two);
         if (isnan(least) || s.leaf < 0) return 0;
         inside = s.inside;
@@ -1402,17 +1579,20 @@ static int nearest_points(const World *w, long one, long two, double *a, double 
     return 1;
 }
 
-/* The nearest points of the cores of pairs bodies (m, 2) at q (m, entries). out (m, 13 + entries): signed distance of the bodies; unit vector
+/* The nearest points of the cores of pairs bodies (m, 2) at q (m, entries). leaf (m): of the second body, a surface, which counts alone;
+   -1: the nearest. out (m, 13 + entries): signed distance of the bodies; unit vector
    from the second to the first in the frame of the second's joint, and its opposite in that of the first's; the two points in the
    frames of their joints; gradient of the distance by q. nan where only coal can tell. */
-void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, double *out) {
+void manipplan_witnesses(const World *w, const double *q, long m, const long *bodies, const long *leaf, double *out) {
+    double guess[GUESS] = {0};
     for (long k = 0; k < m; k++, q += w->entries, out += 13 + w->entries) {
+        if (k > 0 && memcmp(bodies + 2 * k, bodies + 2 * k - 2, 2 * sizeof *bodies)) memset(guess, 0, sizeof guess);
         long one = bodies[2 * k], two = bodies[2 * k + 1], first = w->joint[one], second = w->joint[two];
         double a[3], b[3], distance, normal[3], back[3];
         int finite = 1;
         for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
         if (finite) place(w, q);
-        if (!finite || !nearest_points(w, one, two, a, b, &distance, normal)) {
+        if (!finite || !nearest_points(w, one, two, leaf[k], guess, a, b, &distance, normal)) {
             for (long i = 0; i < 13 + w->entries; i++) out[i] = NAN;
             continue;
         }

@@ -14,7 +14,7 @@ typedef struct {
     double left, least, right;  /* the distances there [m] */
     double next, found;         /* the place of which the distance is asked, and the answer; NaN: nothing is asked, or known */
     long steps;                 /* number of steps taken */
-    long pair;
+    long pair, leaf;            /* `leaf`: of the second body, whose distance counts alone; -1: that of the whole body */
 } Bracket;
 
 typedef struct {
@@ -24,16 +24,18 @@ typedef struct {
     double spacing;             /* of the grid of configurations [rad or m] */
     const void *world;
     double (*distance)(const void *world, const double *q, const long *bodies, double *guess);  /* manipplan_pair */
+    double (*distance_of_leaf)(const void *world, const double *q, const long *bodies, long leaf);  /* manipplan_leaf */
     double grid;                /* spacing of the grid of distances [m] */
     double enough;              /* width at which a bracket is narrow enough */
     long most_steps;
 } Dips;
 
 /* The distance at s, rounded to the grid; NaN where the kernel cannot tell. `guess` (GUESS): from a place nearby, or zeros. */
-static double distance_at(const Dips *d, double s, const long *bodies, double *guess) {
+static double distance_at(const Dips *d, double s, const long *bodies, long leaf, double *guess) {
     double q[d->n];
     if (d->curve_at(d->curve, &s, 1, d->spacing, q)) return NAN;
-    return rint(d->distance(d->world, q, bodies, guess) / d->grid) * d->grid;
+    double found = leaf < 0 ? d->distance(d->world, q, bodies, guess) : d->distance_of_leaf(d->world, q, bodies, leaf);
+    return rint(found / d->grid) * d->grid;
 }
 
 static int is_done(const Dips *d, const Bracket *b) {
@@ -72,7 +74,7 @@ static long find_bottoms(const Dips *d, const long *bodies, long m, Bracket *bra
             b->next = NAN;
         }
         while (!is_done(d, b)) {
-            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k, guess);
+            double place = next_place(d, b), value = distance_at(d, place, bodies + 2 * k, b->leaf, guess);
             if (isnan(value)) {
                 b->next = place, waiting++;
                 break;
@@ -103,6 +105,10 @@ typedef struct {
     long *where;                /* work: (room) */
     double *distance;           /* work: (room) */
     Bracket *bracket;           /* work: (room + known) */
+    long (*leaves)(const void *world, const double *q, const long *bodies, double reach, long room, long *leaf,
+                   double *distance);  /* manipplan_leaves */
+    long most_leaves;           /* maximum number of leaves of a surface whose dips are located where it is near */
+    double farther;             /* these leaves are at most this much farther than the nearest, or than the target [m] */
     long most_dips;             /* maximum number of brackets apart from those around known places: the lowest */
     long dips;                  /* number of brackets */
     long *bracket_bodies;       /* work: (room + known, 2) */
@@ -110,7 +116,7 @@ typedef struct {
 
 typedef struct {
     double distance, s;         /* signed distance [m], place on the curve */
-    long pair, is_bottom;
+    long pair, leaf, is_bottom; /* `leaf`: of the pair's second body; -1: the nearest, or it is no surface */
 } Found;
 
 /* By distance, place, pair, and bottoms last. */
@@ -119,6 +125,7 @@ static int order(const void *one, const void *two) {
     if (a->distance != b->distance) return a->distance < b->distance ? -1 : 1;
     if (a->s != b->s) return a->s < b->s ? -1 : 1;
     if (a->pair != b->pair) return a->pair < b->pair ? -1 : 1;
+    if (a->leaf != b->leaf) return a->leaf < b->leaf ? -1 : 1;
     return (int)(a->is_bottom - b->is_bottom);
 }
 
@@ -170,9 +177,9 @@ static double beside(const Scan *l, long *start, long end, long wanted, double m
 /* Measure the distances of a bracket that are NaN. Returns whether the kernel could tell them. */
 static int complete(const Dips *d, Bracket *b, const long *bodies) {
     double guess[GUESS] = {0};
-    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies, guess);
-    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies, guess);
-    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies, guess);
+    if (isnan(b->least)) b->least = distance_at(d, b->middle, bodies, b->leaf, guess);
+    if (isnan(b->left)) b->left = distance_at(d, b->low, bodies, b->leaf, guess);
+    if (isnan(b->right)) b->right = distance_at(d, b->high, bodies, b->leaf, guess);
     return !isnan(b->least) && !isnan(b->left) && !isnan(b->right);
 }
 
@@ -197,7 +204,7 @@ static void place_brackets(Scan *l) {
         /* what is cut off is measured; at an end of the curve the bracket ends at the dip itself */
         Bracket new = {.low = l->s[row > 0 ? row - 1 : 0], .middle = l->s[row], .high = l->s[row < last ? row + 1 : last],
                        .left = row == 0 ? here : left < most ? left : NAN, .least = here,
-                       .right = row == last ? here : right < most ? right : NAN, .next = NAN, .pair = l->where[k] % l->pairs};
+                       .right = row == last ? here : right < most ? right : NAN, .next = NAN, .pair = l->where[k] % l->pairs, .leaf = -1};
         l->bracket[found++] = new;
     }
     if (found > l->most_dips) {
@@ -207,7 +214,7 @@ static void place_brackets(Scan *l) {
     for (long k = 0; k < l->known; k++) {
         double at = l->known_s[k];
         Bracket new = {.low = fmax(at - step, 0.0), .middle = at, .high = fmin(at + step, 1.0), .left = NAN, .least = NAN,
-                       .right = NAN, .next = NAN, .pair = l->known_pair[k]};
+                       .right = NAN, .next = NAN, .pair = l->known_pair[k], .leaf = -1};
         l->bracket[found++] = new;
     }
     for (long k = 0; k < found; k++)
@@ -215,12 +222,36 @@ static void place_brackets(Scan *l) {
     l->dips = found;
 }
 
+/* At a place near which a surface is, add the bottoms of all its leaves there that are not known yet, those in out from `first` on: at the
+   next configurations one of them may be the nearest, and between two places of the grid another one may pass. A place that is a
+   bottom itself, the last one, gets its leaf. Returns the number of all. */
+static long bottoms_beside(const Dips *d, const Scan *l, const Found *at, const long *bodies, Found *out, long first, long all) {
+    long leaf[l->most_leaves];
+    double q[d->n], distance[l->most_leaves], wide = 2.0 / (double)(l->places - 1), reach = fmax(at->distance, l->target) + l->farther;
+    d->curve_at(d->curve, &at->s, 1, d->spacing, q);
+    long count = l->leaves(d->world, q, bodies, reach, l->most_leaves, leaf, distance);
+    if (count == 0 || !(fabs(distance[0] - at->distance) < 2 * d->grid)) return all;    /* inside a solid distances differ */
+    if (at->is_bottom) out[all - 1].leaf = leaf[0];
+    for (long k = 0; k < count; k++) {
+        Bracket b = {.low = fmax(at->s - wide, 0.0), .middle = at->s, .high = fmin(at->s + wide, 1.0), .left = NAN, .least = NAN,
+                     .right = NAN, .next = NAN, .pair = at->pair, .leaf = leaf[k]};
+        int known = 0;
+        for (long i = first; i < all; i++) known |= out[i].pair == b.pair && out[i].leaf == b.leaf && fabs(out[i].s - b.middle) < wide;
+        if (known || !complete(d, &b, bodies) || b.left < b.least || b.right < b.least || find_bottoms(d, bodies, 1, &b)) continue;
+        Found other = {b.least, b.middle, b.pair, b.leaf, 1};
+        out[all++] = other;
+    }
+    return all;
+}
+
 /* Where pairs are near along the curve of `dips`: places of the grid nearer than the target plus `close`, every `spacing`-th nearer than
-   the target plus `band`, and the bottoms of dips, ordered. out: (2 room + known). Returns their number; MORE_ROOM where there is
+   the target plus `band`, and the bottoms of dips, of several leaves of a surface, ordered. out: (room + (2 room +
+   known) (1 + most_leaves)).
+   Returns their number; MORE_ROOM where there is
    no room; ASKING where the kernel cannot tell a distance. Then the caller puts it in place of NaN in `distance` (stage 1), or in
    `left`, `least` and `right` of a bracket or, where `next` is a place, into `found` (stage 2), and calls again. */
 long manipplan_near_pairs(const Dips *d, Scan *l, double band, Found *out) {
-    long all = 0, asking = 0;
+    long all = 0, asking = 0, bottoms;
     if (l->stage == 0) {
         int known = measure(d, l, band);
         if (l->entries > l->room) return MORE_ROOM;
@@ -238,13 +269,17 @@ long manipplan_near_pairs(const Dips *d, Scan *l, double band, Found *out) {
         long row = l->where[k] / l->pairs;
         int is_close = l->distance[k] < l->target + l->close;
         if (!is_close && !(row % l->spacing == 0 && l->distance[k] < l->target + band)) continue;
-        Found near = {l->distance[k], l->s[row], l->where[k] % l->pairs, 0};
+        Found near = {l->distance[k], l->s[row], l->where[k] % l->pairs, -1, 0};
         out[all++] = near;
     }
+    bottoms = all;
     for (long k = 0; k < l->dips; k++) {
-        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket[k].pair, 1};
+        Found bottom = {l->bracket[k].least, l->bracket[k].middle, l->bracket[k].pair, -1, 1};
         out[all++] = bottom;
+        if (bottom.distance < l->target + l->deep) all = bottoms_beside(d, l, &bottom, l->bracket_bodies + 2 * k, out, bottoms, all);
     }
+    for (long k = 0; k < bottoms; k++)
+        if (out[k].distance < l->target + l->deep) all = bottoms_beside(d, l, out + k, l->bodies + 2 * out[k].pair, out, bottoms, all);
     qsort(out, (size_t)all, sizeof *out, order);
     return all;
 }

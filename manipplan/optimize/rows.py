@@ -219,7 +219,11 @@ class ClearanceSearch:
         return self.clearance + self.margin
 
     def at(self, curves: Curves, z: Array, curve: Curve, radius: float) -> "DistanceRows":
-        """The distances that are near the target: bottoms of dips first, then the nearest."""
+        """The distances that are near the target: bottoms of dips first, then the nearest.
+
+        A cloud or a mesh has a row for each point or triangle that is passed closely: of the nearest alone, the next step would
+        meet another one.
+        """
         band = min(max(NEAR * radius, LEAST_NEAR), MOST_NEAR)
         samples = self._search.find_near(curve, self.target, band, self.always)
         bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
@@ -239,6 +243,7 @@ class ClearanceSearch:
             search=self,
             samples=samples,
             pairs=samples.pairs[chosen],
+            leaves=samples.leaves[chosen],
             radius=radius,
         )
 
@@ -251,12 +256,14 @@ class DistanceRows(NonlinearRows):
         search: source of the distances.
         samples: all that is near, of which these rows are the nearest.
         pairs: (r,) the pair of bodies of each row.
+        leaves: (r,) the triangle or point of a surface that each row is about; -1: the nearest.
         radius: of the steps that the rows are for [rad or m].
     """
 
     search: ClearanceSearch
     samples: ProximitySamples
     pairs: NDArray[np.intp]
+    leaves: NDArray[np.intp]
     radius: float
 
     @property
@@ -266,7 +273,7 @@ class DistanceRows(NonlinearRows):
     @cached_property
     def witnesses(self) -> Witnesses:
         """The nearest points of each pair."""
-        return self.search.model.witnesses(self.q, self.pairs)
+        return self.search.model.witnesses(self.q, self.pairs, self.leaves)
 
     @cached_property
     def value(self) -> Array:
@@ -279,7 +286,7 @@ class DistanceRows(NonlinearRows):
     def hessians(self, rows: NDArray[np.intp]) -> Array:
         q, (m, n) = self.q[rows], (len(rows), self.q.shape[1])
         moved = (q[:, None] + JOINT_STEP * np.eye(n)).reshape(-1, n)
-        found = self.search.model.witnesses(moved, np.repeat(self.pairs[rows], n))
+        found = self.search.model.witnesses(moved, np.repeat(self.pairs[rows], n), np.repeat(self.leaves[rows], n))
         hessians = (found.gradients.reshape(m, n, n) - self.gradients[rows][:, None]) / JOINT_STEP
         values, vectors = np.linalg.eigh((hessians + hessians.transpose(0, 2, 1)) / 2)
         most = MOST_TURN / max(self.radius, JOINT_STEP)
@@ -300,7 +307,7 @@ class DistanceRows(NonlinearRows):
         moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])
         owner = np.repeat(rows, len(moves))
         moved = (self.q[rows, None] + moves).reshape(-1, n)
-        found = self.search.model.witnesses(moved, self.pairs[owner])
+        found = self.search.model.witnesses(moved, self.pairs[owner], self.leaves[owner])
         return LinearRows.of(found.distances, self.changes[owner], found.gradients).jacobian, owner
 
     def violated_from(self, z: Array) -> LinearRows | None:
@@ -314,7 +321,7 @@ class DistanceRows(NonlinearRows):
         near = np.flatnonzero(samples.distances < search.target)[:MOST_REJECTED]
         if not len(near):
             return None
-        found = search.model.witnesses(self.curve(samples.s[near], FINE), samples.pairs[near])
+        found = search.model.witnesses(self.curve(samples.s[near], FINE), samples.pairs[near], samples.leaves[near])
         (first, second), n = found.joints.T, search.model.robot.model.njoints - 1
         keep, other_keep = (found.radii + search.target).T
         opposite = (found.opposites * found.points).sum(axis=1) + found.radii[:, 0]

@@ -15,9 +15,9 @@ def by_coal(model):
         distances=lambda q, reach: np.full((len(q), pairs), np.nan),
         near=lambda q, reach: (np.arange(len(q) * pairs), np.full(len(q) * pairs, np.nan)),
         pair_distances=lambda q, chosen, reach: np.full(len(q), np.nan),
-        interval_bounds=lambda q, slopes, chosen, reach, bends: (np.full(len(q), np.nan), np.full(len(q), -np.inf)),
+        interval_bounds=lambda q, slopes, chosen, reach, bends, motions: (np.full(len(q), np.nan), np.full(len(q), -np.inf)),
         least=lambda q, reach, step: None,
-        witnesses=lambda q, chosen: np.full((len(q), 13 + n), np.nan),
+        witnesses=lambda q, chosen, leaves: np.full((len(q), 13 + n), np.nan),
         nearest_triangle=lambda q, pair: None,
     )
     return slow

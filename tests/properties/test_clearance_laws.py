@@ -70,15 +70,49 @@ def test_distance_on_an_interval_stays_above_its_bounds(arm, seed, size):
     on = Intervals.of(control[None], left, right)
     pairs = np.arange(len(model.pair_names))
     rows = np.zeros(len(pairs), dtype=int)
-    _, bend = reach.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
+    motion, bend = reach.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
     far = np.full(len(pairs), 10.0)
-    distances, bounds = model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=far, bends=bend)
+    distances, bounds = model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=far, bends=bend, motions=motion)
     curve = mp.JointPath(breaks=np.array([0.0, 1.0]), control=control[None])
     along = model.distance_rows(curve(np.linspace(0.0, 1.0, 201)))
     np.testing.assert_allclose(distances, along[100], atol=1e-9)
     known = np.isfinite(bounds)
     assert known[distances > SLACK].all()  # no surfaces here
     assert (bounds[known] <= along.min(axis=0)[known] + SLACK).all()
+
+
+@pytest.mark.parametrize("kind", ["cloud", "mesh"])
+def test_distance_to_a_surface_stays_above_its_bound(panda, rng, kind):
+    """All that is behind one of a few planes, or too far away, stays away: on intervals near a surface the proof succeeds so."""
+    ticks = np.linspace(-0.6, 0.6, 61)
+    corners = np.stack([*np.meshgrid(ticks, ticks, indexing="ij"), np.zeros((61, 61))], axis=-1)
+    corners[..., 2] = -0.05 + 0.01 * np.sin(20 * corners[..., 0]) * np.cos(15 * corners[..., 1])
+    if kind == "cloud":
+        surface = mp.PointCloud(points=corners.reshape(-1, 3), radius=0.01, name="ground")
+    else:
+        a, b, c, d = corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]
+        triangles = np.concatenate([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)]).reshape(-1, 3, 3)
+        surface = mp.Mesh(triangles=triangles, name="ground")
+    model = mp.Scene([surface]).collision_model(panda)
+    reach, pairs = BodyMotion(model), np.flatnonzero(["ground" in names for names in model.pair_names])
+    rows, proven, near = np.zeros(len(pairs), dtype=int), 0, 0
+    some = panda.random_configuration(rng, size=8000)
+    apart = model.distance_rows(some, beyond=0.05)[:, pairs].min(axis=1)
+    for q in some[(apart > 0.0) & (apart < 0.02)]:
+        control = (
+            q + np.linspace(-1.0, 1.0, 4)[:, None] * rng.uniform(-0.02, 0.02, panda.n) + rng.uniform(-3e-4, 3e-4, (4, panda.n))
+        )
+        on = Intervals.of(control[None], *split(control[None]))
+        motion, bend = reach.motion_and_bend(on.q, on.change, (on.speed, on.acceleration), rows, pairs)
+        beyond = motion + rng.uniform(0.0, 0.5) * motion
+        distances, bounds = model.interval_bounds(on.q[rows], on.slope[rows], pairs, beyond=beyond, bends=bend, motions=motion)
+        curve = mp.JointPath(breaks=np.array([0.0, 1.0]), control=control[None])
+        least = model.distance_rows(curve(np.linspace(0.0, 1.0, 101)))[:, pairs].min(axis=0)
+        known = np.isfinite(bounds)
+        assert (bounds[known] <= least[known] + SLACK).all()
+        proven += (known & (distances < beyond)).sum()
+        near += ((distances < beyond) & (least > beyond - motion)).sum()
+    assert near > 50 and proven > near / 2
 
 
 @pytest.mark.parametrize("by", ["compiler", "llvm"])

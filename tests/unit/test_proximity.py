@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
@@ -180,3 +182,30 @@ def test_searches_of_one_model_do_not_share_memory(through_a_post):
     first = search.find_near(curve, 0.0, 0.1)
     other.find_near(curve, 0.01, 2e-3)
     np.testing.assert_array_equal(first.distances, search.find_near(curve, 0.0, 0.1).distances)
+
+
+@given(st.integers(0, 10_000))
+@settings(max_examples=8, deadline=None)
+def test_dips_of_single_points_of_a_cloud_are_found(panda, seed):
+    """Points that stand side by side are passed one after another: each has its own dip, also where another one is nearer."""
+    rng = np.random.default_rng(seed)
+    curve = JointPath.line(START, GOAL).curve()
+    middle = panda.kinematics().pose(curve(np.array([0.5])))[0, :3, 3]
+    points = middle + [0.0, 0.0, -0.11] + np.column_stack([rng.uniform(-0.02, 0.02, (12, 2)), np.zeros(12)])
+    cloud = mp.PointCloud(points=points, radius=1e-3, name="cloud")
+    search = DistanceSearch(mp.Scene([cloud]).collision_model(panda))
+    target = search.model.least_distance(curve(np.linspace(0.0, 1.0, 2001)))[0]
+    found = search.find_near(curve, target, 2e-3)
+    of_leaf = found.leaves >= 0
+    assert of_leaf.any() and found.is_bottom[of_leaf].all()
+    near = set(zip(found.pairs[of_leaf].tolist(), found.leaves[of_leaf].tolist(), strict=True))
+    assert len(near) == of_leaf.sum() > 1
+    fine = np.linspace(0.0, 1.0, 4001)
+    for pair, leaf, s, distance in zip(
+        *(each[of_leaf] for each in (found.pairs, found.leaves, found.s, found.distances)), strict=True
+    ):
+        around = fine[np.abs(fine - s) < 1.0 / INTERVALS]
+        alone = search.model.witnesses(curve(around), np.full(len(around), pair), np.full(len(around), leaf)).distances
+        assert alone.min() >= distance - 1e-6 and alone.min() <= distance + 1e-4
+        whole = search.model.pair_distances(curve(np.array([s]), FINE), [pair])[0]
+        assert whole <= distance + 1e-9

@@ -6,6 +6,7 @@ is proven in the scene itself.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import coal
 import numpy as np
@@ -32,8 +33,10 @@ MOST_CELLS, MOST_SAMPLES = 8_000_000, 3_000_000
 SMALL_BOX, SMALL, SMALL_HULL = 0.2, 0.08, 0.04
 #: Number of positions along each axis at which cuts are compared, and share of a box at which cells fill it.
 CUTS, FULL = 48, 0.6
-#: Maximum number of points by which upright frames are compared.
-MOST_TURNED = 4000
+#: Largest vertical part of the unit normal of a face that counts as upright.
+UPRIGHT = 1e-9
+#: Maximum number of points by which upright frames are compared, and number of directions in which the outermost of them count.
+MOST_TURNED, OUTLINE = 4000, 128
 #: Margin around the samples of a piece, so that flat ones have a volume [m].
 MARGIN = 5e-4
 #: Directions of the faces of a piece in its frame (26, 3): along the axes and the diagonals of a cube [klosowski1998].
@@ -208,8 +211,10 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
         if len(open_parts) + len(done) > MOST_PIECES:
             return None
         part = open_parts.pop()
-        inside = np.isin(grid.owner, part)
-        if not inside.any():
+        own = np.zeros(len(grid.solid), dtype=bool)
+        own[part] = True
+        inside = np.flatnonzero(own[grid.owner])
+        if not len(inside):
             continue
         hull = _Polytope.of(points[inside], radii[inside])
         corners = hull.corners()
@@ -275,12 +280,31 @@ class _BallGrid:
     def has_empty(self, hull: "_Polytope", corners: Array) -> bool:
         """Whether the centre of a cell that is not filled lies within half a cell of a hull with these corners (c, 3)."""
         first = np.maximum((corners.min(axis=0) - self.low) // self.cell - 1, 0).astype(int)
-        last = ((corners.max(axis=0) - self.low) // self.cell + 1).astype(int)
-        inside = self.filled[tuple(slice(a, b + 1) for a, b in zip(first, last, strict=True))]
-        left = self.low + self.cell * (np.argwhere(~inside) + first + 0.5)
-        for face, offset in zip(hull.faces, hull.offsets, strict=True):
-            left = left[left @ face <= offset + self.cell / 2]
-        return len(left) > 0
+        last = np.minimum((corners.max(axis=0) - self.low) // self.cell + 2, self.filled.shape).astype(int)
+        x, y = (self.low[i] + self.cell * (np.arange(first[i], last[i]) + 0.5) for i in range(2))
+        # of each column of cells: z times the third number of a face is at most its room
+        room = (
+            (hull.offsets + self.cell / 2)[:, None, None]
+            - hull.faces[:, 0, None, None] * x[:, None]
+            - hull.faces[:, 1, None, None] * y
+        )
+        rise = hull.faces[:, 2, None, None]
+        up, down = (np.flatnonzero(sign * hull.faces[:, 2] > UPRIGHT) for sign in (1, -1))
+        upright = np.abs(hull.faces[:, 2]) <= UPRIGHT
+        high, low = (room[up] / rise[up]).min(axis=0), (room[down] / rise[down]).max(axis=0)
+        ends = [(each - self.low[2]) / self.cell - 0.5 for each in (low, high)]
+        begin = np.clip(np.ceil(ends[0]), first[2], last[2]).astype(int)
+        end = np.maximum(np.clip(np.floor(ends[1]) + 1, first[2], last[2]).astype(int), begin)
+        empty = self._empty_below[first[0] : last[0], first[1] : last[1]]
+        counts = np.take_along_axis(empty, end[..., None], 2) - np.take_along_axis(empty, begin[..., None], 2)
+        return bool(((counts[..., 0] > 0) & (room[upright] >= 0).all(axis=0)).any())
+
+    @cached_property
+    def _empty_below(self) -> NDArray[np.int32]:
+        """Number of cells (nx, ny, nz + 1) of each column that are not filled, below each of its cells."""
+        counts = np.zeros(np.add(self.filled.shape, (0, 0, 1)), dtype=np.int32)
+        np.cumsum(~self.filled, axis=2, out=counts[:, :, 1:])
+        return counts
 
 
 def _with_enclosed(filled: NDArray[np.bool_], middle: Array) -> NDArray[np.bool_]:
@@ -319,9 +343,10 @@ class _Polytope:
         inner = points.mean(axis=0)
         centred = points - inner
         frames = np.array([np.eye(3), _upright(points), np.linalg.eigh(centred.T @ centred)[1].T])
-        frame = min(frames, key=lambda axes: round(float(np.prod(np.ptp(points @ axes.T, axis=0) + MARGIN)), 9))
+        columns = np.ascontiguousarray(points.T)  # extremes along a row are found much faster than along a column
+        frame = min(frames, key=lambda axes: round(float(np.prod(np.ptp(axes @ columns, axis=1) + MARGIN)), 9))
         faces = FACES @ frame
-        offsets = np.array([(points @ face + radii).max() for face in faces]) + MARGIN
+        offsets = np.array([(face @ columns + radii).max() for face in faces]) + MARGIN
         return cls(frames=frames, faces=faces, offsets=offsets, inner=inner)
 
     def corners(self) -> Array:
@@ -335,6 +360,8 @@ class _Polytope:
 def _upright(points: Array) -> Array:
     """The frame (3, 3) with a vertical axis in which the box around points (k, 3) has the smallest base, to 0.05°."""
     plan = points[:: 1 + len(points) // MOST_TURNED, :2]
+    turns = np.linspace(0.0, 2 * np.pi, OUTLINE, endpoint=False)
+    plan = plan[np.argmax(np.array([np.cos(turns), np.sin(turns)]).T @ plan.T, axis=1)]
     angle = 0.0
     for turns in (np.arange(0.0, 90.0), np.arange(-1.0, 1.0, 0.05)):
         angles = np.radians(turns) + angle
@@ -351,24 +378,32 @@ def _find_cut(solid: Array, cell: float, frames: Array) -> NDArray[np.bool_] | N
     these the one with the smallest boxes.
     """
     best: NDArray[np.bool_] | None = None
-    least = [np.inf, np.inf]
+    smallest_volumes = [np.inf, np.inf]
     for local in solid @ frames.transpose(0, 2, 1):
-        for along in local.T:
-            order = np.argsort(along, kind="stable")
-            below, above = _sizes(local[order]), _sizes(local[order[::-1]])[::-1]
-            offsets = along.min() + np.ptp(along) * (np.arange(CUTS) + 0.5) / CUTS
-            for count in np.searchsorted(along[order], offsets, side="right"):
-                if not 0 < count < len(solid):
-                    continue
-                boxes = np.prod(np.array([below[count - 1], above[count]]) + cell, axis=1)
-                is_filled = np.array([count, len(solid) - count]) * cell**3 >= FULL * boxes
-                volumes = [round(float(each.sum()), 9) for each in (boxes[~is_filled], boxes)]
-                if volumes < least:
-                    best, least = np.zeros(len(solid), dtype=bool), volumes
-                    best[order[:count]] = True
+        columns = np.ascontiguousarray(local.T)
+        for along in columns:
+            low, length = along.min(), np.ptp(along)
+            if not length > 0:
+                continue
+            slice_of = np.clip(np.ceil((along - low) / length * CUTS - 0.5), 0, CUTS).astype(np.int16)
+            counts = np.bincount(slice_of, minlength=CUTS + 1)
+            filled = np.flatnonzero(counts)
+            if len(filled) < 2:
+                continue
+            below = np.cumsum(counts[filled])
+            ordered = columns[:, np.argsort(slice_of, kind="stable")]
+            first = np.append(0, below[:-1])
+            least, most = np.minimum.reduceat(ordered, first, axis=1), np.maximum.reduceat(ordered, first, axis=1)
+            sizes = _sizes(least, most)[:, :-1], _sizes(least[:, ::-1], most[:, ::-1])[:, -2::-1]
+            boxes = np.prod(np.array(sizes) + cell, axis=1)
+            is_filled = np.array([below[:-1], len(solid) - below[:-1]]) * cell**3 >= FULL * boxes
+            volumes = np.round([np.where(is_filled, 0.0, boxes).sum(axis=0), boxes.sum(axis=0)], 9)
+            smallest = int(np.lexsort(volumes[::-1])[0])
+            if volumes[:, smallest].tolist() < smallest_volumes:
+                best, smallest_volumes = slice_of <= filled[smallest], volumes[:, smallest].tolist()
     return best
 
 
-def _sizes(points: Array) -> Array:
-    """Edges (k, 3) of the boxes around the first 1, 2, ... k of points (k, 3)."""
-    return np.asarray(np.maximum.accumulate(points) - np.minimum.accumulate(points))
+def _sizes(least: Array, most: Array) -> Array:
+    """Edges (3, k) of the boxes around the first 1, 2, ... k boxes with these corners (3, k)."""
+    return np.asarray(np.maximum.accumulate(most, axis=1) - np.minimum.accumulate(least, axis=1))
