@@ -27,6 +27,7 @@ from manipplan.support.progress import silent
 from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
+from manipplan.timing.constant_speed import STEADY, SpeedDemand
 from manipplan.tool_path.engine import ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
@@ -47,6 +48,7 @@ class RawMotion:
         state: arm and scene during it.
         workspace_path, task, tolerance: the path of the tool that it follows; None for a free motion.
         tool_speed: constant speed of the tool [m/s]; None for no such.
+        slowdown: share by which the tool may be slower than that.
     """
 
     step: int
@@ -56,6 +58,7 @@ class RawMotion:
     task: Task | None = None
     tolerance: Tolerance | None = None
     tool_speed: float | None = None
+    slowdown: float = STEADY
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -149,7 +152,8 @@ class ToolPathPlanners:
             clearance=clearance,
             near=near,
         )
-        return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance)
+        demand = None if step.tool_speed is None else SpeedDemand(speed=step.tool_speed, slowdown=step.slowdown)
+        return ToolPathPlanner(path=path, layers=layers, tolerance=step.tolerance).at_speed(demand)
 
 
 def motion_of_leg(
@@ -230,7 +234,9 @@ def _along(
 
 def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
-    path = configurations.planner.along(configurations.motion(k), silent, hold_start=True).path
+    planner = configurations.planner
+    along = planner.along if planner.demand is None else planner.closely_along
+    path = along(configurations.motion(k), silent, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return LegFailure(message=outside) if outside else _motion(number, step, configurations.planner.path, path, state)
 
@@ -244,6 +250,7 @@ def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointP
         task=step.task or (state.robot.default_task if state.robot.planar else Task.pose()),
         tolerance=with_defaults(step.tolerance),
         tool_speed=step.tool_speed,
+        slowdown=step.slowdown,
     )
 
 
@@ -397,6 +404,9 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
         first = max_min_search(planner.layers, EPSILON, throw=False)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
+    if not first.connected and planner.layers.joint_pace is not None:  # timing names the fastest tool speed
+        planner = replace(planner, layers=replace(planner.layers, joint_pace=None))
+        first = max_min_search(planner.layers, EPSILON, throw=False)
     if not first.connected and has_closer(along):
         with suppress(InvalidInputError):  # about positions that were not asked for; the search that failed says why
             closer = planners.made(along, along.path, state, closer=True)

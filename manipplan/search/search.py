@@ -109,7 +109,7 @@ class ThresholdSearch:
         self._told = -np.inf
 
     def best(self, objective: SweepObjective, part: Subset, reach: Array, text: str) -> CandidatePath | None:
-        """The best path for the objective through the candidates that take part, with steps below `reach` (n,) and the layers' own."""
+        """The best path for the objective through the candidates that take part; steps are below `reach` (n,) and the pace."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
             return None

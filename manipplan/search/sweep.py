@@ -235,8 +235,8 @@ class Grid:
 def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[np.bool_], most: int) -> Grid:
     """The grid of at most `most` cells that separates the most pairs of `sample` (S, n).
 
-    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on every step, exclusive. Joints are
-    added one by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
+    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on all steps. Joints are added one
+    by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
     """
     n = sample.shape[1]
     low, high = extent
@@ -300,7 +300,7 @@ PIECES = 4
 
 
 class SweepStage(NamedTuple):
-    """Candidates of one step of a sweep: q (k, n) [rad or m] and m (k,), contiguous; reach (n,): bound on a step to them, exclusive."""
+    """Candidates of one step of a sweep, q (k, n) [rad or m] and m (k,), contiguous; reach (n,): bound on the step."""
 
     q: Array
     m: Array
@@ -308,7 +308,7 @@ class SweepStage(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """Candidates of a stage sorted by cell: indices, configurations, manipulability, start of each cell, bound on a step to them."""
+    """Candidates of a stage sorted by cell: indices, configurations, manipulability, start of each cell, bound on the step."""
 
     ids: NDArray[np.int32]
     rows: Array
