@@ -40,7 +40,7 @@ from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
-from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed, retime_steady
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
@@ -233,13 +233,16 @@ def follow(
     given = None if start is None else read_configuration("start", start, robot)
     slowdown = number("slowdown", slowdown, least=STEADY, most=MOST_SLOWDOWN)
     interruptions = whole_number("interruptions", interruptions, least=0)
+    demand: SpeedDemand | None = None
+    stops: tuple[float, ...] = ()
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
         position = with_defaults(tolerance).position
         assert position is not None
         shifts = () if objective.task is None else FreeMotion.of(objective.task, planar=robot.planar).shifts
-        if not len(shifts) and not interruptions:  # the tool passes all corners of the path, and rests at none
-            check_corners(tool_speed, path, robot, position=position, slowdown=slowdown)
+        if not len(shifts):  # the tool passes all corners of the path, and rests only where it is interrupted
+            stops = check_corners(tool_speed, path, robot, position=position, slowdown=slowdown, interruptions=interruptions)
+        demand = SpeedDemand(speed=tool_speed, slowdown=slowdown, torque=torque)
     elif slowdown != STEADY:
         raise InvalidInputError("slowdown", slowdown, f"{STEADY:g} where no tool_speed is asked for")
     way = _retreat(retreat)
@@ -275,7 +278,7 @@ def follow(
         )
         planner = ToolPathPlanner(
             path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=deadline
-        )
+        ).at_speed(demand)
         sampler = layers.sampler
         assert sampler is not None
         if max(float(m.max()) for m in planner.layers.m) < VANISHING:
@@ -292,7 +295,13 @@ def follow(
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
         parts = find_parts(
-            planner, epsilon, interruptions, until(deadline, part(say, 0.4, 0.6)), connects=positions is None, start=begin
+            planner,
+            epsilon,
+            interruptions,
+            until(deadline, part(say, 0.4, 0.6)),
+            connects=positions is None,
+            start=begin,
+            stops=stops,
         )
         if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
@@ -389,7 +398,7 @@ def follow(
 
         return finish(
             draft,
-            lambda: _time(motion, robot, integral, tool_speed, slowdown, torque=torque),
+            lambda: _time(motion, robot, integral, demand, torque=torque),
             taken=taken,
             clearance=clearance,
             torque=torque,
@@ -415,7 +424,7 @@ def follow(
 
 
 def _time(
-    followed: FollowingMotion, robot: Robot, integral: PathIntegral, tool_speed: float | None, slowdown: float, *, torque: bool
+    followed: FollowingMotion, robot: Robot, integral: PathIntegral, demand: SpeedDemand | None, *, torque: bool
 ) -> tuple[Trajectory, tuple[PathPart, ...]]:
     """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
     pieces: list[Trajectory] = []
@@ -426,12 +435,14 @@ def _time(
             pieces.append(each.transit.trajectory)
             clock += each.transit.trajectory.duration
         path, speed = each.refined.path, None
-        if tool_speed is None:
+        if demand is None:
             motion = retime(path, robot, torque=torque)
+        elif each.refined.steady is not None:
+            motion, speed = each.refined.steady
         else:
             ends = (each.part.s_begin, each.part.s_end)
-            motion, speed = retime_steady(path, robot, tool_speed, slowdown=slowdown, torque=torque, ends=ends)
-            speed = speed.later(clock)
+            motion, speed = retime_steady(path, robot, demand.speed, slowdown=demand.slowdown, torque=torque, ends=ends)
+        speed = None if speed is None else speed.later(clock)
         pieces.append(motion)
         along.append(
             PathPart(

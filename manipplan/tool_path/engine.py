@@ -1,7 +1,10 @@
 """ToolPathPlanner: the best joint path along a workspace path, searched, refined, and joined between its positions."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +14,7 @@ from manipplan.ik.newton import MovingArm
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
+from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
@@ -23,7 +27,10 @@ from manipplan.support.deadline import NEVER, Deadline, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
+from manipplan.timing.constant_speed import SpeedDemand, SteadySpeed
 
+#: What a search makes of a planner.
+Found = TypeVar("Found")
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
 #: The latter if no tolerance is given.
@@ -42,6 +49,8 @@ class RefinedToolPath:
         loose: (k,) the intervals between positions, by where they begin, in which the path does not follow the workspace path,
             or touches a body.
         ending: time that timing and checks are likely to take [s].
+        robot: the arm.
+        demand: constant speed of the tool that is asked for; None: none.
     """
 
     search: SearchResult
@@ -50,6 +59,42 @@ class RefinedToolPath:
     seed: JointPath
     loose: NDArray[np.int64]
     ending: float
+    robot: Robot
+    demand: SpeedDemand | None
+
+    @cached_property
+    def fastest(self) -> tuple[float, float]:
+        """An estimate of the fastest constant speed on it, where one is asked for [m/s], and the s where limits bind."""
+        assert self.demand is not None
+        return self.demand.fastest(self.path, self.robot)
+
+    @cached_property
+    def timed(self) -> tuple[Trajectory, SteadySpeed] | None:
+        """The motion nearest to the speed that is asked for; None where none is, or limits are far from allowing it."""
+        if self.demand is None or self.demand.is_hopeless(self.fastest[0]):
+            return None
+        with suppress(PlanningError):  # of other limits, which timing names in the end
+            return self.demand.steadiest(self.path, self.robot, lambda: self.fastest[0])
+        return None
+
+    @property
+    def steady(self) -> tuple[Trajectory, SteadySpeed] | None:
+        """The motion with the speed that is asked for; None for none."""
+        return self.timed if self.timed is not None and self.timed[1].is_steady else None
+
+    @property
+    def slowest_at(self) -> float:
+        """The s at which limits make the tool slowest."""
+        if self.timed is None:
+            return self.fastest[1]
+        s = np.linspace(0.0, 1.0, PLACES)
+        motion, speed = self.timed
+        return float(s[np.linalg.norm(self.path(s) - motion(np.array([speed.slowest_at])), axis=1).argmin()])
+
+    @property
+    def keeps_speed(self) -> bool:
+        """Whether the tool has the constant speed that is asked for, or none is."""
+        return self.demand is None or self.steady is not None
 
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
@@ -65,6 +110,13 @@ SHORTEST = 1e-3
 ENDING, ENDING_OF_JOINING = 0.3, 25.0
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
+#: Maximum number of searches for a joint path that keeps a tool speed, and smallest and largest factor by which the joints are
+#: slower from one to the next.
+SLOWER_SEARCHES, SLOWER = 5, (1.05, 1.5)
+#: Factor by which the speed has to rise from one to the next, and speed that counts as none [m/s].
+FASTER, LEAST_SPEED = 1.02, 1e-9
+#: Number of places among which the one is found at which the tool is slowest.
+PLACES = 2001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,6 +133,7 @@ class ToolPathPlanner:
         halvings: how often the distance between two positions was halved, for each of them; None: never.
         deadline: by which motions are improved, timed and checked.
         has_fixed_positions: whether no positions can be added, since the candidates of these were chosen one by one.
+        demand: constant speed of the tool that is asked for; None: none.
     """
 
     path: CartesianPath
@@ -91,11 +144,17 @@ class ToolPathPlanner:
     halvings: NDArray[np.int64] | None = None
     deadline: Deadline = NEVER
     has_fixed_positions: bool = False
+    demand: SpeedDemand | None = None
 
     @property
     def _sampler(self) -> CandidateSampler:
         assert self.layers.sampler is not None
         return self.layers.sampler
+
+    @property
+    def robot(self) -> Robot:
+        """The arm."""
+        return self._sampler.spec.robot
 
     @property
     def has_several_parameters(self) -> bool:
@@ -145,6 +204,20 @@ class ToolPathPlanner:
             found.append(moved)
         return np.concatenate(found)
 
+    def at_speed(self, demand: SpeedDemand | None, slower: float = 1.0) -> "ToolPathPlanner":
+        """The same for a constant speed of the tool: only with steps on which no joint is too fast.
+
+        `slower`: factor by which joints are slower than their limits; the tool's way in a motion that is free is not known.
+        """
+        pace = None
+        if demand is not None and not len(self._sampler.solver.free.shifts):
+            pace = demand.joint_pace(self.robot) / slower
+        return replace(self, demand=demand, layers=replace(self.layers, joint_pace=pace))
+
+    def at_any_pace(self) -> "ToolPathPlanner":
+        """The same with all steps, also those on which joints are too fast for the tool speed."""
+        return replace(self, layers=replace(self.layers, joint_pace=None))
+
     def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
         return among[self._halvings[among] < halvings]
@@ -186,6 +259,8 @@ class ToolPathPlanner:
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
         found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
+        if not found.connected and self.layers.joint_pace is not None:  # timing tells where no motion keeps the speed
+            return self.at_any_pace().best(epsilon, hold_start=hold_start, explain=explain)
         return self.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
 
     def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
@@ -193,7 +268,7 @@ class ToolPathPlanner:
         found = self.starting_at(q).best(epsilon, hold_start=True, explain=False)
         if isinstance(found, Failure):
             return found
-        outside = outside_limits(found.path, self._sampler.spec.robot)
+        outside = outside_limits(found.path, self.robot)
         return Failure(message=outside) if outside else found.path
 
     def between(self, first: int, last: int) -> "ToolPathPlanner":
@@ -225,14 +300,39 @@ class ToolPathPlanner:
         refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         loose = np.flatnonzero(self._touching(path) | ~is_inside)
-        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=loose, ending=ending)
+        return RefinedToolPath(
+            search=found,
+            refinement=refined,
+            path=path,
+            seed=seed,
+            loose=loose,
+            ending=ending,
+            robot=self.robot,
+            demand=self.demand,
+        )
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The same with more positions where it is loose between those there are, from the same first configuration."""
-        made, begin, first = self.along(found, progress, hold_start=hold_start), found.q[0], found.indices[:1]
-        layers = self.layers
+        """The same with more positions where it is loose between those there are, from the same first configuration.
+
+        Where a tool speed is asked for, the best one that keeps it, if one is found.
+        """
+        begin, first, layers = found.q[0], found.indices[:1], self.layers
         alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
         planner = replace(self, layers=alone)
+
+        def search(planner: ToolPathPlanner) -> RefinedToolPath | None:
+            again = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
+            if not again.connected:
+                return None
+            again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
+            return planner._closer(planner.along(again, progress, hold_start=hold_start), progress, hold_start=hold_start)
+
+        made = planner._closer(self.along(found, progress, hold_start=hold_start), progress, hold_start=hold_start)
+        return until_kept(planner, made, search, lambda each: None if each.keeps_speed else each)
+
+    def _closer(self, made: RefinedToolPath, progress: Progress, *, hold_start: bool) -> RefinedToolPath:
+        """The joint path with more positions where it is loose; this planner has only its first configuration."""
+        found, begin, planner = made.search, made.search.q[0], self
         for _ in range(CLOSER):
             if not len(made.loose) or self.has_fixed_positions or self.deadline.left < made.ending:
                 break
@@ -317,6 +417,43 @@ class ToolPathPlanner:
             tube=tube,
             hold_start=hold_start,
         )
+
+
+def until_kept(
+    planner: ToolPathPlanner,
+    made: Found,
+    search: Callable[[ToolPathPlanner], Found | None],
+    slow: Callable[[Found], RefinedToolPath | None],
+) -> Found:
+    """What a search makes with the fastest joints with which the tool keeps its speed; `made` where no speed is asked for.
+
+    Joints are faster between positions than from one to the next, and accelerate. So the search is repeated with smaller steps,
+    until the motion keeps the speed, or is no faster; where none keeps it, `made` is returned.
+
+    Args:
+        planner: at the speed.
+        made: what the search made with the largest steps.
+        search: None where nothing connects.
+        slow: the joint path on which the tool is too slow; None for none.
+    """
+    demand, low, high, found = planner.demand, 1.0, np.inf, made
+    for _ in range(SLOWER_SEARCHES):
+        path = slow(found)
+        if path is None or demand is None:
+            return found
+        if planner.layers.joint_pace is None or planner.deadline.passed or high < SLOWER[0] * low:
+            break
+        excess = demand.least / max(path.fastest[0], LEAST_SPEED)
+        slower = min(low * float(np.clip(excess, *SLOWER)), np.sqrt(low * high))
+        more = search(planner.at_speed(demand, slower))
+        if more is None:
+            high = slower
+            continue
+        again = slow(more)
+        if again is not None and again.fastest[0] < FASTER * path.fastest[0]:
+            break
+        found, low = more, slower
+    return made
 
 
 def outside_limits(path: JointPath, robot: Robot) -> str:

@@ -3,7 +3,8 @@
 The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
@@ -22,10 +23,11 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import Deadline, OutOfTimeError
-from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
-from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, slower
+from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner, until_kept
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
 
@@ -78,10 +80,11 @@ MOST = 20_000_000
 def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None) -> ToolPathPlanner:
     """The planner with as many more positions as a motion along the path needs.
 
-    They are added where a gap has to be closed, until there is none or they are as close as they may be.
+    They are added where a gap has to be closed, until there is none or they are as close as they may be. Joints that are too
+    slow for the tool speed make no gap: more positions do not help them.
     """
     while True:
-        begun = planner if start is None else planner.starting_at(start)
+        begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
         gaps = find_gaps(begun.layers, epsilon)
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
@@ -102,8 +105,26 @@ def find_whole(
     planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
 ) -> FoundPart | NotConnected:
     """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
-    options = _find_parts(connect(planner, epsilon, part(notify, 0.0, 0.5), start=start), epsilon, 0, notify, start)
+    planner = connect(planner, epsilon, part(notify, 0.0, 0.5), start=start)
+    options = _find_parts(planner, epsilon, 0, notify, start)
+    if isinstance(options, NotConnected) and planner.layers.joint_pace is not None:  # timing names the fastest tool speed
+        options = _find_parts(planner.at_any_pace(), epsilon, 0, notify, start)
     return options if isinstance(options, NotConnected) else next(options)[0]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FoundParts:
+    """Parts of a path, as many with other edges, and the planner of the whole path that found them."""
+
+    first: list[FoundPart]
+    others: Iterator[list[FoundPart]]
+    planner: ToolPathPlanner
+
+    @property
+    def slow(self) -> FoundPart | None:
+        """Of the parts on which the tool does not keep its speed the one on which it is slowest; None for none."""
+        slow = [each for each in self.first if not each.refined.keeps_speed]
+        return min(slow, key=lambda each: each.refined.fastest[0], default=None)
 
 
 def find_parts(
@@ -114,11 +135,15 @@ def find_parts(
     *,
     connects: bool = True,
     start: Array | None = None,
+    stops: Sequence[float] = (),
 ) -> Iterator[list[FoundPart]] | NotConnected:
     """The fewest parts, with the largest minimum manipulability, or why there are none with so few interruptions.
 
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
     added where the joint path of the first part is loose between those there are.
+
+    Where a constant tool speed is asked for the joints keep it; see `until_kept`. Where they do not, the path is parted where
+    limits bind, as `most` allows.
 
     Args:
         planner: of motions along the whole path.
@@ -128,14 +153,104 @@ def find_parts(
         connects: whether positions are added where no motion through the given ones is continuous.
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
+        stops: s at which a tool that has the speed has to stop.
+
+    Raises InvalidInputError where the tool speed is not kept; the message names the fastest one, and what limits it where.
     """
-    found: tuple[list[FoundPart], Iterator[list[FoundPart]]] | None = None
+    demand = planner.demand
+    find = partial(_closely, epsilon=epsilon, most=most, connects=connects, start=start)
+    found = _keeping_speed(find, planner, most, notify, tuple(stops))
+    hint = ""
+    if demand is not None and planner.layers.joint_pace is not None and (isinstance(found, NotConnected) or found.slow):
+        planner = planner if isinstance(found, NotConnected) else found.planner
+        anyhow = find(planner.at_any_pace(), silent, ())  # faster on the ramps
+        if isinstance(found, NotConnected):
+            hint = f". At the speed asked for, {found.message}"
+            found = anyhow
+        elif isinstance(anyhow, FoundParts) and anyhow.slow is None:
+            found = anyhow
+    if isinstance(found, NotConnected):
+        return found
+    slow, connected = found.slow, found.planner
+    if slow is None or demand is None:
+        return chain([found.first], found.others)
+
+    limit = Deadline.within(FASTEST_TIME)
+
+    def keep(speed: float) -> bool:
+        if planner.deadline.passed or limit.passed:
+            return False
+        made = find(connected.at_speed(replace(demand, speed=speed)), silent, tuple(stops))
+        return isinstance(made, FoundParts) and made.slow is None
+
+    steady = slow.refined.timed
+    if steady is None and slow.refined.fastest[0] > (1 - MOST_SLOWDOWN) * demand.speed:
+        with suppress(PlanningError):
+            steady = demand.steadiest(slow.refined.path, planner.robot, lambda: slow.refined.fastest[0])
+    wanted = slower(
+        slow.refined.path,
+        planner.robot,
+        demand.speed,
+        keep,
+        torque=demand.torque,
+        ends=(slow.s_begin, slow.s_end),
+        slowest=0.0 if steady is None else steady[1].slowest,
+    )
+    raise InvalidInputError("tool_speed", demand.speed, wanted + hint)
+
+
+#: Time after which no faster tool speed is tried for a message [s].
+FASTEST_TIME = 5.0
+#: Finds parts with a planner; called with the share done, and s at which a part has to end.
+FindParts = Callable[[ToolPathPlanner, Progress, tuple[float, ...]], FoundParts | NotConnected]
+
+
+def _keeping_speed(
+    find: FindParts, planner: ToolPathPlanner, most: int, notify: Progress, stops: tuple[float, ...]
+) -> FoundParts | NotConnected:
+    """Parts that keep the tool speed, with at most so many interruptions; if none do, those with the fewest interruptions."""
+    first = found = find(planner, notify, stops)
+    while isinstance(found, FoundParts):
+
+        def search(slower: ToolPathPlanner, stops: tuple[float, ...] = stops) -> FoundParts | None:
+            made = find(slower, silent, stops)
+            return made if isinstance(made, FoundParts) else None
+
+        def slow_path(parts: FoundParts) -> RefinedToolPath | None:
+            return None if parts.slow is None else parts.slow.refined
+
+        found = until_kept(found.planner, found, search, slow_path)
+        if planner.demand is None or found.slow is None:
+            return found
+        if len(stops) >= most or planner.deadline.passed:
+            break
+        planner = replace(found.planner, layers=replace(found.planner.layers, joint_pace=planner.layers.joint_pace))
+        begin, end = found.slow.s_begin, found.slow.s_end
+        stops, before = (*stops, (begin + found.slow.refined.slowest_at * (end - begin)) % 1.0), len(found.first)
+        found = find(planner, silent, stops)
+        if isinstance(found, FoundParts) and len(found.first) == before:  # no position is left for a stop there
+            break
+    return first
+
+
+def _closely(
+    planner: ToolPathPlanner,
+    notify: Progress,
+    stops: tuple[float, ...],
+    *,
+    epsilon: ArrayLike,
+    most: int,
+    connects: bool,
+    start: Array | None,
+) -> FoundParts | NotConnected:
+    """The fewest parts, with positions added where nothing connects or a joint path is loose between those there are."""
+    found: FoundParts | None = None
     for k in range(CLOSER + 1):
         share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
         try:
             if connects:
                 planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
-            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
+            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start, stops)
         except OutOfTimeError:
             if found is None:
                 raise
@@ -144,9 +259,9 @@ def find_parts(
             if found is None:
                 return options
             break  # what is loose is left to the check
-        found = next(options), options
+        found = FoundParts(first=next(options), others=options, planner=planner)
         count = len(planner.layers.q)
-        first = found[0][0]  # what is loose of the others is seen from the configurations in which they begin
+        first = found.first[0]  # what is loose of the others is seen from the configurations in which they begin
         loose = planner.intervals(HALVED_STEP, np.unique((first.first + first.refined.loose) % count))
         if not len(loose) or planner.deadline.left < first.refined.ending or k == CLOSER:
             break
@@ -157,19 +272,25 @@ def find_parts(
         except InvalidInputError:  # no configuration keeps what candidates have to spare there
             break
     assert found is not None
-    return chain([found[0]], found[1])
+    return found
 
 
 def _find_parts(
-    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
+    planner: ToolPathPlanner,
+    epsilon: ArrayLike,
+    most: int,
+    notify: Progress,
+    start: Array | None,
+    stops: tuple[float, ...] = (),
 ) -> Iterator[list[FoundPart]] | NotConnected:
     """The same for the positions there are."""
     begun = planner if start is None else planner.starting_at(start)
     found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.0, 0.4))
-    if found.connected:
+    if found.connected and not stops:
         return iter([[FoundPart(s_begin=0.0, s_end=1.0, first=0, planner=begun, found=found, is_held=start is not None)]])
     best = planner if planner.layers.closed else begun
-    parts = find_gaps(best.layers, epsilon).parts
+    options = _edges_with_stops(best, epsilon, stops) if stops else None
+    parts = (len(options[0]) - 1 if options else None) if stops else find_gaps(best.layers, epsilon).parts
     if parts is None:
         return NotConnected(search=found, planner=begun, message="no interruption helps")
     interruptions = parts if best.layers.closed else parts - 1
@@ -177,14 +298,33 @@ def _find_parts(
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         return NotConnected(search=found, planner=begun, message=f"with {times} there is a motion: {allowed}")
-    fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
+    if options is None:
+        fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
+        options = [fewest.edges, *fewest.others]
     return (
         [
             _part(best, *ends, epsilon, (k + 1) / len(edges), is_held=k == 0 and best is begun and start is not None)
             for k, ends in enumerate(pairwise(edges))
         ]
-        for edges in (fewest.edges, *fewest.others)
+        for edges in options
     )
+
+
+def _edges_with_stops(planner: ToolPathPlanner, epsilon: ArrayLike, stops: tuple[float, ...]) -> list[tuple[int, ...]]:
+    """Edges of the fewest parts, some at the positions nearest to stops; none where a step has no path."""
+    layers, s = planner.layers, planner.layers.s
+    assert s is not None
+    nearest = sorted({int(np.abs(s - each).argmin()) for each in stops})
+    inner = [k for k in nearest if layers.closed or 0 < k < len(s) - 1]
+    ends = [*inner, inner[0] + len(s)] if layers.closed else [0, *inner, len(s) - 1]
+    edges = ends[:1]
+    for first, last in pairwise(ends):
+        stretch = planner.between(first, last).layers
+        parts = find_gaps(stretch, epsilon).parts
+        if parts is None:
+            return []
+        edges += [last] if parts == 1 else [first + each for each in fewest_interruptions(stretch, epsilon).edges[1:]]
+    return [tuple(edges)]
 
 
 def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, time: float, *, is_held: bool) -> FoundPart:

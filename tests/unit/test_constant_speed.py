@@ -1,6 +1,7 @@
 """Constant speeds of the tool: kept between short ramps, and where they are not possible the fastest one is named."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -71,9 +72,9 @@ def test_after_a_lead_in(panda, line, tmp_path):
 @pytest.mark.slow
 def test_the_fastest_speed_is_named_and_kept(panda, line):
     with pytest.raises(
-        mp.errors.InvalidInputError, match=r"tool_speed: got 5.0; allowed: at most [\d.]+ m/s, the fastest"
+        mp.errors.InvalidInputError, match=r"tool_speed: got 2.5; allowed: at most [\d.]+ m/s, the fastest"
     ) as told:
-        mp.follow(panda, line, tool_speed=5.0, positions=8, **FEW)
+        mp.follow(panda, line, tool_speed=2.5, positions=8, **FEW)
     fastest = float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1))
     plan = mp.follow(panda, line, tool_speed=fastest, positions=8, **FEW)
     assert plan.report.passed and plan.report.along[0].tool_speed.is_steady
@@ -196,6 +197,39 @@ def test_a_sharp_corner_is_refused_before_the_work(panda):
     with pytest.raises(mp.errors.InvalidInputError, match=r"at s = 0\.5\d*, x y z = .* turns a corner"):
         mp.follow(panda, mp.CartesianPath.through(poses), tool_speed=2.0, progress=lambda *each: told.append(each))
     assert told == []
+
+
+@pytest.mark.slow
+def test_a_corner_is_parted_where_the_speed_demands_it(panda):
+    begin = np.array(panda.kinematics().pose(panda.neutral))
+    poses = np.tile(begin, (31, 1, 1))
+    poses[:, :3, 3] += 0.01 * np.stack([np.minimum(np.arange(31), 15), np.maximum(np.arange(31) - 15, 0), np.zeros(31)], axis=1)
+    path = mp.CartesianPath.through(poses)
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed: got 0.2"):
+        mp.follow(panda, path, tool_speed=0.2)
+    plan = mp.follow(panda, path, tool_speed=0.2, interruptions=1, retreat=0.0)
+    assert plan.report.passed and [round(each.s_end, 2) for each in plan.report.along] == [0.5, 1.0]
+    t, speeds = tool_speeds(panda, plan.trajectory)
+    for each in plan.report.along:
+        kept = each.tool_speed
+        between = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
+        assert kept.is_steady and between.min() >= 0.2 * 0.9899 and between.max() <= 0.2 * (1 + 1e-4)
+
+
+def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
+    """The best path is that of brute force among the candidates with such steps."""
+    layers = mp.sample_layers(panda, line, 6, samples=16)
+    free = mp.max_min_search(layers, 1.0)
+    widest = np.abs(np.diff(free.q, axis=0)).max(axis=0)
+    slower = replace(layers, joint_pace=np.where(widest == widest.max(), 0.7, 10.0) * widest / (line.length / 5))
+    limits = slower.step_limits(np.ones(7))
+    value = layers.m[0]
+    for k in range(1, 6):
+        near = (np.abs(layers.q[k][:, None] - layers.q[k - 1]) < limits[k - 1]).all(axis=2)
+        value = np.minimum(layers.m[k], np.where(near, value, -np.inf).max(axis=1))
+    found = mp.max_min_search(slower, 1.0, throw=False)
+    assert limits.shape == (5, 7) and (limits < 1).any()
+    assert found.minimum == value.max() <= free.minimum
 
 
 @pytest.mark.parametrize("slowdown", [0.0, 1.0, -0.1, np.nan, "half"])
