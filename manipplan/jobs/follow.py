@@ -40,7 +40,7 @@ from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
-from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed, retime_steady
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
@@ -440,8 +440,7 @@ def _time(
         elif each.refined.steady is not None:
             motion, speed = each.refined.steady
         else:
-            ends = (each.part.s_begin, each.part.s_end)
-            motion, speed = retime_steady(path, robot, demand.speed, slowdown=demand.slowdown, torque=torque, ends=ends)
+            motion, speed = demand.timed(path, robot, ends=(each.part.s_begin, each.part.s_end))
         speed = None if speed is None else speed.later(clock)
         pieces.append(motion)
         along.append(

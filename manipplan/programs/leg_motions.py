@@ -19,7 +19,6 @@ from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.search.layers import choose_positions
-from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
@@ -414,15 +413,12 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
         planner = planners.made(along, along.path, state)
-        first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
+        planner, first = planner.search(EPSILON, explain=along.positions is not None)
         if not first.connected and along.positions is None:
             planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
-            first = max_min_search(planner.layers, EPSILON, explain=False, throw=False)
+            planner, first = planner.search(EPSILON)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
-    if not first.connected and planner.layers.joint_pace is not None:  # timing names the fastest tool speed
-        planner = planner.at_any_pace()
-        first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
     if not first.connected:
         where = first.message if along.positions is not None else explain_gap(planner, EPSILON)
         raise PlanningError(f"steps[{number}]: {where}{planner.in_the_way(first)}", first)

@@ -1,8 +1,6 @@
-"""retime_steady: times a path at a constant speed of the tool, or names the fastest such speed, and what limits it where.
+"""SpeedDemand: a constant speed of the tool that is asked for, at which paths are timed, or else the fastest one named.
 
 check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there.
-
-SpeedDemand: a constant speed of the tool that is asked for, and what it asks of the joints.
 
 SteadySpeed: the speed of the tool on a motion that is to have a constant one, measured on the motion.
 """
@@ -333,47 +331,34 @@ class SpeedDemand:
         assert best is not None
         return best
 
+    def timed(self, path: JointPath, robot: Robot, *, ends: tuple[float, float] = (0.0, 1.0)) -> tuple[Trajectory, SteadySpeed]:
+        """The motion along a joint path from rest to rest, with the constant speed but for the ramps at its ends.
 
-def retime_steady(
-    path: JointPath,
-    robot: Robot,
-    speed: float,
-    *,
-    slowdown: float = STEADY,
-    torque: bool = False,
-    ends: tuple[float, float] = (0.0, 1.0),
-) -> tuple[Trajectory, SteadySpeed]:
-    """The motion along a joint path on which the tool has a constant speed [m/s], but for the ramps at its ends.
+        Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most the share.
 
-    Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most a share.
+        Args:
+            path: joint path.
+            robot: the arm.
+            ends: s of the ends on the path of the tool, for messages.
 
-    Args:
-        path: joint path from rest to rest.
-        robot: the arm.
-        speed: of the tool's origin [m/s].
-        slowdown: share by which the tool may be slower than that.
-        torque: keep the joints' effort limits as well.
-        ends: s of the ends on the path of the tool, for messages.
+        Raises:
+            InvalidInputError: the speed is not reached, or not kept; the message names the fastest that is, and what limits it.
+            PlanningError: as in `retime`.
+        """
 
-    Raises:
-        InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is, and what limits it.
-        PlanningError: as in `retime`.
-    """
-    demand = SpeedDemand(speed=speed, slowdown=slowdown, torque=torque)
+        @cache
+        def fastest() -> float:
+            return self.fastest(path, robot)[0]
 
-    @cache
-    def fastest() -> float:
-        return demand.fastest(path, robot)[0]
+        made = self.steadiest(path, robot, fastest)
+        if made[1].is_steady:
+            return made
 
-    made = demand.steadiest(path, robot, fastest)
-    if made[1].is_steady:
-        return made
+        def keep(each: float) -> bool:
+            return replace(self, speed=each).steadiest(path, robot, fastest)[1].is_steady
 
-    def keep(each: float) -> bool:
-        return replace(demand, speed=each).steadiest(path, robot, fastest)[1].is_steady
-
-    wanted = slower(path, robot, speed, keep, torque=torque, ends=ends, slowest=made[1].slowest)
-    raise InvalidInputError("tool_speed", speed, wanted)
+        wanted = slower(path, robot, self.speed, keep, torque=self.torque, ends=ends, slowest=made[1].slowest)
+        raise InvalidInputError("tool_speed", self.speed, wanted)
 
 
 def steady_segments(begin: float, end: float, speed: float) -> list[Segment]:
@@ -399,7 +384,8 @@ def slower(
 
     Args:
         keep: tells whether a speed is kept.
-        torque, ends: as in `retime_steady`.
+        torque: keep the effort limits as well.
+        ends: s of the ends on the path of the tool.
         slowest: speed to which the tool slows where it may [m/s]; 0: it may not.
     """
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeVar
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +29,6 @@ from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
 from manipplan.timing.constant_speed import SpeedDemand, SteadySpeed
 
-#: What a search makes of a planner.
-Found = TypeVar("Found")
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
 #: The latter if no tolerance is given.
@@ -96,6 +94,10 @@ class RefinedToolPath:
         """Whether the tool has the constant speed that is asked for, or none is."""
         return self.demand is None or self.steady is not None
 
+    def rank(self) -> tuple[bool, float]:
+        """The better joint path for a tool speed has the larger one: it keeps the speed, or comes nearer to it."""
+        return self.keeps_speed, self.refinement.refined if self.keeps_speed else self.fastest[0]
+
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
@@ -110,11 +112,11 @@ SHORTEST = 1e-3
 ENDING, ENDING_OF_JOINING = 0.3, 25.0
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
-#: Maximum number of searches for a joint path that keeps a tool speed, and smallest and largest factor by which the joints are
-#: slower from one to the next.
-SLOWER_SEARCHES, SLOWER = 5, (1.05, 1.5)
-#: Factor by which the speed has to rise from one to the next, and speed that counts as none [m/s].
-FASTER, LEAST_SPEED = 1.02, 1e-9
+#: Share to which the slowest joints with which the tool can have its speed are found, factor by which they can be slower at
+#: most, and number of joint paths tried between those and the ones that are as fast as they may be.
+CLOSE, SLOWEST, BETWEEN_PACES = 1.03, 1e6, 2
+#: Share of the minimum manipulability of the best joint path at any speed that is enough.
+ENOUGH = 0.95
 #: Number of places among which the one is found at which the tool is slowest.
 PLACES = 2001
 
@@ -207,7 +209,8 @@ class ToolPathPlanner:
     def at_speed(self, demand: SpeedDemand | None, slower: float = 1.0) -> "ToolPathPlanner":
         """The same for a constant speed of the tool: only with steps on which no joint is too fast.
 
-        `slower`: factor by which joints are slower than their limits; the tool's way in a motion that is free is not known.
+        `slower`: factor by which joints are slower than their limits. All steps are allowed where the tool is free to leave the
+        path, so that its way is not known.
         """
         pace = None
         if demand is not None and not len(self._sampler.solver.free.shifts):
@@ -230,8 +233,14 @@ class ToolPathPlanner:
 
     def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
-        assert self.layers.sampling is not None
-        layers = self.layers.sampling.halved(self.layers, intervals, progress)
+        assert self.layers.s is not None
+        return self.with_positions((self.layers.s[intervals] + np.append(self.layers.s[1:], 1.0)[intervals]) / 2, progress)
+
+    def with_positions(self, s: Array, progress: Progress) -> "ToolPathPlanner":
+        """The same with positions at s (k,), ascending, too, which are between those there are."""
+        assert self.layers.sampling is not None and self.layers.s is not None
+        intervals = np.searchsorted(self.layers.s, s) - 1
+        layers = self.layers.sampling.with_positions(self.layers, s, progress)
         halvings = self._halvings.copy()
         halvings[intervals] += 1
         halvings = np.insert(halvings, intervals + 1, halvings[intervals])
@@ -256,12 +265,21 @@ class ToolPathPlanner:
             free_m.append(values[free])
         return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)), has_fixed_positions=True)
 
+    def search(
+        self, epsilon: ArrayLike, *, strict: bool = True, explain: bool = False, progress: Progress | None = None
+    ) -> "tuple[ToolPathPlanner, SearchResult]":
+        """The planner and what `max_min_search` finds; at any pace where no motion keeps that of a tool speed."""
+        found = max_min_search(self.layers, epsilon, strict=strict, explain=explain, throw=False, progress=progress)
+        if found.connected or self.layers.joint_pace is None:
+            return self, found
+        return self.at_any_pace().search(epsilon, strict=strict, explain=explain)
+
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
-        found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
-        if not found.connected and self.layers.joint_pace is not None:  # timing tells where no motion keeps the speed
-            return self.at_any_pace().best(epsilon, hold_start=hold_start, explain=explain)
-        return self.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
+        planner, found = self.search(epsilon, explain=explain)
+        return (
+            planner.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
+        )
 
     def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
         """The same from q (n,), inside the limits also between the positions."""
@@ -291,13 +309,52 @@ class ToolPathPlanner:
         return replace(self, path=path, layers=some, halvings=self._halvings[k[:-1]])
 
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
+        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration.
+
+        Joints are faster between positions than from one to the next, and accelerate. So where the tool does not keep the speed
+        that is asked for, others are searched on which the joints are slower: first the slowest with which anything connects,
+        then, where that keeps the speed, ones between for a larger minimum manipulability. Where none keeps it the fastest one
+        is returned.
+        """
+        made = best = self._along(found, progress, hold_start=hold_start)
+        demand, first, begin = self.demand, found.indices[:1], found.q[0]
+        pace, layers = None if demand is None else self.at_speed(demand).layers.joint_pace, self.layers
+        if demand is None or pace is None or made.keeps_speed:
+            return made
+        if hold_start:
+            layers = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
+
+        def search(slower: float, prefer: Literal["shortest", "first"] = "shortest") -> SearchResult:
+            slow = replace(layers, joint_pace=pace / slower)
+            return max_min_search(slow, found.epsilon, prefer=prefer, strict=found.strict, explain=False, throw=False)
+
+        low, high = 0.0, _largest(lambda slower: search(slower, "first").connected)
+        for k in range(1 + BETWEEN_PACES):
+            slower = high if not k else float(np.sqrt(low * high))
+            enough = not best.keeps_speed or best.refinement.refined > ENOUGH * made.refinement.refined
+            if self.deadline.left < made.ending or (k and enough) or high < CLOSE * low:
+                break
+            again = search(slower)
+            if not again.connected:  # closed paths are searched for anything that connects by another rule
+                break
+            again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
+            other = self._along(again, progress, hold_start=hold_start, layers=replace(layers, joint_pace=pace / slower))
+            low, high = (max(low, min(1.0, high)), slower) if other.keeps_speed else (slower, high)
+            best = max(best, other, key=RefinedToolPath.rank)
+        return best
+
+    def _along(
+        self, found: SearchResult, progress: Progress, *, hold_start: bool = False, layers: Layers | None = None
+    ) -> RefinedToolPath:
+        """The same for the path that the search found alone; `layers` of the search."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         began = work_time()
         seed, _ = self._joined(found.q, None, hold_start=hold_start)
         ending = ENDING + ENDING_OF_JOINING * (work_time() - began)
         limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
-        refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
+        refined = refine(
+            layers or self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress
+        )
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         loose = np.flatnonzero(self._touching(path) | ~is_inside)
         return RefinedToolPath(
@@ -312,27 +369,11 @@ class ToolPathPlanner:
         )
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The same with more positions where it is loose between those there are, from the same first configuration.
-
-        Where a tool speed is asked for, the best one that keeps it, if one is found.
-        """
-        begin, first, layers = found.q[0], found.indices[:1], self.layers
+        """The same with more positions where it is loose between those there are, from the same first configuration."""
+        made, layers = self.along(found, progress, hold_start=hold_start), self.layers
+        begin, first = made.search.q[0], made.search.indices[:1]
         alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
         planner = replace(self, layers=alone)
-
-        def search(planner: ToolPathPlanner) -> RefinedToolPath | None:
-            again = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
-            if not again.connected:
-                return None
-            again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
-            return planner._closer(planner.along(again, progress, hold_start=hold_start), progress, hold_start=hold_start)
-
-        made = planner._closer(self.along(found, progress, hold_start=hold_start), progress, hold_start=hold_start)
-        return until_kept(planner, made, search, lambda each: None if each.keeps_speed else each)
-
-    def _closer(self, made: RefinedToolPath, progress: Progress, *, hold_start: bool) -> RefinedToolPath:
-        """The joint path with more positions where it is loose; this planner has only its first configuration."""
-        found, begin, planner = made.search, made.search.q[0], self
         for _ in range(CLOSER):
             if not len(made.loose) or self.has_fixed_positions or self.deadline.left < made.ending:
                 break
@@ -340,7 +381,7 @@ class ToolPathPlanner:
                 planner = planner.halved(made.loose, silent)
             except InvalidInputError:  # no configuration keeps what candidates have to spare there
                 break
-            found = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
+            planner, found = planner.search(found.epsilon, strict=found.strict)
             if not found.connected:
                 break
             found = replace(found, q=found.q + 2 * np.pi * np.round((begin - found.q[0]) / (2 * np.pi)))
@@ -419,41 +460,13 @@ class ToolPathPlanner:
         )
 
 
-def until_kept(
-    planner: ToolPathPlanner,
-    made: Found,
-    search: Callable[[ToolPathPlanner], Found | None],
-    slow: Callable[[Found], RefinedToolPath | None],
-) -> Found:
-    """What a search makes with the fastest joints with which the tool keeps its speed; `made` where no speed is asked for.
-
-    Joints are faster between positions than from one to the next, and accelerate. So the search is repeated with smaller steps,
-    until the motion keeps the speed, or is no faster; where none keeps it, `made` is returned.
-
-    Args:
-        planner: at the speed.
-        made: what the search made with the largest steps.
-        search: None where nothing connects.
-        slow: the joint path on which the tool is too slow; None for none.
-    """
-    demand, low, high, found = planner.demand, 1.0, np.inf, made
-    for _ in range(SLOWER_SEARCHES):
-        path = slow(found)
-        if path is None or demand is None:
-            return found
-        if planner.layers.joint_pace is None or planner.deadline.passed or high < SLOWER[0] * low:
-            break
-        excess = demand.least / max(path.fastest[0], LEAST_SPEED)
-        slower = min(low * float(np.clip(excess, *SLOWER)), np.sqrt(low * high))
-        more = search(planner.at_speed(demand, slower))
-        if more is None:
-            high = slower
-            continue
-        again = slow(more)
-        if again is not None and again.fastest[0] < FASTER * path.fastest[0]:
-            break
-        found, low = more, slower
-    return made
+def _largest(connects: Callable[[float], bool]) -> float:
+    """The largest factor at which anything connects, to a share, by bisection."""
+    low, high = (1.0, np.inf) if connects(1.0) else (0.0, 1.0)
+    while high > CLOSE * low and high > 1 / SLOWEST and low < SLOWEST:
+        factor = 2 * low if np.isinf(high) else high / 2 if not low else float(np.sqrt(low * high))
+        low, high = (factor, high) if connects(factor) else (low, factor)
+    return low or high
 
 
 def outside_limits(path: JointPath, robot: Robot) -> str:

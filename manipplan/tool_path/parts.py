@@ -3,7 +3,7 @@
 The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -26,8 +26,9 @@ from manipplan.support.deadline import Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
-from manipplan.timing.constant_speed import MOST_SLOWDOWN, slower
-from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner, until_kept
+from manipplan.support.tolerances import COINCIDENT
+from manipplan.timing.constant_speed import SpeedDemand
+from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
 
@@ -53,8 +54,45 @@ class FoundPart:
 
     @cached_property
     def refined(self) -> RefinedToolPath:
-        """The joint path along the best motion."""
-        return self.planner.along(self.found, silent, hold_start=self.is_held)
+        """The joint path along the best motion or, where a tool speed is asked for, along one that keeps it."""
+        along = self.planner.along if self.planner.demand is None else self.planner.closely_along
+        return along(self.found, silent, hold_start=self.is_held)
+
+    def split(self, stops: Sequence[float], demand: SpeedDemand, epsilon: ArrayLike) -> "list[FoundPart]":
+        """The parts between those of `stops`, s of the whole path, that are inside this one, for a tool speed."""
+        planner, width = self.planner.at_speed(demand), self.s_end - self.s_begin
+        inside = np.sort((np.asarray(stops) - self.s_begin) % 1.0 / width)
+        inside = inside[(inside > COINCIDENT) & (inside < 1 - COINCIDENT)]
+        if not len(inside):
+            return [self if self.planner.demand is not None else replace(self, planner=planner)]
+        assert planner.layers.s is not None
+        new = inside[np.abs(inside[:, None] - planner.layers.s).min(axis=1) > COINCIDENT]
+        planner = planner.with_positions(new, silent) if len(new) else planner
+        assert planner.layers.s is not None
+        at = np.abs(inside[:, None] - planner.layers.s).argmin(axis=1).tolist()
+        edges = [*at, at[0] + len(planner.layers.q)] if planner.layers.closed else [0, *at, len(planner.layers.q) - 1]
+        pieces = [
+            _part(planner, *ends, epsilon, (k + 1) / len(edges), is_held=self.is_held and ends[0] == 0)
+            for k, ends in enumerate(pairwise(edges))
+        ]
+        return [
+            replace(each, s_begin=self.s_begin + width * each.s_begin, s_end=self.s_begin + width * each.s_end)
+            for each in pieces
+        ]
+
+    def stops(self, epsilon: ArrayLike, most: int) -> list[float]:
+        """At most so many s of the whole path at which a tool that is too slow along this part has to stop; [] for none.
+
+        The fewest between which joints have the time for every step from one position to the next. Where they have it anyway,
+        or more would be needed, the one where limits make the tool slowest.
+        """
+        at, layers = [self.refined.slowest_at], self.planner.at_speed(self.planner.demand).layers
+        if not max_min_search(layers, epsilon, prefer="first", explain=False, throw=False).connected:
+            with suppress(PlanningError):  # a single step takes too long: limits bind there
+                edges = np.array(fewest_interruptions(layers, epsilon).edges[not layers.closed : -1])
+                assert layers.s is not None
+                at = layers.s[edges % len(layers.q)].tolist() if len(edges) <= most else at
+        return [self.s_begin + (self.s_end - self.s_begin) * each for each in at if most]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -105,26 +143,8 @@ def find_whole(
     planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
 ) -> FoundPart | NotConnected:
     """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
-    planner = connect(planner, epsilon, part(notify, 0.0, 0.5), start=start)
-    options = _find_parts(planner, epsilon, 0, notify, start)
-    if isinstance(options, NotConnected) and planner.layers.joint_pace is not None:  # timing names the fastest tool speed
-        options = _find_parts(planner.at_any_pace(), epsilon, 0, notify, start)
+    options = _find_parts(connect(planner, epsilon, part(notify, 0.0, 0.5), start=start), epsilon, 0, notify, start)
     return options if isinstance(options, NotConnected) else next(options)[0]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FoundParts:
-    """Parts of a path, as many with other edges, and the planner of the whole path that found them."""
-
-    first: list[FoundPart]
-    others: Iterator[list[FoundPart]]
-    planner: ToolPathPlanner
-
-    @property
-    def slow(self) -> FoundPart | None:
-        """Of the parts on which the tool does not keep its speed the one on which it is slowest; None for none."""
-        slow = [each for each in self.first if not each.refined.keeps_speed]
-        return min(slow, key=lambda each: each.refined.fastest[0], default=None)
 
 
 def find_parts(
@@ -142,8 +162,8 @@ def find_parts(
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
     added where the joint path of the first part is loose between those there are.
 
-    Where a constant tool speed is asked for the joints keep it; see `until_kept`. Where they do not, the path is parted where
-    limits bind, as `most` allows.
+    Where a constant tool speed is asked for joint paths keep it, if the search finds such; see `ToolPathPlanner.along`. If not
+    the path is parted where the speed demands it, as `most` allows: one part after the other, the slowest one first.
 
     Args:
         planner: of motions along the whole path.
@@ -158,99 +178,51 @@ def find_parts(
     Raises InvalidInputError where the tool speed is not kept; the message names the fastest one, and what limits it where.
     """
     demand = planner.demand
-    find = partial(_closely, epsilon=epsilon, most=most, connects=connects, start=start)
-    found = _keeping_speed(find, planner, most, notify, tuple(stops))
-    hint = ""
-    if demand is not None and planner.layers.joint_pace is not None and (isinstance(found, NotConnected) or found.slow):
-        planner = planner if isinstance(found, NotConnected) else found.planner
-        anyhow = find(planner.at_any_pace(), silent, ())  # faster on the ramps
-        if isinstance(found, NotConnected):
-            hint = f". At the speed asked for, {found.message}"
-            found = anyhow
-        elif isinstance(anyhow, FoundParts) and anyhow.slow is None:
-            found = anyhow
-    if isinstance(found, NotConnected):
-        return found
-    slow, connected = found.slow, found.planner
-    if slow is None or demand is None:
-        return chain([found.first], found.others)
-
-    limit = Deadline.within(FASTEST_TIME)
-
-    def keep(speed: float) -> bool:
-        if planner.deadline.passed or limit.passed:
-            return False
-        made = find(connected.at_speed(replace(demand, speed=speed)), silent, tuple(stops))
-        return isinstance(made, FoundParts) and made.slow is None
-
-    steady = slow.refined.timed
-    if steady is None and slow.refined.fastest[0] > (1 - MOST_SLOWDOWN) * demand.speed:
-        with suppress(PlanningError):
-            steady = demand.steadiest(slow.refined.path, planner.robot, lambda: slow.refined.fastest[0])
-    wanted = slower(
-        slow.refined.path,
-        planner.robot,
-        demand.speed,
-        keep,
-        torque=demand.torque,
-        ends=(slow.s_begin, slow.s_end),
-        slowest=0.0 if steady is None else steady[1].slowest,
-    )
-    raise InvalidInputError("tool_speed", demand.speed, wanted + hint)
-
-
-#: Time after which no faster tool speed is tried for a message [s].
-FASTEST_TIME = 5.0
-#: Finds parts with a planner; called with the share done, and s at which a part has to end.
-FindParts = Callable[[ToolPathPlanner, Progress, tuple[float, ...]], FoundParts | NotConnected]
+    options = _closely(planner.at_speed(None) if stops else planner, epsilon, most, notify, connects=connects, start=start)
+    if demand is None or isinstance(options, NotConnected):
+        return options
+    first = _keeping_speed(next(options), demand, epsilon, most, stops)
+    slow = _slowest(first)
+    if slow is not None:
+        with suppress(PlanningError):  # of other limits: found when the whole motion is timed
+            demand.timed(slow.refined.path, planner.robot, ends=(slow.s_begin, slow.s_end))
+    return chain([first], (_keeping_speed(each, demand, epsilon, most, stops) for each in options))
 
 
 def _keeping_speed(
-    find: FindParts, planner: ToolPathPlanner, most: int, notify: Progress, stops: tuple[float, ...]
-) -> FoundParts | NotConnected:
-    """Parts that keep the tool speed, with at most so many interruptions; if none do, those with the fewest interruptions."""
-    first = found = find(planner, notify, stops)
-    while isinstance(found, FoundParts):
-
-        def search(slower: ToolPathPlanner, stops: tuple[float, ...] = stops) -> FoundParts | None:
-            made = find(slower, silent, stops)
-            return made if isinstance(made, FoundParts) else None
-
-        def slow_path(parts: FoundParts) -> RefinedToolPath | None:
-            return None if parts.slow is None else parts.slow.refined
-
-        found = until_kept(found.planner, found, search, slow_path)
-        if planner.demand is None or found.slow is None:
-            return found
-        if len(stops) >= most or planner.deadline.passed:
+    parts: list[FoundPart], demand: SpeedDemand, epsilon: ArrayLike, most: int, stops: Sequence[float]
+) -> list[FoundPart]:
+    """The same parts, split at stops and where the tool is too slow, with at most so many interruptions."""
+    closed = parts[0].planner.layers.closed or parts[-1].s_end > 1
+    if stops:
+        parts = [piece for each in parts for piece in each.split(stops, demand, epsilon)]
+    while (slow := _slowest(parts)) is not None and not slow.planner.deadline.passed:
+        interruptions = len(parts) - (not closed or slow.planner.layers.closed)
+        at = slow.stops(epsilon, most - interruptions)
+        if not at:
             break
-        planner = replace(found.planner, layers=replace(found.planner.layers, joint_pace=planner.layers.joint_pace))
-        begin, end = found.slow.s_begin, found.slow.s_end
-        stops, before = (*stops, (begin + found.slow.refined.slowest_at * (end - begin)) % 1.0), len(found.first)
-        found = find(planner, silent, stops)
-        if isinstance(found, FoundParts) and len(found.first) == before:  # no position is left for a stop there
-            break
-    return first
+        k = parts.index(slow)
+        parts = [*parts[:k], *slow.split(at, demand, epsilon), *parts[k + 1 :]]
+    return parts
+
+
+def _slowest(parts: list[FoundPart]) -> FoundPart | None:
+    """Of the parts on which the tool does not keep its speed the one on which it is slowest; None for none."""
+    slow = [each for each in parts if not each.refined.keeps_speed]
+    return min(slow, key=lambda each: each.refined.fastest, default=None)
 
 
 def _closely(
-    planner: ToolPathPlanner,
-    notify: Progress,
-    stops: tuple[float, ...],
-    *,
-    epsilon: ArrayLike,
-    most: int,
-    connects: bool,
-    start: Array | None,
-) -> FoundParts | NotConnected:
+    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, *, connects: bool, start: Array | None
+) -> Iterator[list[FoundPart]] | NotConnected:
     """The fewest parts, with positions added where nothing connects or a joint path is loose between those there are."""
-    found: FoundParts | None = None
+    found: tuple[list[FoundPart], Iterator[list[FoundPart]]] | None = None
     for k in range(CLOSER + 1):
         share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
         try:
             if connects:
                 planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
-            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start, stops)
+            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
         except OutOfTimeError:
             if found is None:
                 raise
@@ -259,9 +231,9 @@ def _closely(
             if found is None:
                 return options
             break  # what is loose is left to the check
-        found = FoundParts(first=next(options), others=options, planner=planner)
+        found = next(options), options
         count = len(planner.layers.q)
-        first = found.first[0]  # what is loose of the others is seen from the configurations in which they begin
+        first = found[0][0]  # what is loose of the others is seen from the configurations in which they begin
         loose = planner.intervals(HALVED_STEP, np.unique((first.first + first.refined.loose) % count))
         if not len(loose) or planner.deadline.left < first.refined.ending or k == CLOSER:
             break
@@ -272,25 +244,18 @@ def _closely(
         except InvalidInputError:  # no configuration keeps what candidates have to spare there
             break
     assert found is not None
-    return found
+    return chain([found[0]], found[1])
 
 
 def _find_parts(
-    planner: ToolPathPlanner,
-    epsilon: ArrayLike,
-    most: int,
-    notify: Progress,
-    start: Array | None,
-    stops: tuple[float, ...] = (),
+    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
 ) -> Iterator[list[FoundPart]] | NotConnected:
     """The same for the positions there are."""
-    begun = planner if start is None else planner.starting_at(start)
-    found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.0, 0.4))
-    if found.connected and not stops:
+    begun, found = (planner if start is None else planner.starting_at(start)).search(epsilon, progress=part(notify, 0.0, 0.4))
+    if found.connected:
         return iter([[FoundPart(s_begin=0.0, s_end=1.0, first=0, planner=begun, found=found, is_held=start is not None)]])
-    best = planner if planner.layers.closed else begun
-    options = _edges_with_stops(best, epsilon, stops) if stops else None
-    parts = (len(options[0]) - 1 if options else None) if stops else find_gaps(best.layers, epsilon).parts
+    best = planner.at_any_pace() if planner.layers.closed else begun
+    parts = find_gaps(best.layers, epsilon).parts
     if parts is None:
         return NotConnected(search=found, planner=begun, message="no interruption helps")
     interruptions = parts if best.layers.closed else parts - 1
@@ -298,38 +263,20 @@ def _find_parts(
         times, them = ("1 interruption", "it") if interruptions == 1 else (f"{interruptions} interruptions", "them")
         allowed = f"interruptions={most} does not allow {them}" if most else f"interruptions={interruptions} allows {them}"
         return NotConnected(search=found, planner=begun, message=f"with {times} there is a motion: {allowed}")
-    if options is None:
-        fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
-        options = [fewest.edges, *fewest.others]
+    fewest = fewest_interruptions(best.layers, epsilon, progress=part(notify, 0.4, 0.6))
     return (
         [
             _part(best, *ends, epsilon, (k + 1) / len(edges), is_held=k == 0 and best is begun and start is not None)
             for k, ends in enumerate(pairwise(edges))
         ]
-        for edges in options
+        for edges in (fewest.edges, *fewest.others)
     )
-
-
-def _edges_with_stops(planner: ToolPathPlanner, epsilon: ArrayLike, stops: tuple[float, ...]) -> list[tuple[int, ...]]:
-    """Edges of the fewest parts, some at the positions nearest to stops; none where a step has no path."""
-    layers, s = planner.layers, planner.layers.s
-    assert s is not None
-    nearest = sorted({int(np.abs(s - each).argmin()) for each in stops})
-    inner = [k for k in nearest if layers.closed or 0 < k < len(s) - 1]
-    ends = [*inner, inner[0] + len(s)] if layers.closed else [0, *inner, len(s) - 1]
-    edges = ends[:1]
-    for first, last in pairwise(ends):
-        stretch = planner.between(first, last).layers
-        parts = find_gaps(stretch, epsilon).parts
-        if parts is None:
-            return []
-        edges += [last] if parts == 1 else [first + each for each in fewest_interruptions(stretch, epsilon).edges[1:]]
-    return [tuple(edges)]
 
 
 def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, time: float, *, is_held: bool) -> FoundPart:
     """The part from one position to another, improved until a share of the time that is left is over."""
     of_part, s = planner.between(first, last), planner.layers.s
+    of_part, found = of_part.search(epsilon)
     of_part = replace(of_part, deadline=Deadline.within(time * planner.deadline.left))
     assert s is not None
     count = len(s)
@@ -338,7 +285,7 @@ def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, t
         s_end=float(s[last % count]) + last // count,
         first=first,
         planner=of_part,
-        found=max_min_search(of_part.layers, epsilon),
+        found=found,
         is_held=is_held,
     )
 

@@ -8,7 +8,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.timing.constant_speed import limits_bound, measure_speed, retime_steady
+from manipplan.timing.constant_speed import SpeedDemand, limits_bound, measure_speed
 
 FEW = {"samples": 48, "epsilon": 0.5}
 
@@ -89,7 +89,7 @@ def test_the_limits_that_bound_a_constant_speed():
     bound, _ = limits_bound(path, arm)
     assert bound.speed == pytest.approx(2.0, rel=1e-9) and (bound.kind, bound.joint) == ("velocity", "joint1")
     with pytest.raises(mp.errors.InvalidInputError, match="velocity limit of joint1") as told:
-        retime_steady(path, arm.with_limits(acceleration=50.0), 3.0)
+        SpeedDemand(speed=3.0).timed(path, arm.with_limits(acceleration=50.0))
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
 
 
@@ -98,7 +98,7 @@ def test_a_path_too_short_for_its_ramps():
     """From rest v takes v² / 2a, and a tenth of the path is 0.157 m: v = √(2a · 0.157 m)."""
     arm, path = one_joint()
     with pytest.raises(mp.errors.InvalidInputError, match="to or from rest") as told:
-        retime_steady(path, arm.with_limits(velocity=10.0), 3.0)
+        SpeedDemand(speed=3.0).timed(path, arm.with_limits(velocity=10.0))
     most = np.sqrt(2 * 5.0 * np.pi / 20)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(most, rel=0.03)
 
@@ -117,7 +117,7 @@ def test_a_motion_that_turns_back_has_no_constant_speed():
     arm = mp.planar_arm([0.6, 0.4])
     there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])
     with pytest.raises(mp.errors.InvalidInputError, match="a path that is split at s = 0.5.*stands still"):
-        retime_steady(there, arm, 0.1)
+        SpeedDemand(speed=0.1).timed(there, arm)
 
 
 def test_the_measure_tells_a_dip():
@@ -146,7 +146,7 @@ def test_a_winding_seam_is_followed_at_a_constant_speed(panda):
     plan = mp.follow(panda, mp.CartesianPath.through(poses), objective=objective)
     for arm in (panda, panda.with_limits(jerk=np.inf)):
         for speed in (0.015, 0.09):
-            motion, kept = retime_steady(plan.path, arm, speed)
+            motion, kept = SpeedDemand(speed=speed).timed(plan.path, arm)
             t, speeds = tool_speeds(arm, motion)
             between = speeds[(t > kept.begin + 0.02) & (t < kept.end - 0.02)]
             assert kept.is_steady and between.min() >= 0.9899 * speed and speeds.max() <= speed * (1 + 1e-4)
@@ -164,18 +164,18 @@ def test_the_tool_slows_where_it_may():
     with pytest.raises(
         mp.errors.InvalidInputError, match="acceleration limit of joint2 allows no faster one at s = "
     ) as refused:
-        retime_steady(path, arm, 0.4)
+        SpeedDemand(speed=0.4).timed(path, arm)
     share = float(re.search(r"slowdown=([\d.]+)", refused.value.allowed).group(1))
     fastest = float(refused.value.allowed.split()[2])
     assert 0.05 < share < 1 and fastest == pytest.approx(0.4 * (1 - share), rel=0.25)
-    motion, kept = retime_steady(path, arm, 0.4, slowdown=share)
+    motion, kept = SpeedDemand(speed=0.4, slowdown=share).timed(path, arm)
     t, speeds = tool_speeds(arm, motion)
     inside = (t > kept.begin) & (t < kept.end)
     assert kept.is_steady and kept.slowdown == share and speeds[inside].min() >= 0.4 * (1 - share) * (1 - 1e-3)
     assert abs(t[inside][speeds[inside].argmin()] - kept.slowest_at) < 0.01 and kept.fastest > 0.395
     with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
-        retime_steady(path, arm, 0.4, slowdown=share - 0.02)
-    _, steady = retime_steady(path, arm, fastest)
+        SpeedDemand(speed=0.4, slowdown=share - 0.02).timed(path, arm)
+    _, steady = SpeedDemand(speed=fastest).timed(path, arm)
     assert steady.is_steady
 
 
@@ -183,7 +183,7 @@ def test_the_tool_slows_where_it_may():
 def test_the_message_names_the_place_on_the_tools_path():
     arm, path = bent_path()
     with pytest.raises(mp.errors.InvalidInputError) as refused:
-        retime_steady(path, arm, 0.4, ends=(0.2, 0.4))
+        SpeedDemand(speed=0.4).timed(path, arm, ends=(0.2, 0.4))
     s, *position = (float(each) for each in re.findall(r"-?\d\.\d{3}\b", refused.value.allowed.split(" allows ")[1])[:4])
     assert 0.3 < s < 0.4
     np.testing.assert_allclose(position, arm.kinematics().pose(path(np.array([(s - 0.2) / 0.2])))[0][:3, 3], atol=2e-3)
