@@ -27,7 +27,7 @@ from manipplan.support.errors import InvalidInputError, OutOfReachError, Plannin
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
-from manipplan.timing.constant_speed import SpeedDemand
+from manipplan.timing.constant_speed import RAMP, SpeedDemand
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
@@ -75,18 +75,21 @@ class FoundPart:
             _part(planner, *ends, epsilon, (k + 1) / len(edges), is_held=self.is_held and ends[0] == 0)
             for k, ends in enumerate(pairwise(edges))
         ]
+        begins = [self.s_begin + width * each.s_begin for each in pieces]
+        turns = np.floor(np.array(begins) + COINCIDENT).tolist()  # around a closed path
         return [
-            replace(each, s_begin=self.s_begin + width * each.s_begin, s_end=self.s_begin + width * each.s_end)
-            for each in pieces
+            replace(each, s_begin=max(begin - turn, 0.0), s_end=self.s_begin + width * each.s_end - turn)
+            for each, begin, turn in zip(pieces, begins, turns, strict=True)
         ]
 
     def stops(self, epsilon: ArrayLike, most: int) -> list[float]:
         """At most so many s of the whole path at which a tool that is too slow along this part has to stop; [] for none.
 
         The fewest between which joints have the time for every step from one position to the next. Where they have it anyway,
-        or more would be needed, the one where limits make the tool slowest.
+        or more would be needed, the one where limits make the tool slowest, if that is not where ramps are anyway.
         """
-        at, layers = [self.refined.slowest_at], self.planner.at_speed(self.planner.demand).layers
+        slowest, layers = self.refined.slowest_at, self.planner.at_speed(self.planner.demand).layers
+        at = [slowest] if layers.closed or RAMP < slowest < 1 - RAMP else []
         if not max_min_search(layers, epsilon, prefer="first", explain=False, throw=False).connected:
             with suppress(PlanningError):  # a single step takes too long: limits bind there
                 edges = np.array(fewest_interruptions(layers, epsilon).edges[not layers.closed : -1])
@@ -181,19 +184,19 @@ def find_parts(
     options = _closely(planner.at_speed(None) if stops else planner, epsilon, most, notify, connects=connects, start=start)
     if demand is None or isinstance(options, NotConnected):
         return options
-    first = _keeping_speed(next(options), demand, epsilon, most, stops)
+    keep = partial(_keeping_speed, demand=demand, epsilon=epsilon, most=most, stops=stops, closed=planner.layers.closed)
+    first = keep(next(options))
     slow = _slowest(first)
     if slow is not None:
         with suppress(PlanningError):  # of other limits: found when the whole motion is timed
             demand.timed(slow.refined.path, planner.robot, ends=(slow.s_begin, slow.s_end))
-    return chain([first], (_keeping_speed(each, demand, epsilon, most, stops) for each in options))
+    return chain([first], map(keep, options))
 
 
 def _keeping_speed(
-    parts: list[FoundPart], demand: SpeedDemand, epsilon: ArrayLike, most: int, stops: Sequence[float]
+    parts: list[FoundPart], demand: SpeedDemand, epsilon: ArrayLike, most: int, stops: Sequence[float], *, closed: bool
 ) -> list[FoundPart]:
     """The same parts, split at stops and where the tool is too slow, with at most so many interruptions."""
-    closed = parts[0].planner.layers.closed or parts[-1].s_end > 1
     if stops:
         parts = [piece for each in parts for piece in each.split(stops, demand, epsilon)]
     while (slow := _slowest(parts)) is not None and not slow.planner.deadline.passed:
@@ -281,8 +284,8 @@ def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, t
     assert s is not None
     count = len(s)
     return FoundPart(
-        s_begin=float(s[first % count]) + first // count,
-        s_end=float(s[last % count]) + last // count,
+        s_begin=float(s[first % count]),
+        s_end=float(s[last % count]) + last // count - first // count,
         first=first,
         planner=of_part,
         found=found,
@@ -336,9 +339,9 @@ class FollowingMotion:
             if each.transit is not None:
                 pairs.append((each.transit.path, each.transit.path))
             control, path = each.refined.seed.control.copy(), each.refined.path
-            if transits[k] is not None:  # the seed begins and ends where transits do
+            if k or transits[0] is not None:  # the seed begins and ends where transits and other parts do
                 control[0, 0] = path.start
-            if transits[k + 1] is not None:
+            if k + 1 < len(self.parts) or self.back is not None:
                 control[-1, -1] = path.goal
             pairs.append((path, JointPath(breaks=each.refined.seed.breaks, control=control)))
         if self.back is not None:
@@ -421,6 +424,11 @@ class PartsJoiner:
                 pieces.append(FollowedPart(part=each, refined=each.refined, transit=None))
                 least = transits.integral.cost(each.refined.path).min_manipulability
                 continue
+            onwards = self._onwards(each, begin, least) if pieces else None
+            if onwards is not None:
+                pieces.append(FollowedPart(part=each, refined=onwards, transit=None))
+                least = min(least, transits.integral.cost(onwards.path).min_manipulability)
+                continue
             plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
             failure = partial(PartsFailure, search=search, at_cut=bool(pieces))
@@ -437,9 +445,24 @@ class PartsJoiner:
             least = min(least, choice.entry.minimum)
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
-        plan_transit, first = transits.between(pieces[-1].refined.path.goal, self.way), pieces[0].refined.path.start
+        first = pieces[0].refined.path.start
+        if not self.way.any() and np.abs(pieces[-1].refined.path.goal - first).max() < COINCIDENT:
+            return FollowingMotion(parts=tuple(pieces), candidates=candidates)
+        plan_transit = transits.between(pieces[-1].refined.path.goal, self.way)
         back = plan_transit if isinstance(plan_transit, Failure) else plan_transit(first, transits.seconds, silent)
         if isinstance(back, Failure):
             message = f"no way back to the configuration in which the path began: {back.message}"
             return PartsFailure(message=message, search=search, candidates=candidates, at_cut=True)
         return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)
+
+    def _onwards(self, part: FoundPart, begin: Array, least: float) -> RefinedToolPath | None:
+        """The motion along a part from a configuration (n,) at its first pose, where the tool has only to stop for its speed.
+
+        None where the tool has to leave the path, and where others have a larger minimum manipulability.
+        """
+        if self.way.any() or part.planner.demand is None or not part.planner.is_at_start(begin):
+            return None
+        made = part.planner.starting_at(begin).best(part.found.epsilon, hold_start=True, explain=False)
+        if isinstance(made, Failure) or not made.keeps_speed or made.refinement.refined < min(least, part.found.minimum):
+            return None
+        return made
