@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pinocchio as pin
@@ -199,21 +200,115 @@ def test_a_sharp_corner_is_refused_before_the_work(panda):
     assert told == []
 
 
+def with_corners(panda, corners):
+    """A path from the Panda's neutral pose straight on by each of corners (k, 2) [m], through poses of 10 mm or less apart."""
+    places = np.vstack([[0.0, 0.0], corners])
+    shares = np.linspace(0, 1, 16)[1:, None]
+    way = np.vstack([places[:1], *(begin + shares * (end - begin) for begin, end in pairwise(places))])
+    poses = np.tile(np.array(panda.kinematics().pose(panda.neutral)), (len(way), 1, 1))
+    poses[:, :2, 3] += way
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))])
+    return mp.CartesianPath.through(poses), length / length[-1]
+
+
+def is_kept(robot, plan, speed):
+    """Whether the tool has the speed between the ramps of each part, by finite differences, and no limit is exceeded."""
+    t, speeds = tool_speeds(robot, plan.trajectory)
+    rates, limits = [plan.trajectory(t, order) for order in (1, 2)], robot.limits
+    assert (np.abs(rates[0]) <= limits.velocity * (1 + 1e-3)).all()
+    assert (np.abs(rates[1]) <= limits.acceleration * (1 + 1e-2)).all()
+    kept = [each.tool_speed for each in plan.report.along]
+    between = [speeds[(t > each.begin + 1e-3) & (t < each.end - 1e-3)] for each in kept]
+    ramps = max(max(each.ramps) / each.length for each in kept)
+    return ramps <= 0.1 and all(each.min() >= speed * 0.9899 and each.max() <= speed * (1 + 1e-4) for each in between)
+
+
+@pytest.mark.slow
+def test_a_seam_that_only_joint_paths_chosen_for_the_speed_allow(panda):
+    """A winding seam of 3.4 m: on the joint path of the largest minimum manipulability the tool has at most 0.12 m/s."""
+    u = np.linspace(0, 1, 400)
+    angle, radius = -2.6 + 7.4 * u, 0.45 + 0.05 * np.sin(9 * u)
+    poses = np.tile(np.diag([1.0, -1.0, -1.0, 1.0]), (400, 1, 1))
+    poses[:, :3, 3] = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.25 + 0.25 * u], axis=1)
+    path, objective = mp.CartesianPath.through(poses), mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
+    best = mp.follow(panda, path, objective=objective)
+    with pytest.raises(mp.errors.InvalidInputError, match="the fastest constant speed"):
+        SpeedDemand(speed=0.12).timed(best.path, panda)
+    plan = mp.follow(panda, path, objective=objective, tool_speed=1.0)
+    assert plan.report.passed and len(plan.report.along) == 1 and is_kept(panda, plan, 1.0)
+    assert plan.result.min_manipulability > 0.7 * best.result.min_manipulability
+
+
 @pytest.mark.slow
 def test_a_corner_is_parted_where_the_speed_demands_it(panda):
-    begin = np.array(panda.kinematics().pose(panda.neutral))
-    poses = np.tile(begin, (31, 1, 1))
-    poses[:, :3, 3] += 0.01 * np.stack([np.minimum(np.arange(31), 15), np.maximum(np.arange(31) - 15, 0), np.zeros(31)], axis=1)
-    path = mp.CartesianPath.through(poses)
-    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed: got 0.2"):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    with pytest.raises(mp.errors.InvalidInputError, match=r"tool_speed: got 0\.2.*limit of panda_joint\d .* at s = 0\.500"):
         mp.follow(panda, path, tool_speed=0.2)
     plan = mp.follow(panda, path, tool_speed=0.2, interruptions=1, retreat=0.0)
-    assert plan.report.passed and [round(each.s_end, 2) for each in plan.report.along] == [0.5, 1.0]
-    t, speeds = tool_speeds(panda, plan.trajectory)
-    for each in plan.report.along:
-        kept = each.tool_speed
-        between = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)]
-        assert kept.is_steady and between.min() >= 0.2 * 0.9899 and between.max() <= 0.2 * (1 + 1e-4)
+    assert plan.report.passed and is_kept(panda, plan, 0.2)
+    assert [each.s_end for each in plan.report.along] == pytest.approx([0.5, 1.0], abs=5e-4)
+
+
+@pytest.mark.slow
+def test_cuts_are_at_the_corners_whatever_the_positions(panda):
+    path, s = with_corners(panda, np.array([[0.12, 0.0], [0.06, 0.1], [0.0, 0.0]]))
+    for positions in (None, 11):
+        plan = mp.follow(panda, path, tool_speed=0.2, interruptions=5, retreat=0.0, positions=positions)
+        assert plan.report.passed and is_kept(panda, plan, 0.2)
+        assert [each.s_end for each in plan.report.along] == pytest.approx([s[15], s[30], 1.0], abs=2e-3)
+    plan = mp.follow(panda, path, tool_speed=0.2, interruptions=3, retreat=0.0, closed=True)
+    assert plan.report.passed and is_kept(panda, plan, 0.2)
+    assert sorted(each.s_begin for each in plan.report.along) == pytest.approx([0, s[15], s[30]], abs=2e-3)
+
+
+@pytest.mark.slow
+def test_a_refusal_does_not_depend_on_the_clock(panda, monkeypatch):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    messages, now = [], [0.0]
+
+    def slow_clock():
+        now[0] += 100.0
+        return now[0]
+
+    for clock in (None, slow_clock):
+        if clock is not None:
+            monkeypatch.setattr("manipplan.support.deadline._clock.time", clock)
+        with pytest.raises(mp.errors.InvalidInputError, match="tool_speed") as refused:
+            mp.follow(panda, path, tool_speed=0.3, positions=20)
+        messages.append(str(refused.value))
+    assert messages[0] == messages[1]
+
+
+def test_a_speed_that_the_arm_never_has_is_refused_before_the_work(panda, line):
+    told = []
+    wanted = "no motion within the acceleration limits reaches more from rest on a tenth of the path"
+    with pytest.raises(mp.errors.InvalidInputError, match=wanted) as refused:
+        mp.follow(panda, line, tool_speed=5.0, progress=lambda *each: told.append(each))
+    most = float(re.search(r"at most ([\d.]+) m/s", str(refused.value)).group(1))
+    fast = panda.with_limits(acceleration=1e4, jerk=np.inf)
+    with pytest.raises(mp.errors.InvalidInputError, match="no motion within the velocity limits is faster"):
+        mp.follow(fast, line, tool_speed=50.0, progress=lambda *each: told.append(each))
+    with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[0\]\.tool_speed.*no motion within the velocity limits"):
+        mp.sequence(fast, panda.neutral, [mp.MoveAlong(line, tool_speed=50.0)])
+    assert told == [] and 1.0 < most < 5.0
+
+
+@pytest.mark.slow
+def test_a_tool_of_a_program_slows_where_it_may(panda):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    begin = panda.neutral
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
+        mp.sequence(panda, begin, [mp.MoveAlong(path, tool_speed=0.2)])
+    made = mp.sequence(panda, begin, [mp.MoveAlong(path, tool_speed=0.2, slowdown=0.7)])
+    kept = made.marks[0].tool_speed
+    assert made.passed and kept.is_steady and kept.slowdown == 0.7 and 0.06 <= kept.slowest < 0.15 < kept.fastest
+    t, speeds = tool_speeds(panda, made.trajectory)
+    assert speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)].min() == pytest.approx(kept.slowest, rel=1e-2)
+    for slowdown in (0.0, 1.0, np.nan):
+        with pytest.raises(mp.errors.InvalidInputError, match="slowdown"):
+            mp.MoveAlong(path, tool_speed=0.2, slowdown=slowdown)
+    with pytest.raises(mp.errors.InvalidInputError, match=r"0\.01 where no tool_speed"):
+        mp.MoveAlong(path, slowdown=0.5)
 
 
 def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
