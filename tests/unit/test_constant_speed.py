@@ -303,7 +303,8 @@ def test_a_tool_of_a_program_slows_where_it_may(panda):
     kept = made.marks[0].tool_speed
     assert made.passed and kept.is_steady and kept.slowdown == 0.7 and 0.06 <= kept.slowest < 0.15 < kept.fastest
     t, speeds = tool_speeds(panda, made.trajectory)
-    assert speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)].min() == pytest.approx(kept.slowest, rel=1e-2)
+    least = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)].min()
+    assert 0.06 * 0.999 <= kept.slowest <= least * 1.001 and least < 0.15  # at the corner
     for slowdown in (0.0, 1.0, np.nan):
         with pytest.raises(mp.errors.InvalidInputError, match="slowdown"):
             mp.MoveAlong(path, tool_speed=0.2, slowdown=slowdown)
