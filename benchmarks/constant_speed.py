@@ -1,7 +1,7 @@
 """Constant speeds of the tool: the largest that `mp.follow` keeps on a seam, and that of its best joint path at any speed.
 
-Run with `make benchmark`. Writes docs/benchmarks/constant_speed.md. Seams: a winding one of 3.4 m with a free tool axis, and the
-first paths of tool_paths.py for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and an arm of Fetch's geometry,
+Run with `make benchmark`. Writes docs/benchmarks/constant_speed.md. Seams: a winding one of 3.4 m with a free tool axis, and
+the first paths of tool_paths.py for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and an arm of Fetch's geometry,
 smooth and through 200 poses with two cubes beside them.
 
 Speeds are raised from one that is kept, and lowered to the one that a refusal names, until the next one is refused. A motion
