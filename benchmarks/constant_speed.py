@@ -1,11 +1,11 @@
 """Constant speeds of the tool: the largest that `mp.follow` keeps on a seam, and that of its best joint path at any speed.
 
-Run with `make benchmark`. Writes docs/benchmarks/constant_speed.md. Seams: a winding one of 3.4 m with a free tool axis, and
-the first paths of tool_paths.py for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and an arm of Fetch's geometry,
-smooth and through 200 poses with two cubes beside them.
+Run with `make benchmark`. Writes docs/benchmarks/constant_speed.md. Seams: a winding one of 3.4 m with a free tool axis,
+and the first paths of tool_paths.py for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and an arm of Fetch's
+geometry, smooth and through 200 poses with two cubes beside them.
 
-Speeds are raised from one that is kept, and lowered to the one that a refusal names, until the next one is refused. A motion
-counts where finite differences of Pinocchio's kinematics along it find the tool's speed constant to the share that is allowed
+Speeds that are refused are lowered to the one that the refusal names, and ones that are kept are raised, in at most three calls.
+A motion counts where finite differences of Pinocchio's kinematics along it find the tool's speed constant to the share that is allowed
 between a tenth and nine tenths of the way of each part and nowhere above it, and finite differences of the joints find
 positions, velocities and accelerations within their limits. Times are CPU times.
 """
@@ -31,9 +31,9 @@ from manipplan.timing.constant_speed import SpeedDemand
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "constant_speed.md"
 #: Slowdown and interruptions that are allowed in turn, the default first, and way of the tool off the path [m].
 ALLOWED, RETREAT = ((0.01, 0), (0.3, 0), (0.01, 2)), 0.0
-#: Number of calls for the largest speed, factors by which the first one and that with slowdown or interruptions are above the
-#: fastest known one, and by which later ones rise.
-CALLS, FIRST, MORE, RISE = 3, 3.0, 1.4, 1.5
+#: Number of calls for the largest speed, and factor by which the first one with slowdown or interruptions is above the largest
+#: one without, and by which speeds rise.
+CALLS, RISE = 3, 1.4
 #: Number of times at which a motion is judged, and by how much speeds and limits may be exceeded for rounding.
 TIMES, ROUNDED = 4001, 5e-3
 #: A speed that no seam allows [m/s].
@@ -94,7 +94,7 @@ def named(error: mp.errors.InvalidInputError) -> float:
 
 
 def largest(case: Case, speed: float, slowdown: float, interruptions: int) -> Result:
-    """The largest speed that `mp.follow` keeps, as far as a few calls find it, the first one at a given speed [m/s]."""
+    """The largest speed that `mp.follow` keeps, as far as CALLS of it find one, the first one at a given speed [m/s]."""
     best, refused = Result(speed=0.0, parts=0, least=np.nan, seconds=np.nan, refused=np.nan, sound=True), np.nan
     for _ in range(CALLS):
         began = time.process_time()
@@ -163,8 +163,8 @@ def main() -> None:
     for case in track(cases(), description="seams"):
         known, least = of_best_path(case)
         known = known or 0.1
-        whole = largest(case, FIRST * known, *ALLOWED[0])
-        slowed, parted = (largest(case, MORE * (whole.speed or known), *each) for each in ALLOWED[1:])
+        whole = largest(case, TOO_FAST, *ALLOWED[0])
+        slowed, parted = (largest(case, RISE * (whole.speed or known), *each) for each in ALLOWED[1:])
         results = [whole, slowed, parted]
         parts = {0: "", 1: ", whole", 2: ", 2 parts", 3: ", 3 parts"}[parted.parts]
         cells = [

@@ -162,7 +162,8 @@ def follow(
         start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`; None: the motion
             begins where the best motion along the path does.
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to `slowdown` between a ramp at either end;
-            None: as fast as the limits allow. The path must move the tool's origin everywhere.
+            None: as fast as the limits allow. The path must move the tool's origin everywhere. The joint path is chosen for the
+            speed where the tool does not have it on the one with the largest minimum manipulability.
         slowdown: share by which the tool may be slower than `tool_speed` where the arm's limits do not allow it, from 0.01 to
             0.99. `report.along` tells the smallest speed, and when.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
@@ -170,7 +171,8 @@ def follow(
             nothing connects, or a 64th where a single step has no motion. To given ones they are added only where the motion
             leaves the path or touches a body.
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
-            and the way back to where it began counts as one.
+            and the way back to where it began counts as one. A path on which the tool does not have its constant speed
+            is parted where limits demand it.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
             z-axis, or a vector (3,) in the tool frame; 0 for none. A planar arm needs 0 or a vector with z = 0.
         objective: its task and its measure define the manipulability whose minimum is maximised; power and metric only count in
