@@ -4,10 +4,10 @@ Run with `make benchmark`. Writes docs/benchmarks/constant_speed.md. Seams: a wi
 and the first paths of tool_paths.py for a Panda, an xArm7, a UR5 whose tool may turn about its axis, and an arm of Fetch's
 geometry, smooth and through 200 poses with two cubes beside them.
 
-Speeds that are refused are lowered to the one that the refusal names, and ones that are kept are raised, in at most three calls.
-A motion counts where finite differences of Pinocchio's kinematics along it find the tool's speed constant to the share that is allowed
-between a tenth and nine tenths of the way of each part and nowhere above it, and finite differences of the joints find
-positions, velocities and accelerations within their limits. Times are CPU times.
+Speeds that are refused are lowered to the one that the refusal names, and ones that are kept are raised, in at most two
+calls. A motion counts where finite differences of Pinocchio's kinematics along it find the tool's speed constant to the share
+that is allowed, between a tenth and nine tenths of the way of each part, and nowhere above it, and finite differences of the
+joints find positions, velocities and accelerations within their limits. Times are CPU times.
 """
 
 import os
@@ -31,9 +31,9 @@ from manipplan.timing.constant_speed import SpeedDemand
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "constant_speed.md"
 #: Slowdown and interruptions that are allowed in turn, the default first, and way of the tool off the path [m].
 ALLOWED, RETREAT = ((0.01, 0), (0.3, 0), (0.01, 2)), 0.0
-#: Number of calls for the largest speed, and factor by which the first one with slowdown or interruptions is above the largest
-#: one without, and by which speeds rise.
-CALLS, RISE = 3, 1.4
+#: Maximum number of calls for the largest speed, without those that are refused before work, which take less than a time [s];
+#: and factor by which speeds rise, first with slowdown or interruptions above the largest one without.
+CALLS, NO_WORK, RISE = 2, 0.2, 1.4
 #: Number of times at which a motion is judged, and by how much speeds and limits may be exceeded for rounding.
 TIMES, ROUNDED = 4001, 5e-3
 #: A speed that no seam allows [m/s].
@@ -96,7 +96,8 @@ def named(error: mp.errors.InvalidInputError) -> float:
 def largest(case: Case, speed: float, slowdown: float, interruptions: int) -> Result:
     """The largest speed that `mp.follow` keeps, as far as CALLS of it find one, the first one at a given speed [m/s]."""
     best, refused = Result(speed=0.0, parts=0, least=np.nan, seconds=np.nan, refused=np.nan, sound=True), np.nan
-    for _ in range(CALLS):
+    calls = 0
+    while calls < CALLS:
         began = time.process_time()
         try:
             plan = mp.follow(
@@ -111,10 +112,12 @@ def largest(case: Case, speed: float, slowdown: float, interruptions: int) -> Re
                 throw=False,
             )
         except mp.errors.InvalidInputError as error:
-            refused, speed = time.process_time() - began, named(error)
+            seconds, speed = time.process_time() - began, named(error)
+            calls, refused = (calls, refused) if seconds < NO_WORK else (calls + 1, seconds)
             if speed <= best.speed:
                 break
             continue
+        calls += 1
         if plan.status not in (mp.Status.FOLLOWED, mp.Status.FOLLOWED_IN_PARTS):
             break
         parts = plan.report.along

@@ -49,6 +49,7 @@ class RefinedToolPath:
         ending: time that timing and checks are likely to take [s].
         robot: the arm.
         demand: constant speed of the tool that is asked for; None: none.
+        is_for_speed: whether it was chosen for the speed, beside the one with the largest minimum manipulability.
     """
 
     search: SearchResult
@@ -59,6 +60,7 @@ class RefinedToolPath:
     ending: float
     robot: Robot
     demand: SpeedDemand | None
+    is_for_speed: bool
 
     @cached_property
     def fastest(self) -> tuple[float, float]:
@@ -337,7 +339,8 @@ class ToolPathPlanner:
             again = search(slower)
             if not again.connected:  # closed paths are searched for anything that connects by another rule
                 break
-            again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
+            if hold_start:
+                again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
             other = self._along(again, progress, hold_start=hold_start, layers=replace(layers, joint_pace=pace / slower))
             low, high = (max(low, min(1.0, high)), slower) if other.keeps_speed else (slower, high)
             best = max(best, other, key=RefinedToolPath.rank)
@@ -366,6 +369,7 @@ class ToolPathPlanner:
             ending=ending,
             robot=self.robot,
             demand=self.demand,
+            is_for_speed=layers is not None,
         )
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:

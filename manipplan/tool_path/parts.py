@@ -58,11 +58,6 @@ class FoundPart:
         along = self.planner.along if self.planner.demand is None else self.planner.closely_along
         return along(self.found, silent, hold_start=self.is_held)
 
-    @property
-    def is_for_speed(self) -> bool:
-        """Whether the joint path is another than the best one at any speed, as the tool has its speed on it."""
-        return self.planner.demand is not None and self.refined.search.minimum < self.found.minimum
-
     def split(self, stops: Sequence[float], demand: SpeedDemand, epsilon: ArrayLike) -> "list[FoundPart]":
         """The parts between those of `stops`, s of the whole path, that are inside this one, for a tool speed."""
         planner, width = self.planner.at_speed(demand), self.s_end - self.s_begin
@@ -448,7 +443,7 @@ class PartsJoiner:
                 transits.seconds,
                 share,
                 enough=least,
-                steady=each.refined.search.q[0] if each.is_for_speed else None,
+                steady=each.refined.search.q[0] if each.planner.demand is not None and each.refined.is_for_speed else None,
             )
             if not pieces:
                 candidates = choice.candidates
