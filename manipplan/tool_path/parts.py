@@ -63,14 +63,19 @@ class FoundPart:
         planner, width = self.planner.at_speed(demand), self.s_end - self.s_begin
         inside = np.sort((np.asarray(stops) - self.s_begin) % 1.0 / width)
         inside = inside[(inside > COINCIDENT) & (inside < 1 - COINCIDENT)]
-        if not len(inside):
-            return [self if self.planner.demand is not None else replace(self, planner=planner)]
         assert planner.layers.s is not None
         new = inside[np.abs(inside[:, None] - planner.layers.s).min(axis=1) > COINCIDENT]
-        planner = planner.with_positions(new, silent) if len(new) else planner
+        with suppress(InvalidInputError):  # no configuration keeps what candidates have to spare: stop at a position beside
+            planner = planner.with_positions(new, silent) if len(new) else planner
         assert planner.layers.s is not None
-        at = np.abs(inside[:, None] - planner.layers.s).argmin(axis=1).tolist()
-        edges = [*at, at[0] + len(planner.layers.q)] if planner.layers.closed else [0, *at, len(planner.layers.q) - 1]
+        at = {int(np.abs(each - planner.layers.s).argmin()) for each in inside}
+        if planner.layers.closed:
+            edges = sorted(at or {0})
+            edges.append(edges[0] + len(planner.layers.q))
+        else:
+            edges = sorted(at | {0, len(planner.layers.q) - 1})
+        if len(edges) == 2 and not planner.layers.closed:
+            return [self if self.planner.demand is not None else replace(self, planner=planner)]
         pieces = [
             _part(planner, *ends, epsilon, (k + 1) / len(edges), is_held=self.is_held and ends[0] == 0)
             for k, ends in enumerate(pairwise(edges))
@@ -186,6 +191,9 @@ def find_parts(
         return options
     keep = partial(_keeping_speed, demand=demand, epsilon=epsilon, most=most, stops=stops, closed=planner.layers.closed)
     first = keep(next(options))
+    interruptions = len(first) - (not planner.layers.closed or first[0].planner.layers.closed)
+    if interruptions > most:
+        raise InvalidInputError("interruptions", most, f"at least {interruptions}, at corners and where no motion leads on")
     slow = _slowest(first)
     if slow is not None:
         with suppress(PlanningError):  # of other limits: found when the whole motion is timed
@@ -201,11 +209,11 @@ def _keeping_speed(
         parts = [piece for each in parts for piece in each.split(stops, demand, epsilon)]
     while (slow := _slowest(parts)) is not None and not slow.planner.deadline.passed:
         interruptions = len(parts) - (not closed or slow.planner.layers.closed)
-        at = slow.stops(epsilon, most - interruptions)
-        if not at:
+        pieces = slow.split(at, demand, epsilon) if (at := slow.stops(epsilon, most - interruptions)) else [slow]
+        if pieces[0] is slow:
             break
         k = parts.index(slow)
-        parts = [*parts[:k], *slow.split(at, demand, epsilon), *parts[k + 1 :]]
+        parts = [*parts[:k], *pieces, *parts[k + 1 :]]
     return parts
 
 
