@@ -34,8 +34,9 @@ ALLOWED, RETREAT = ((0.01, 0), (0.3, 0), (0.01, 2)), 0.0
 #: Maximum number of calls for the largest speed, without those that are refused before work, which take less than a time [s];
 #: and factor by which speeds rise, first with slowdown or interruptions above the largest one without.
 CALLS, NO_WORK, RISE = 2, 0.2, 1.4
-#: Number of times at which a motion is judged, and by how much speeds and limits may be exceeded for rounding.
-TIMES, ROUNDED = 4001, 5e-3
+#: Number of times at which a motion is judged, so close that the tool moves straight between them, and by how much speeds and
+#: limits may be exceeded for rounding.
+TIMES, ROUNDED = 40001, 5e-3
 #: A speed that no seam allows [m/s].
 TOO_FAST = 20.0
 

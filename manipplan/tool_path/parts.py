@@ -190,12 +190,15 @@ def find_parts(
     if demand is None or isinstance(options, NotConnected):
         return options
     keep = partial(_keeping_speed, demand=demand, epsilon=epsilon, most=most, stops=stops, closed=planner.layers.closed)
-    first = keep(next(options))
+    found = next(options)
+    first = keep(found)
     interruptions = len(first) - (not planner.layers.closed or first[0].planner.layers.closed)
     if interruptions > most:
         raise InvalidInputError("interruptions", most, f"at least {interruptions}, at corners and where no motion leads on")
-    slow = _slowest(first)
+    slow, unsplit = _slowest(first), _slowest(found)
     if slow is not None:
+        if unsplit is not None and unsplit.refined.fastest > slow.refined.fastest:
+            slow = unsplit
         with suppress(PlanningError):  # of other limits: found when the whole motion is timed
             demand.timed(slow.refined.path, planner.robot, ends=(slow.s_begin, slow.s_end))
     return chain([first], map(keep, options))
