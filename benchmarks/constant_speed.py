@@ -175,19 +175,19 @@ def main() -> None:
             case.name,
             f"{case.path.length:.2f} m",
             f"{known:.3g} m/s" if np.isfinite(least) else "-",
-            f"{whole.speed:.3g} m/s",
-            f"{whole.speed / known:.2f}" if np.isfinite(least) else "-",
-            f"{least:.3g}, {whole.least:.3g}",
-            f"{slowed.speed:.3g} m/s",
+            f"{whole.speed:.3g} m/s" if whole.parts else "-",
+            f"{whole.speed / known:.2f}" if whole.parts else "-",
+            f"{least:.3g}, {whole.least:.3g}" if whole.parts else "-",
+            f"{slowed.speed:.3g} m/s" if slowed.parts else "-",
             f"{parted.speed:.3g} m/s{parts}",
             f"{sum(each.sound for each in results if each.parts)} of {sum(each.parts > 0 for each in results)}",
-            f"{whole.seconds:.1f} s, {whole.refused:.1f} s",
+            f"{whole.seconds:.1f} s, {whole.refused:.1f} s" if whole.parts else "-",
         ]
         lines.append("| " + " | ".join(cells) + " |")
         print(lines[-1], flush=True)
     lines += [
         "",
-        "Speeds in the first four columns are kept to 1 % between ramps of at most a tenth of the way. "
+        "Speeds are those of the tool between ramps of at most a tenth of the way, kept to 1 % but with slowdown. "
         f"CPU time on one core; Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
     ]
     OUT.write_text("\n".join(lines) + "\n")
