@@ -112,6 +112,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/two_arms.py
 	$(BIN)/python benchmarks/level_cup.py
 	$(BIN)/python benchmarks/tool_paths.py
+	$(BIN)/python benchmarks/constant_speed.py
 	$(BIN)/python benchmarks/pose_regions.py
 	$(BIN)/python benchmarks/follow_starts.py
 	$(BIN)/python benchmarks/lead_ins.py

@@ -35,7 +35,6 @@ typedef struct {
     const long *count;    /* (3) number of cells */
     const char *wraps;    /* (3) whether the last cell is adjacent to the first */
     const long *order;    /* (n) order in which joints are compared */
-    const double *reach;  /* (n) upper bound on a step, exclusive, in that order */
     const char *turns;    /* (n) whether the joint is continuous, in that order */
 } Grid;
 
@@ -45,6 +44,7 @@ typedef struct {
     double *rows;     /* (k, n) configurations with joints in the grid's order */
     double *m;        /* (k) manipulability, limited to the cap */
     int32_t *start;   /* (cells + 1) start of each cell */
+    double *reach;    /* (n) upper bound on a step to this layer, exclusive, in the grid's order */
 } Cells;
 
 /* Values (k) of the candidates of a layer, and the largest value of each cell. */
@@ -179,7 +179,7 @@ void manipplan_widest(const Step *s, long first, long last) {
             for (long k = 0; k < adjoining; k++) {
                 if (top[near[k]] <= best || (where >= 0 && best >= enough)) break;
                 for (long a = s->from.start[near[k]]; a < s->from.start[near[k] + 1]; a++)
-                    if (previous[a] > best && is_near(s->from.rows + n * a, row, n, g->reach, g->turns)) {
+                    if (previous[a] > best && is_near(s->from.rows + n * a, row, n, s->to.reach, g->turns)) {
                         best = previous[a], where = a;
                         if (best >= enough) break;
                     }
@@ -212,7 +212,7 @@ void manipplan_shortest(const Step *s, long first, long last) {
                     const double *old = s->from.rows + n * a;
                     if (previous[a] == -INFINITY) continue;
                     if (rank ? rank[a] < best_rank || (rank[a] == best_rank && previous[a] <= best) : previous[a] <= best) continue;
-                    if (!is_near(old, row, n, g->reach, g->turns)) continue;
+                    if (!is_near(old, row, n, s->to.reach, g->turns)) continue;
                     double square = 0.0;
                     for (long j = 0; j < n; j++) {
                         double d = step(old[j], row[j], g->turns[j]);
@@ -248,7 +248,7 @@ void manipplan_closest(const Step *s, long first, long last) {
                 if (top[near[k]] <= best || best == limit) break;
                 for (long a = s->from.start[near[k]]; a < s->from.start[near[k] + 1]; a++) {
                     const double *old = s->from.rows + n * a;
-                    if (previous[a] <= best || !is_near(old, row, n, g->reach, g->turns)) continue;
+                    if (previous[a] <= best || !is_near(old, row, n, s->to.reach, g->turns)) continue;
                     double ratio = 0.0;
                     for (long j = 0; j < n; j++) {
                         double share = fabs(step(old[j], row[j], g->turns[j])) / s->epsilon[j];

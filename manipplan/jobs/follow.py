@@ -40,7 +40,7 @@ from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
-from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, check_corners, check_tool_speed, retime_steady
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
@@ -162,7 +162,8 @@ def follow(
         start: (n,) inside the limits and collision-free [rad or m], or the name of one of `robot.states`; None: the motion
             begins where the best motion along the path does.
         tool_speed: constant speed of the tool's origin along the path [m/s], kept to `slowdown` between a ramp at either end;
-            None: as fast as the limits allow. The path must move the tool's origin everywhere.
+            None: as fast as the limits allow. The path must move the tool's origin everywhere. The joint path is chosen for the
+            speed where the tool does not have it on the one with the largest minimum manipulability.
         slowdown: share by which the tool may be slower than `tool_speed` where the arm's limits do not allow it, from 0.01 to
             0.99. `report.along` tells the smallest speed, and when.
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: at most 3 cm
@@ -170,7 +171,8 @@ def follow(
             nothing connects, or a 64th where a single step has no motion. To given ones they are added only where the motion
             leaves the path or touches a body.
         interruptions: maximum number of interruptions. A closed path that is interrupted begins where that takes the fewest,
-            and the way back to where it began counts as one.
+            and the way back to where it began counts as one. A path on which the tool does not have its constant speed
+            is parted where limits demand it.
         retreat: straight way of the tool off the path and onto it again at an interruption [m]: a distance against the tool's
             z-axis, or a vector (3,) in the tool frame; 0 for none. A planar arm needs 0 or a vector with z = 0.
         objective: its task and its measure define the manipulability whose minimum is maximised; power and metric only count in
@@ -233,13 +235,16 @@ def follow(
     given = None if start is None else read_configuration("start", start, robot)
     slowdown = number("slowdown", slowdown, least=STEADY, most=MOST_SLOWDOWN)
     interruptions = whole_number("interruptions", interruptions, least=0)
+    demand: SpeedDemand | None = None
+    stops: tuple[float, ...] = ()
     if tool_speed is not None:
         tool_speed = check_tool_speed(tool_speed, path)
         position = with_defaults(tolerance).position
         assert position is not None
         shifts = () if objective.task is None else FreeMotion.of(objective.task, planar=robot.planar).shifts
-        if not len(shifts) and not interruptions:  # the tool passes all corners of the path, and rests at none
-            check_corners(tool_speed, path, robot, position=position, slowdown=slowdown)
+        if not len(shifts):  # the tool passes all corners of the path, and rests only where it is interrupted
+            stops = check_corners(tool_speed, path, robot, position=position, slowdown=slowdown, interruptions=interruptions)
+        demand = SpeedDemand(speed=tool_speed, slowdown=slowdown, torque=torque)
     elif slowdown != STEADY:
         raise InvalidInputError("slowdown", slowdown, f"{STEADY:g} where no tool_speed is asked for")
     way = _retreat(retreat)
@@ -275,7 +280,7 @@ def follow(
         )
         planner = ToolPathPlanner(
             path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=deadline
-        )
+        ).at_speed(demand)
         sampler = layers.sampler
         assert sampler is not None
         if max(float(m.max()) for m in planner.layers.m) < VANISHING:
@@ -292,7 +297,13 @@ def follow(
         stands = q_start is not None and planner.is_at_start(q_start)
         begin = q_start if stands else None
         parts = find_parts(
-            planner, epsilon, interruptions, until(deadline, part(say, 0.4, 0.6)), connects=positions is None, start=begin
+            planner,
+            epsilon,
+            interruptions,
+            until(deadline, part(say, 0.4, 0.6)),
+            connects=positions is None,
+            start=begin,
+            stops=stops,
         )
         if isinstance(parts, NotConnected):
             prefix = "from the start, which is at the first pose of the path, " if stands else ""
@@ -389,7 +400,7 @@ def follow(
 
         return finish(
             draft,
-            lambda: _time(motion, robot, integral, tool_speed, slowdown, torque=torque),
+            lambda: _time(motion, robot, integral, demand, torque=torque),
             taken=taken,
             clearance=clearance,
             torque=torque,
@@ -415,7 +426,7 @@ def follow(
 
 
 def _time(
-    followed: FollowingMotion, robot: Robot, integral: PathIntegral, tool_speed: float | None, slowdown: float, *, torque: bool
+    followed: FollowingMotion, robot: Robot, integral: PathIntegral, demand: SpeedDemand | None, *, torque: bool
 ) -> tuple[Trajectory, tuple[PathPart, ...]]:
     """The timed motion, and its parts along the path. Raises InvalidInputError for a speed, PlanningError for limits."""
     pieces: list[Trajectory] = []
@@ -426,12 +437,13 @@ def _time(
             pieces.append(each.transit.trajectory)
             clock += each.transit.trajectory.duration
         path, speed = each.refined.path, None
-        if tool_speed is None:
+        if demand is None:
             motion = retime(path, robot, torque=torque)
+        elif each.refined.steady is not None:
+            motion, speed = each.refined.steady
         else:
-            ends = (each.part.s_begin, each.part.s_end)
-            motion, speed = retime_steady(path, robot, tool_speed, slowdown=slowdown, torque=torque, ends=ends)
-            speed = speed.later(clock)
+            motion, speed = demand.timed(path, robot, ends=(each.part.s_begin, each.part.s_end))
+        speed = None if speed is None else speed.later(clock)
         pieces.append(motion)
         along.append(
             PathPart(

@@ -98,7 +98,9 @@ class Timing:
             speeds = {}
             for k, speed in asked.items():
                 begin, end = times_of(trajectory, self.path, self.own[k])
-                speeds[k] = measure_speed(trajectory, self.robot, speed, begin=begin, end=end, short=RAMP)
+                speeds[k] = measure_speed(
+                    trajectory, self.robot, speed, slowdown=self.motions[k].slowdown, begin=begin, end=end, short=RAMP
+                )
             if all(each.is_steady for each in speeds.values()):
                 break
         return Timed(trajectory=trajectory, speeds=speeds)

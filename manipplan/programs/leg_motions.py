@@ -19,7 +19,6 @@ from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.programs.legs import NOWHERE, Leg, PartPoses, State, different, rounded
 from manipplan.programs.steps import Attach, Detach, MoveAlong, Wait
 from manipplan.search.layers import choose_positions
-from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
@@ -28,6 +27,7 @@ from manipplan.support.progress import silent
 from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
+from manipplan.timing.constant_speed import STEADY, SpeedDemand
 from manipplan.tool_path.engine import SPACING, ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
 from manipplan.tool_path.gap import explain_gap
@@ -50,6 +50,7 @@ class RawMotion:
         state: arm and scene during it.
         workspace_path, task, tolerance: the path of the tool that it follows; None for a free motion.
         tool_speed: constant speed of the tool [m/s]; None for no such.
+        slowdown: share by which the tool may be slower than that.
     """
 
     step: int
@@ -59,6 +60,7 @@ class RawMotion:
     task: Task | None = None
     tolerance: Tolerance | None = None
     tool_speed: float | None = None
+    slowdown: float = STEADY
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -152,7 +154,8 @@ class ToolPathPlanners:
             progress=self.check,
         )
         inside, improves_until = layers.inside(state.robot.limits), Deadline.within(self.deadline.left / 2)
-        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=improves_until)
+        demand = None if step.tool_speed is None else SpeedDemand(speed=step.tool_speed, slowdown=step.slowdown)
+        return ToolPathPlanner(path=path, layers=inside, tolerance=step.tolerance, deadline=improves_until).at_speed(demand)
 
     def check(self, _share: float, _text: str) -> None:
         """Raise OutOfTimeError after the deadline."""
@@ -257,6 +260,7 @@ def _motion(number: int, step: MoveAlong, workspace: CartesianPath, path: JointP
         task=step.task or (state.robot.default_task if state.robot.planar else Task.pose()),
         tolerance=with_defaults(step.tolerance),
         tool_speed=step.tool_speed,
+        slowdown=step.slowdown,
     )
 
 
@@ -409,10 +413,10 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     assert along is not None and isinstance(along.path, CartesianPath)
     try:
         planner = planners.made(along, along.path, state)
-        first = max_min_search(planner.layers, EPSILON, explain=along.positions is not None, throw=False)
+        planner, first = planner.search(EPSILON, explain=along.positions is not None)
         if not first.connected and along.positions is None:
             planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
-            first = max_min_search(planner.layers, EPSILON, explain=False, throw=False)
+            planner, first = planner.search(EPSILON)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected:

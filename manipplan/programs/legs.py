@@ -121,7 +121,7 @@ def _check_speed(k: int, step: MoveAlong, robot: Robot, blend: float) -> None:
         check_tool_speed(step.tool_speed, step.path)
         position = with_defaults(step.tolerance).position
         assert position is not None
-        check_corners(step.tool_speed, step.path, robot, position=position, margin=blend)
+        check_corners(step.tool_speed, step.path, robot, position=position, slowdown=step.slowdown, margin=blend)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{k}].tool_speed", error.value, error.allowed) from error
 

@@ -23,6 +23,7 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.yaml_files import read_yaml
 from manipplan.symbolic.task import Task
+from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY
 
 
 class ProgramStep:
@@ -65,6 +66,7 @@ class MoveAlong(ProgramStep):
         path: a CartesianPath in the world; or a vector (3,) by which the tool moves straight on, in the tool frame [m].
         tool_speed: constant speed of the tool's origin [m/s], kept to a hundredth between the ramps or blends at its ends, and
             not exceeded; None: as fast as the limits allow. The error for one that is too fast names the fastest.
+        slowdown: share by which the tool may be slower than the tool speed where limits do not allow it, as for `follow`.
         tolerance: largest deviation from the path, as for `follow`.
         task: what of the path's poses the tool follows, as for `follow`; None: Task.pose(), of a planar arm Task.planar().
         positions: number of positions at which configurations are enumerated; None: as for `follow`. A vector has its own.
@@ -74,6 +76,7 @@ class MoveAlong(ProgramStep):
 
     path: CartesianPath | ArrayLike
     tool_speed: float | None = field(default=None, kw_only=True)
+    slowdown: float = field(default=STEADY, kw_only=True)
     tolerance: Tolerance | None = field(default=None, kw_only=True)
     task: Task | None = field(default=None, kw_only=True)
     positions: int | None = field(default=None, kw_only=True)
@@ -84,6 +87,9 @@ class MoveAlong(ProgramStep):
             object.__setattr__(self, "path", _way("path", self.path))
         if self.tool_speed is not None:
             object.__setattr__(self, "tool_speed", number("tool_speed", self.tool_speed, above=0.0))
+        object.__setattr__(self, "slowdown", number("slowdown", self.slowdown, least=STEADY, most=MOST_SLOWDOWN))
+        if self.tool_speed is None and self.slowdown != STEADY:
+            raise InvalidInputError("slowdown", self.slowdown, f"{STEADY:g} where no tool_speed is asked for")
         for name, kind in (("tolerance", Tolerance), ("task", Task)):
             if getattr(self, name) is not None:
                 instance(name, getattr(self, name), kind)
@@ -167,7 +173,7 @@ def _way(argument: str, value: float | ArrayLike) -> tuple[float, float, float]:
 #: Keys of the file, and of a move along a path.
 KEYS = ("robot", "locked", "scene", "start", "steps", "blend", "clearance")
 MOVE_KEYS = ("goal", "approach", "constraints", "blend")
-ALONG_KEYS = ("way", "file", "tool_speed", "tolerance", "pointing", "positions", "blend")
+ALONG_KEYS = ("way", "file", "tool_speed", "slowdown", "tolerance", "pointing", "positions", "blend")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -266,7 +272,7 @@ class ProgramFile:
         if not isinstance(value, Mapping) or not set(value) <= set(ALONG_KEYS) or ("way" in value) == ("file" in value):
             raise InvalidInputError("path", value, f"a mapping with either way or file, and of {', '.join(ALONG_KEYS[2:])}")
         path = value["way"] if "way" in value else CartesianPath.from_csv(self.path.parent / str(value["file"]))
-        options = {key: value[key] for key in ("tool_speed", "positions", "blend") if key in value}
+        options = {key: value[key] for key in ("tool_speed", "slowdown", "positions", "blend") if key in value}
         if "tolerance" in value:
             tolerance = value["tolerance"]
             if not isinstance(tolerance, Mapping) or not set(tolerance) <= {"position", "rotation"}:

@@ -111,7 +111,7 @@ class Layers:
     """Candidates q[i] (k_i, n) at each of L positions, with their manipulability m[i] (k_i,).
 
     A path takes one candidate of each layer. It is continuous when every joint's step between neighbouring layers is
-    below an ε; the step of a continuous joint is wrapped to (-π, π].
+    below an ε, and below what `joint_pace` allows; the step of a continuous joint is wrapped to (-π, π].
 
     Attributes:
         q: configurations of each layer, (k_i, n) float64 [rad or m], contiguous; never copied or changed.
@@ -122,6 +122,8 @@ class Layers:
         poses: (L, 4, 4) pose reached at each position, or None.
         considered: total number of candidates, including those that were dropped.
         sampling: how they were sampled, or None.
+        joint_pace: (n,) largest step of each joint per metre of the tool's way between neighbouring layers [rad/m or 1], for
+            layers with s and sampling; None: any.
     """
 
     q: tuple[Array, ...]
@@ -132,6 +134,7 @@ class Layers:
     poses: Array | None = None
     considered: int = 0
     sampling: "PathSampling | None" = None
+    joint_pace: Array | None = None
 
     @classmethod
     def from_arrays(
@@ -202,6 +205,22 @@ class Layers:
     def bound(self) -> float:
         """Smallest over the layers of the largest manipulability: no path's minimum manipulability exceeds it, for any ε."""
         return float(min(value.max() for value in self.m))
+
+    def step_limits(self, epsilon: Array) -> Array:
+        """Bound on the step of each joint from each layer to the next, (L - 1, n), or (L, n) where they are closed."""
+        if self.joint_pace is None:
+            return np.broadcast_to(epsilon, (len(self.q) - (not self.closed), self.n))
+        return np.minimum(epsilon, self._ways[:, None] * self.joint_pace)
+
+    @cached_property
+    def _ways(self) -> Array:
+        """Length of the tool's way from each layer to the next (L - 1,), or (L,) where they are closed [m]."""
+        assert self.s is not None and self.sampling is not None
+        s = np.append(self.s, 1.0) if self.closed else self.s
+        places = np.union1d(np.linspace(0.0, 1.0, WAY_SAMPLES), s)
+        steps = np.linalg.norm(np.diff(self.sampling.path(places)[:, :3, 3], axis=0), axis=1)
+        way = np.concatenate([[0.0], np.cumsum(steps)])
+        return np.abs(np.diff(way[np.searchsorted(places, s)]))
 
     @property
     def nbytes(self) -> int:

@@ -254,7 +254,9 @@ def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, 
 
 def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
     """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer."""
-    return minimum_to_each(replace(layers, q=layers.q[::-1], m=layers.m[::-1]), epsilon, strict=strict, cap=cap)
+    s = None if layers.s is None else layers.s[::-1]
+    backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], s=s, closed=False)
+    return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)
 
 
 def _results(
@@ -362,7 +364,7 @@ def _not_connected(search: ThresholdSearch, epsilon: Array, reach: Array, strict
     else:
         where = f"no path closes: none ends at position {count - 1} within epsilon of its start at position 0"
     smallest, remedy = None, ""
-    if explain:
+    if explain and search.layers.joint_pace is None:  # a larger ε does not help a joint that is too slow
         smallest = search.least_epsilon(epsilon)
         factor = float((smallest / epsilon).max())
         least = ", ".join(f"{each:.6g}" for each in smallest)

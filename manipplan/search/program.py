@@ -129,7 +129,7 @@ class LevelProgram:
         Args:
             q: (L, n) the current path.
             poses: (L, 4, 4).
-            epsilon: (n,) largest steps [rad or m].
+            epsilon: (n,) largest steps [rad or m], or for each step.
             tolerance: (rows,) half width of the box of each pose row; 0: met exactly.
             trust: largest change of each joint from the current path.
             slopes: (L, ROWS, n) gradients of distances [m per rad or m]; zeros where there is none.
@@ -150,7 +150,7 @@ class LevelProgram:
         if hold_start:
             lower[0] = upper[0] = q[0]
             box[: len(tolerance)] = np.inf
-        most = np.tile(epsilon, self._steps)
+        most = np.broadcast_to(epsilon, (self._steps, q.shape[1])).ravel()
         fixed = None if level is None else level / scale
         result = self._solve(
             x0=np.append(q.ravel(), m.min() / scale if fixed is None else fixed),

@@ -1,6 +1,6 @@
 """refine: improve the best path through the samples beyond the sampling grid."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -154,6 +154,7 @@ class _Refiner:
         self.hold_start, self.deadline = hold_start, deadline
         self.program = level_program(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance, self.is_exact = self.program.rows.box(tolerance), tolerance is None
+        self.step_limits = layers.step_limits(found.epsilon)
         self.history = [found.minimum]
         self.bound = self._bound()
 
@@ -203,7 +204,7 @@ class _Refiner:
             beside = np.abs(step).max(axis=1) < (10 * spread if k or not self.hold_start else 0.0)
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
             values.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
-        finer = Layers.from_arrays(sets, values, continuous=self.layers.continuous, closed=self.layers.closed)
+        finer = replace(self.layers, q=tuple(sets), m=tuple(values))
         found = max_min_search(finer, self.found.epsilon, strict=self.found.strict, throw=False)
         return self._better(q, found.q) if found.connected else q
 
@@ -259,7 +260,7 @@ class _Refiner:
         return self.program.solve(
             q,
             self.poses,
-            epsilon=self.found.epsilon * (1 - SPARE),
+            epsilon=self.step_limits * (1 - SPARE),
             tolerance=self.tolerance * (1 - SPARE),
             trust=trust,
             slopes=slopes,
@@ -295,7 +296,7 @@ class _Refiner:
         """Whether poses, limits, ε and clearance hold; independent of the program."""
         if (self.robot.limits.outside(q) > 0).any() or not np.isfinite(q).all():
             return False
-        if not within(q, self.found.epsilon, self.layers.continuous, strict=self.found.strict, closed=self.layers.closed):
+        if not within(q, self.step_limits, self.layers.continuous, strict=self.found.strict, closed=self.layers.closed):
             return False
         errors = self.program.rows.errors(q, self.poses)
         if (np.abs(errors) > np.maximum(self.tolerance, MET)).any():

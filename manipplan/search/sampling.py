@@ -273,22 +273,22 @@ class PathSampling:
                 notify(len(found) / len(poses), f"sampling positions: {candidates:,} candidates")
         return found
 
-    def halved(self, layers: Layers, intervals: NDArray[np.int64], notify: Progress) -> Layers:
-        """The layers with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
+    def with_positions(self, layers: Layers, s: Array, notify: Progress) -> Layers:
+        """The layers with positions at s (k,), ascending, too, which are between those there are."""
         assert layers.s is not None and layers.poses is not None
-        middle = (layers.s[intervals] + np.append(layers.s[1:], 1.0)[intervals]) / 2
-        poses = self.path(middle)
-        found = self.at(poses, self.sets(poses), lambda k: f"path, s = {middle[k]:.6g}", notify)
+        before = np.searchsorted(layers.s, s)
+        poses = self.path(s)
+        found = self.at(poses, self.sets(poses), lambda k: f"path, s = {s[k]:.6g}", notify)
         q, m = list(layers.q), list(layers.m)
-        for k, each in zip(intervals[::-1] + 1, reversed(found), strict=True):
+        for k, each in zip(before[::-1], reversed(found), strict=True):
             q.insert(k, each.q)
             m.insert(k, each.m)
         return replace(
             layers,
             q=tuple(q),
             m=tuple(m),
-            s=np.insert(layers.s, intervals + 1, middle),
-            poses=np.insert(layers.poses, intervals + 1, poses, axis=0),
+            s=np.insert(layers.s, before, s),
+            poses=np.insert(layers.poses, before, poses, axis=0),
         )
 
 

@@ -109,20 +109,19 @@ class ThresholdSearch:
         self._told = -np.inf
 
     def best(self, objective: SweepObjective, part: Subset, reach: Array, text: str) -> CandidatePath | None:
-        """The best path for the objective through the candidates that take part, with steps below `reach` (n,)."""
+        """The best path for the objective through the candidates that take part; steps are below `reach` (n,) and the pace."""
         active = [int(np.count_nonzero(m >= part.threshold)) for m in self.layers.m]
         if min(active) == 0:
             return None
         grid = self._grid(reach, part.share * sum(active))
         if self.layers.closed:
-            return self._cycle(objective, part, grid, text, active)
-        stages = [SweepStage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
-        trace = self._sweep(self._sort(stages, part, grid), grid, objective, text)
+            return self._cycle(objective, part, grid, reach, text, active)
+        trace = self._sweep(self._sort(self._stages(reach), part, grid), grid, objective, text)
         return CandidatePath(indices=trace.indices, value=trace.value) if len(trace.indices) else None
 
     def reached(self, reach: Array) -> int:
         """The first position that no path from position 0 reaches; L when all are reached."""
-        stages = [SweepStage(q, np.zeros(len(q))) for q in self.layers.q]
+        stages = [each._replace(m=np.zeros(len(each.m))) for each in self._stages(reach)]
         grid = self._grid(reach, self.layers.count)
         return self._sweep(self._sort(stages, Subset(), grid), grid, Widest(), "gaps").depth
 
@@ -132,7 +131,7 @@ class ThresholdSearch:
         No layer may be empty of candidates that take part.
         """
         layers = self.layers
-        stages = [SweepStage(q, m) for q, m in zip(layers.q, layers.m, strict=True)] * (2 if layers.closed else 1)
+        stages = self._stages(reach) * (2 if layers.closed else 1)
         grid = self._grid(reach, sum(int(np.count_nonzero(m >= part.threshold)) for m in layers.m))
         lengths = np.zeros(len(stages), dtype=np.int64)  # number of steps of the longest path to each position
         old: Cells | None = None
@@ -147,7 +146,7 @@ class ThresholdSearch:
 
     def last_values(self, part: Subset, reach: Array) -> Array:
         """The largest minimum manipulability of a path to each candidate of the last layer (k,); -inf where none leads."""
-        stages = [SweepStage(q, m) for q, m in zip(self.layers.q, self.layers.m, strict=True)]
+        stages = self._stages(reach)
         grid = self._grid(reach, self.layers.count)
         values, objective = np.full(len(stages[-1].m), -np.inf), Widest()
         old: Cells | None = None
@@ -192,10 +191,16 @@ class ThresholdSearch:
         """Configurations of the path (L, n), as stored in the layers."""
         return np.array([q[i] for q, i in zip(self.layers.q, path.indices, strict=True)])
 
+    def _stages(self, reach: Array) -> list[SweepStage]:
+        """The layers, each with the bound on the step to it from the one before."""
+        limits, layers = self.layers.step_limits(reach), self.layers
+        return [SweepStage(q, m, limits[k - 1]) for k, (q, m) in enumerate(zip(layers.q, layers.m, strict=True))]
+
     def _grid(self, reach: Array, active: float) -> Grid:
         q = self.layers.q[int(self.layers.sizes.argmax())]
         most = int(max(FEWEST_CELLS, CELLS * active / len(self.layers.q)))
-        return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, reach, self.layers.continuous, most)
+        widest = self.layers.step_limits(reach).max(axis=0)
+        return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, widest, self.layers.continuous, most)
 
     def _sort(self, stages: list[SweepStage], part: Subset, grid: Grid) -> Iterator[Cells]:
         return self.pool.ahead(lambda stage: sort_stage(stage, part, grid), stages)
@@ -214,12 +219,14 @@ class ThresholdSearch:
             self._told = now
             self.notify(min(0.99, self._passed / self._work), text)
 
-    def _cycle(self, objective: SweepObjective, part: Subset, grid: Grid, text: str, active: list[int]) -> CandidatePath | None:
-        layers, count = self.layers, len(self.layers.q)
+    def _cycle(
+        self, objective: SweepObjective, part: Subset, grid: Grid, reach: Array, text: str, active: list[int]
+    ) -> CandidatePath | None:
+        layers, count, stages = self.layers, len(self.layers.q), self._stages(reach)
         begin = int(np.argmin(active))  # the layer with the fewest first candidates
         turned = [(begin + i) % count for i in range(count)]
-        inner = [SweepStage(layers.q[i], layers.m[i]) for i in turned[1:]]
-        begins = np.sort(sort_stage(SweepStage(layers.q[begin], layers.m[begin]), part, grid).ids).astype(np.int64)
+        inner = [stages[i] for i in turned[1:]]
+        begins = np.sort(sort_stage(stages[begin], part, grid).ids).astype(np.int64)
         sorted_cells: list[Cells] | None = None
         if part.share * sum(active) * 8 * (layers.n + 2) < CACHE_BYTES:
             sorted_cells = list(self._sort(inner, part, grid))
@@ -228,9 +235,10 @@ class ThresholdSearch:
 
         def relax(members: NDArray[np.int64]) -> tuple[tuple[bytes, float], int, int, CandidatePath] | None:
             q = np.ascontiguousarray(layers.q[begin][members])
-            first = sort_stage(SweepStage(q, layers.m[begin][members]), whole, grid)
+            own = SweepStage(q, layers.m[begin][members], stages[begin].reach)
+            first = sort_stage(own, whole, grid)
             # the layer is passed twice and must count once
-            last = sort_stage(SweepStage(q, np.full(len(members), np.inf)), Subset(), grid)
+            last = sort_stage(own._replace(m=np.full(len(members), np.inf)), Subset(), grid)
             between = sorted_cells if sorted_cells is not None else self._sort(inner, part, grid)
             trace = self._sweep(chain([first], between, [last]), grid, objective, text)
             if len(trace.indices) == 0:

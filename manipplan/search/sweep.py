@@ -35,7 +35,7 @@ def calls() -> Mapping[str, Callable[..., Any]]:
 
 def _grid(grid: "Grid") -> ctypes.Structure:
     """It points to the arrays of the grid, which has to outlive it."""
-    names = ("joints", "low", "per", "count", "wraps", "order", "reach", "turns")
+    names = ("joints", "low", "per", "count", "wraps", "order", "turns")
     return struct("sweep", "Grid")(n=len(grid.order), **{name: getattr(grid, name).ctypes.data for name in names})
 
 
@@ -47,8 +47,8 @@ def _values(value: Array, top: Array) -> ctypes.Structure:
     return struct("sweep", "Values")(value=value.ctypes.data, top=top.ctypes.data)
 
 
-def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
-    """The candidates q (k, n) with m (k,) >= threshold, sorted by cell, with m limited to `cap`.
+def sorted_into_cells(q: Array, m: Array, reach: Array, threshold: float, share: float, cap: float, grid: "Grid") -> "Cells":
+    """The candidates q (k, n) with m (k,) >= threshold, sorted by cell, with m limited to `cap`; reach (n,) as in `SweepStage`.
 
     With a share below 1 about that share of them; the choice is pseudo-random but reproducible, and a smaller share is a subset
     of a larger one.
@@ -56,7 +56,13 @@ def sorted_into_cells(q: Array, m: Array, threshold: float, share: float, cap: f
     q, m = np.ascontiguousarray(q), np.ascontiguousarray(m)
     taken = np.empty(len(m) + 1, dtype=np.int32)
     k = calls()["taking_part"](m.ctypes.data, len(m), threshold, share, taken.ctypes.data)
-    cells = Cells(np.empty(k, dtype=np.int32), np.empty((k, q.shape[1])), np.empty(k), np.empty(grid.cells + 1, dtype=np.int32))
+    cells = Cells(
+        np.empty(k, dtype=np.int32),
+        np.empty((k, q.shape[1])),
+        np.empty(k),
+        np.empty(grid.cells + 1, dtype=np.int32),
+        np.ascontiguousarray(reach[grid.order]),
+    )
     cell, arrays, numbers = np.empty(k, dtype=np.int32), _cells(cells), _grid(grid)
     calls()["sort_into_cells"](
         ctypes.addressof(numbers),
@@ -158,7 +164,7 @@ def without_jumps(q: Array, continuous: NDArray[np.bool_]) -> Array:
 
 
 def within(q: Array, epsilon: Array, continuous: NDArray[np.bool_], *, strict: bool, closed: bool) -> bool:
-    """Whether every step of the path q (L, n) is below ε (n,), or, without `strict`, at most ε."""
+    """Whether every step of the path q (L, n) is below ε, (n,) or one for each step, or, without `strict`, at most ε."""
     steps = np.abs(path_steps(q, continuous, closed=closed))
     return bool((steps < epsilon if strict else steps <= epsilon).all())
 
@@ -209,7 +215,6 @@ class Grid:
         count: (3,) number of cells.
         wraps: (3,) whether the last cell is adjacent to the first.
         order: (n,) order in which joints are compared: joints that are not hashed come first, as they reject more pairs.
-        reach: (n,) upper bound on a step, exclusive, in that order.
         turns: (n,) whether the joint is continuous, in that order.
     """
 
@@ -219,7 +224,6 @@ class Grid:
     count: NDArray[np.int64]
     wraps: NDArray[np.bool_]
     order: NDArray[np.int64]
-    reach: Array
     turns: NDArray[np.bool_]
 
     @property
@@ -231,8 +235,8 @@ class Grid:
 def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[np.bool_], most: int) -> Grid:
     """The grid of at most `most` cells that separates the most pairs of `sample` (S, n).
 
-    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on a step, exclusive. Joints are
-    added one by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
+    extent (2, n): smallest and largest joint values of all configurations; reach (n,): bound on all steps. Joints are added one
+    by one; a joint triples the cells to search, so it has to leave less than a third of the pairs in a common cell.
     """
     n = sample.shape[1]
     low, high = extent
@@ -278,7 +282,6 @@ def choose_grid(sample: Array, extent: Array, reach: Array, continuous: NDArray[
         count=count,
         wraps=wraps,
         order=order.astype(np.int64),
-        reach=np.ascontiguousarray(reach[order]),
         turns=np.ascontiguousarray(continuous[order]),
     )
 
@@ -297,19 +300,21 @@ PIECES = 4
 
 
 class SweepStage(NamedTuple):
-    """Candidates of one step of a sweep: q (k, n) [rad or m] and m (k,), contiguous."""
+    """Candidates of one step of a sweep, q (k, n) [rad or m] and m (k,), contiguous; reach (n,): bound on the step."""
 
     q: Array
     m: Array
+    reach: Array
 
 
 class Cells(NamedTuple):
-    """Candidates of a stage sorted by cell: indices, configurations, manipulability, start of each cell."""
+    """Candidates of a stage sorted by cell: indices, configurations, manipulability, start of each cell, bound on the step."""
 
     ids: NDArray[np.int32]
     rows: Array
     m: Array
     start: NDArray[np.int32]
+    reach: Array
 
 
 class Reached(NamedTuple):
@@ -422,7 +427,7 @@ class Subset:
 def sort_stage(stage: SweepStage, part: Subset, grid: Grid) -> Cells:
     """The candidates of a stage that take part, sorted by cell."""
     share = min(1.0, max(part.share, LEAST / len(stage.m)))
-    return sorted_into_cells(stage.q, stage.m, part.threshold, share, part.cap, grid)
+    return sorted_into_cells(stage.q, stage.m, stage.reach, part.threshold, share, part.cap, grid)
 
 
 def sweep(

@@ -1,4 +1,4 @@
-"""retime_steady: times a path at a constant speed of the tool, or names the fastest such speed, and what limits it where.
+"""SpeedDemand: a constant speed of the tool that is asked for, at which paths are timed, or else the fastest one named.
 
 check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there.
 
@@ -161,40 +161,89 @@ INTERVALS, CORNER_PLACES = 8192, 20001
 
 
 def check_corners(
-    speed: float, path: CartesianPath, robot: Robot, *, position: float, slowdown: float = STEADY, margin: float = 0.0
-) -> None:
-    """Raise InvalidInputError, which names the place, for a constant speed [m/s] that a corner of the path does not allow.
-
-    A tool that passes three places of the path, a way h apart, at speed v and within the tolerance δ, is accelerated by at
-    least v² (‖p₁ - 2 p₂ + p₃‖ - 4 δ) / (h + 2 δ)². No motion within the limits accelerates it by more than `most_acceleration`.
+    speed: float,
+    path: CartesianPath,
+    robot: Robot,
+    *,
+    position: float,
+    slowdown: float = STEADY,
+    margin: float = 0.0,
+    interruptions: int = 0,
+) -> tuple[float, ...]:
+    """The s at which the tool has to stop as corners of the path do not allow a constant speed [m/s].
 
     Args:
         position: tolerance δ on the tool's position [m].
         slowdown: share by which the tool may be slower.
-        margin: way at either end that is left out [m]; so are the ramps.
+        margin: way at either end that is left out [m]; so are the ramps. 0: the motion is one from rest to rest.
+        interruptions: number of stops that are allowed.
+
+    Raises InvalidInputError where these are too few, and for a speed that the arm never has. The message names the place.
+    """
+    _check_fastest(speed, path, robot, slowdown=slowdown, from_rest=not margin)
+    stops, most, at = _corners(speed, path, robot, position=position, slowdown=slowdown, margin=margin)
+    if len(stops) > interruptions:
+        wanted = (
+            f"at most {round_down(most, 3):g} m/s: {place(at, path(at)[:3, 3])}, the path turns a corner that no "
+            "motion within the acceleration limits takes faster. Round the corner, allow a larger tolerance, split the path "
+            f"there into two steps with a blend, or follow it with interruptions={len(stops)}"
+        )
+        raise InvalidInputError("tool_speed", speed, wanted)
+    return stops
+
+
+def _check_fastest(speed: float, path: CartesianPath, robot: Robot, *, slowdown: float, from_rest: bool) -> None:
+    """Raise InvalidInputError for a speed [m/s] that the arm never has, or does not reach from rest on a tenth of the path."""
+    most, why = most_velocity(robot), "no motion within the velocity limits is faster"
+    ramp = np.sqrt(2 * RAMP * path.length * most_acceleration(robot))
+    if from_rest and ramp < most:
+        most, why = ramp, "no motion within the acceleration limits reaches more from rest on a tenth of the path"
+    if speed * (1 - slowdown) > most:
+        raise InvalidInputError("tool_speed", speed, f"at most {round_down(most / (1 - slowdown), 3):g} m/s: {why}")
+
+
+def _corners(
+    speed: float, path: CartesianPath, robot: Robot, *, position: float, slowdown: float, margin: float = 0.0
+) -> tuple[tuple[float, ...], float, float]:
+    """The fewest s at which corners make stops necessary for a constant speed; the fastest one without stops, and its corner.
+
+    A tool that passes three places of the path, a way h apart, at speed v and within the tolerance δ, is accelerated by at
+    least v² (‖p₁ - 2 p₂ + p₃‖ - 4 δ) / (h + 2 δ)². No motion within the limits accelerates it by more than `most_acceleration`.
     """
     s = np.linspace(0.0, 1.0, CORNER_PLACES)
     points = path(s)[:, :3, 3]
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     left_out = margin + RAMP * way[-1]
     if way[-1] <= 2 * left_out:
-        return
+        return (), np.inf, 0.0
     at = np.linspace(left_out, way[-1] - left_out, INTERVALS + 1)
     points = np.stack([np.interp(at, way, points[:, k]) for k in range(3)], axis=1)
-    worst, at_worst = 0.0, 0.0
+    allowed = most_acceleration(robot) / (speed * (1 - slowdown)) ** 2  # acceleration at 1 m/s
+    worst, at_worst, ends = 0.0, 0, list[tuple[int, int]]()
     for lag in 2 ** np.arange(int(np.log2(INTERVALS))):
         second = np.linalg.norm(points[2 * lag :] - 2 * points[lag:-lag] + points[: -2 * lag], axis=1)
         bend = (second - 4 * position) / (lag * (at[1] - at[0]) + 2 * position) ** 2  # acceleration at 1 m/s
         if bend.max() > worst:
-            worst, at_worst = float(bend.max()), float(np.interp(at[lag + int(bend.argmax())], way, s))
-    most = np.sqrt(most_acceleration(robot) / worst) / (1 - slowdown) if worst > 0 else np.inf
-    if speed > most:
-        wanted = (
-            f"at most {round_down(most, 3):g} m/s: {place(at_worst, path(at_worst)[:3, 3])}, the path turns a corner that no "
-            "motion within the acceleration limits takes faster. Round the corner, allow a larger tolerance, or split the path "
-            "there into two steps with a blend"
-        )
-        raise InvalidInputError("tool_speed", speed, wanted)
+            worst, at_worst = float(bend.max()), int(lag + bend.argmax())
+        ends += [(k + 2 * int(lag), k) for k in np.flatnonzero(bend > allowed).tolist()]
+    stops = list[float]()
+    shared: tuple[int, int] | None = None  # where a stop is in all ranges so far that have none before
+    for end, begin in sorted(ends):
+        if shared is not None and begin <= shared[1]:
+            shared = max(shared[0], begin), shared[1]
+            continue
+        stops += [] if shared is None else [sum(shared) / 2]
+        shared = begin, end
+    stops += [] if shared is None else [sum(shared) / 2]
+    most = float(np.sqrt(most_acceleration(robot) / worst)) / (1 - slowdown) if worst > 0 else np.inf
+    places = np.interp(np.interp([*stops, at_worst], np.arange(len(at)), at), way, s)
+    return tuple(float(each) for each in places[:-1]), most, float(places[-1])
+
+
+def most_velocity(robot: Robot) -> float:
+    """An upper bound on the speed of the tool's origin within the limits, in any configuration [m/s]."""
+    levers, velocity, _ = _levers(robot)
+    return float(velocity @ levers)
 
 
 def most_acceleration(robot: Robot) -> float:
@@ -203,12 +252,18 @@ def most_acceleration(robot: Robot) -> float:
     Each joint that carries the tool adds its own acceleration times its lever, and each pair of them the product of their
     velocities times the lever of the later one. A lever is at most the sum of the lengths of the links beyond the joint.
     """
+    levers, velocity, acceleration = _levers(robot)
+    later = np.maximum.outer(np.arange(len(levers)), np.arange(len(levers)))
+    return float(acceleration @ levers + (np.outer(velocity, velocity) * levers[later]).sum())
+
+
+def _levers(robot: Robot) -> tuple[Array, Array, Array]:
+    """Of the joints (k,) that carry the tool: lever [m], or 1 for a slide, and limits of velocity and acceleration."""
     tree, lengths = robot.tree, lengths_to(robot, robot.tool)
     joints = np.array([joint - 1 for joint, _ in lengths])
     levers = np.array([1.0 if tree.slides[joint - 1] else length for joint, length in lengths])
     velocity, acceleration = (tree.sizes(each)[joints] for each in (robot.limits.velocity, robot.limits.acceleration))
-    later = np.maximum.outer(np.arange(len(joints)), np.arange(len(joints)))
-    return float(acceleration @ levers + (np.outer(velocity, velocity) * levers[later]).sum())
+    return levers, velocity, acceleration
 
 
 #: Places near the start, and as far from the end, at which a ramp can end: they lie between the first two points of the grid.
@@ -224,68 +279,86 @@ CLOSE, TRIES, LESS, MORE = 1.02, 14, 0.6, 1.1
 BINDS = 0.9
 
 
-def retime_steady(
-    path: JointPath,
-    robot: Robot,
-    speed: float,
-    *,
-    slowdown: float = STEADY,
-    torque: bool = False,
-    ends: tuple[float, float] = (0.0, 1.0),
-) -> tuple[Trajectory, SteadySpeed]:
-    """The motion along a joint path on which the tool has a constant speed [m/s], but for the ramps at its ends.
+@dataclass(frozen=True, kw_only=True)
+class SpeedDemand:
+    """A constant speed of the tool that is asked for along a path.
 
-    Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most a share.
-
-    Args:
-        path: joint path from rest to rest.
-        robot: the arm.
+    Attributes:
         speed: of the tool's origin [m/s].
-        slowdown: share by which the tool may be slower than that.
-        torque: keep the joints' effort limits as well.
-        ends: s of the ends on the path of the tool, for messages.
-
-    Raises:
-        InvalidInputError: the speed is not reached, or not kept; the message names the fastest one that is, and what limits it.
-        PlanningError: as in `retime`.
+        slowdown: share by which the tool may be slower.
+        torque: whether the joints' effort limits are kept as well.
     """
 
-    @cache
-    def estimate() -> float:
-        stands = standing(path, robot) is not None
-        return 0.0 if stands else min(each.speed for each in limits_bound(path, robot, torque=torque))
+    speed: float
+    slowdown: float = STEADY
+    torque: bool = False
 
-    def steady(each: float) -> tuple[Trajectory, SteadySpeed]:
-        return _steady(path, robot, each, slowdown, estimate, torque=torque)
+    @property
+    def least(self) -> float:
+        """The smallest speed that is allowed between the ramps [m/s]."""
+        return (1 - self.slowdown) * self.speed
 
-    def keep(each: float) -> bool:
-        return steady(each)[1].is_steady
+    def joint_pace(self, robot: Robot) -> Array:
+        """The largest motion of each joint per metre of the tool's way (n,) [rad/m or 1]: faster joints exceed their limits."""
+        return robot.limits.velocity / self.least
 
-    made = steady(speed)
-    if made[1].is_steady:
-        return made
-    wanted = slower(path, robot, speed, keep, torque=torque, ends=ends, slowest=made[1].slowest)
-    raise InvalidInputError("tool_speed", speed, wanted)
+    def fastest(self, path: JointPath, robot: Robot) -> tuple[float, float]:
+        """An estimate of the fastest speed that limits allow on a joint path [m/s], and the s that binds."""
+        still = standing(path, robot)
+        if still is not None:
+            return 0.0, still
+        bound = min(limits_bound(path, robot, torque=self.torque, at_ramps=False), key=lambda each: each.speed)
+        return bound.speed, bound.s
 
+    def is_hopeless(self, fastest: float) -> bool:
+        """Whether the speed is far above an estimate of the fastest one [m/s]."""
+        return self.least > HOPELESS * fastest
 
-def _steady(
-    path: JointPath, robot: Robot, speed: float, slowdown: float, estimate: Callable[[], float], *, torque: bool
-) -> tuple[Trajectory, SteadySpeed]:
-    """The motion with a constant speed [m/s] by the first grid on which it is constant, else the one that slows least.
+    def steadiest(self, path: JointPath, robot: Robot, fastest: Callable[[], float]) -> tuple[Trajectory, SteadySpeed]:
+        """The motion along a joint path by the first grid on which the speed is constant, else the one that slows least.
 
-    `estimate` gives the fastest speed that limits allow, about: no finer grid helps far above it.
-    """
-    segments = steady_segments(0.0, 1.0, speed)
-    best: tuple[Trajectory, SteadySpeed] | None = None
-    for grid in GRIDS:
-        trajectory = retime(path, robot, torque=torque, segments=segments, grid=grid)
-        found = measure_speed(trajectory, robot, speed, slowdown=slowdown)
-        if best is None or found.slowest > best[1].slowest:
-            best = trajectory, found
-        if found.is_steady or (1 - slowdown) * speed > HOPELESS * estimate():
-            break
-    assert best is not None
-    return best
+        `fastest` gives the estimate: no finer grid helps where that is hopeless. Raises PlanningError as `retime`.
+        """
+        segments = steady_segments(0.0, 1.0, self.speed)
+        best: tuple[Trajectory, SteadySpeed] | None = None
+        for grid in GRIDS:
+            trajectory = retime(path, robot, torque=self.torque, segments=segments, grid=grid)
+            found = measure_speed(trajectory, robot, self.speed, slowdown=self.slowdown)
+            if best is None or found.slowest > best[1].slowest:
+                best = trajectory, found
+            if found.is_steady or self.is_hopeless(fastest()):
+                break
+        assert best is not None
+        return best
+
+    def timed(self, path: JointPath, robot: Robot, *, ends: tuple[float, float] = (0.0, 1.0)) -> tuple[Trajectory, SteadySpeed]:
+        """The motion along a joint path from rest to rest, with the constant speed but for the ramps at its ends.
+
+        Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most the share.
+
+        Args:
+            path: joint path.
+            robot: the arm.
+            ends: s of the ends on the path of the tool, for messages.
+
+        Raises:
+            InvalidInputError: the speed is not reached, or not kept; the message names the fastest that is, and what limits it.
+            PlanningError: as in `retime`.
+        """
+
+        @cache
+        def fastest() -> float:
+            return self.fastest(path, robot)[0]
+
+        made = self.steadiest(path, robot, fastest)
+        if made[1].is_steady:
+            return made
+
+        def keep(each: float) -> bool:
+            return replace(self, speed=each).steadiest(path, robot, fastest)[1].is_steady
+
+        wanted = slower(path, robot, self.speed, keep, torque=self.torque, ends=ends, slowest=made[1].slowest)
+        raise InvalidInputError("tool_speed", self.speed, wanted)
 
 
 def steady_segments(begin: float, end: float, speed: float) -> list[Segment]:
@@ -311,7 +384,8 @@ def slower(
 
     Args:
         keep: tells whether a speed is kept.
-        torque, ends: as in `retime_steady`.
+        torque: keep the effort limits as well.
+        ends: s of the ends on the path of the tool.
         slowest: speed to which the tool slows where it may [m/s]; 0: it may not.
     """
 
@@ -325,7 +399,7 @@ def slower(
     inside, ramp = limits_bound(path, robot, torque=torque)
     fastest = _fastest(keep, min(inside.speed, ramp.speed), speed)
     if fastest is None:
-        return f"a speed below {round_down(LESS**TRIES * speed, 2):g} m/s: {inside.reason(where)}"
+        return f"a slower one: {inside.reason(where)}"
     binds = inside if fastest >= BINDS * inside.speed else ramp
     wanted = f"at most {fastest:g} m/s, the fastest constant speed of the tool on this motion: {binds.reason(where)}"
     share = np.ceil(1e3 * (1 - slowest / speed) + 1) / 1e3
@@ -361,12 +435,14 @@ def standing(path: JointPath, robot: Robot) -> float | None:
     return float(s[1 + int(pace.argmin())]) if pace.min() <= IN_PLACE * pace.mean() else None
 
 
-def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tuple[SpeedBound, SpeedBound]:
+def limits_bound(
+    path: JointPath, robot: Robot, *, torque: bool = False, at_ramps: bool = True
+) -> tuple[SpeedBound, SpeedBound]:
     """What limits a constant speed of the tool on a path without stops: between its ends, and on the ramps.
 
     At a constant speed v of the tool the joints' velocities are v dq/dl, their accelerations v² d²q/dl² and their jerks
     v³ d³q/dl³, where l is the length of the tool's way. On a straight ramp of length d, v² <= 2 d a with the acceleration a
-    along it, and v³ <= d² j with the jerk j.
+    along it, and v³ <= d² j with the jerk j. Between the ends is also where ramps can be, unless `at_ramps` is False.
     """
     curve = ArcLength(path, 0.0, 1.0, ToolSpeed(robot))
     length, limits, n = curve.fine(LIMIT_POINTS), robot.limits, path.n
@@ -395,6 +471,8 @@ def limits_bound(path: JointPath, robot: Robot, *, torque: bool = False) -> tupl
 
     between = np.ones(len(s), dtype=np.bool_)
     between[[0, -1]] = False
+    if not at_ramps:
+        between[on_ramp] = False
     return smallest(inside, between, False), smallest(begun, on_ramp, True)
 
 

@@ -1,7 +1,10 @@
 """ToolPathPlanner: the best joint path along a workspace path, searched, refined, and joined between its positions."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +14,7 @@ from manipplan.ik.newton import MovingArm
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
+from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult, max_min_search
@@ -23,6 +27,7 @@ from manipplan.support.deadline import NEVER, Deadline, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
+from manipplan.timing.constant_speed import SpeedDemand, SteadySpeed
 
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
 AT_POSITIONS, IN_TUBE = 0.9, 0.97
@@ -42,6 +47,9 @@ class RefinedToolPath:
         loose: (k,) the intervals between positions, by where they begin, in which the path does not follow the workspace path,
             or touches a body.
         ending: time that timing and checks are likely to take [s].
+        robot: the arm.
+        demand: constant speed of the tool that is asked for; None: none.
+        is_for_speed: whether it was chosen for the speed, beside the one with the largest minimum manipulability.
     """
 
     search: SearchResult
@@ -50,6 +58,47 @@ class RefinedToolPath:
     seed: JointPath
     loose: NDArray[np.int64]
     ending: float
+    robot: Robot
+    demand: SpeedDemand | None
+    is_for_speed: bool
+
+    @cached_property
+    def fastest(self) -> tuple[float, float]:
+        """An estimate of the fastest constant speed on it, where one is asked for [m/s], and the s where limits bind."""
+        assert self.demand is not None
+        return self.demand.fastest(self.path, self.robot)
+
+    @cached_property
+    def timed(self) -> tuple[Trajectory, SteadySpeed] | None:
+        """The motion nearest to the speed that is asked for; None where none is, or limits are far from allowing it."""
+        if self.demand is None or self.demand.is_hopeless(self.fastest[0]):
+            return None
+        with suppress(PlanningError):  # of other limits, which timing names in the end
+            return self.demand.steadiest(self.path, self.robot, lambda: self.fastest[0])
+        return None
+
+    @property
+    def steady(self) -> tuple[Trajectory, SteadySpeed] | None:
+        """The motion with the speed that is asked for; None for none."""
+        return self.timed if self.timed is not None and self.timed[1].is_steady else None
+
+    @property
+    def slowest_at(self) -> float:
+        """The s at which limits make the tool slowest."""
+        if self.timed is None:
+            return self.fastest[1]
+        s = np.linspace(0.0, 1.0, PLACES)
+        motion, speed = self.timed
+        return float(s[np.linalg.norm(self.path(s) - motion(np.array([speed.slowest_at])), axis=1).argmin()])
+
+    @property
+    def keeps_speed(self) -> bool:
+        """Whether the tool has the constant speed that is asked for, or none is."""
+        return self.demand is None or self.steady is not None
+
+    def rank(self) -> tuple[bool, float]:
+        """The better joint path for a tool speed has the larger one: it keeps the speed, or comes nearer to it."""
+        return self.keeps_speed, self.refinement.refined if self.keeps_speed else self.fastest[0]
 
 
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
@@ -65,6 +114,13 @@ SHORTEST = 1e-3
 ENDING, ENDING_OF_JOINING = 0.3, 25.0
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
+#: Share to which the slowest joints with which the tool can have its speed are found, factor by which they can be slower at
+#: most, and number of joint paths tried between those and the ones that are as fast as they may be.
+CLOSE, SLOWEST, BETWEEN_PACES = 1.03, 1e6, 2
+#: Share of the minimum manipulability of the best joint path at any speed that is enough.
+ENOUGH = 0.95
+#: Number of places among which the one is found at which the tool is slowest.
+PLACES = 2001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,6 +137,7 @@ class ToolPathPlanner:
         halvings: how often the distance between two positions was halved, for each of them; None: never.
         deadline: by which motions are improved, timed and checked.
         has_fixed_positions: whether no positions can be added, since the candidates of these were chosen one by one.
+        demand: constant speed of the tool that is asked for; None: none.
     """
 
     path: CartesianPath
@@ -91,11 +148,17 @@ class ToolPathPlanner:
     halvings: NDArray[np.int64] | None = None
     deadline: Deadline = NEVER
     has_fixed_positions: bool = False
+    demand: SpeedDemand | None = None
 
     @property
     def _sampler(self) -> CandidateSampler:
         assert self.layers.sampler is not None
         return self.layers.sampler
+
+    @property
+    def robot(self) -> Robot:
+        """The arm."""
+        return self._sampler.spec.robot
 
     @property
     def has_several_parameters(self) -> bool:
@@ -145,6 +208,21 @@ class ToolPathPlanner:
             found.append(moved)
         return np.concatenate(found)
 
+    def at_speed(self, demand: SpeedDemand | None, slower: float = 1.0) -> "ToolPathPlanner":
+        """The same for a constant speed of the tool: only with steps on which no joint is too fast.
+
+        `slower`: factor by which joints are slower than their limits. All steps are allowed where the tool is free to leave the
+        path, so that its way is not known.
+        """
+        pace = None
+        if demand is not None and not len(self._sampler.solver.free.shifts):
+            pace = demand.joint_pace(self.robot) / slower
+        return replace(self, demand=demand, layers=replace(self.layers, joint_pace=pace))
+
+    def at_any_pace(self) -> "ToolPathPlanner":
+        """The same with all steps, also those on which joints are too fast for the tool speed."""
+        return replace(self, layers=replace(self.layers, joint_pace=None))
+
     def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
         return among[self._halvings[among] < halvings]
@@ -157,8 +235,14 @@ class ToolPathPlanner:
 
     def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
-        assert self.layers.sampling is not None
-        layers = self.layers.sampling.halved(self.layers, intervals, progress)
+        assert self.layers.s is not None
+        return self.with_positions((self.layers.s[intervals] + np.append(self.layers.s[1:], 1.0)[intervals]) / 2, progress)
+
+    def with_positions(self, s: Array, progress: Progress) -> "ToolPathPlanner":
+        """The same with positions at s (k,), ascending, too, which are between those there are."""
+        assert self.layers.sampling is not None and self.layers.s is not None
+        intervals = np.searchsorted(self.layers.s, s) - 1
+        layers = self.layers.sampling.with_positions(self.layers, s, progress)
         halvings = self._halvings.copy()
         halvings[intervals] += 1
         halvings = np.insert(halvings, intervals + 1, halvings[intervals])
@@ -183,17 +267,28 @@ class ToolPathPlanner:
             free_m.append(values[free])
         return replace(self, layers=replace(self.layers, q=tuple(free_q), m=tuple(free_m)), has_fixed_positions=True)
 
+    def search(
+        self, epsilon: ArrayLike, *, strict: bool = True, explain: bool = False, progress: Progress | None = None
+    ) -> "tuple[ToolPathPlanner, SearchResult]":
+        """The planner and what `max_min_search` finds; at any pace where no motion keeps that of a tool speed."""
+        found = max_min_search(self.layers, epsilon, strict=strict, explain=explain, throw=False, progress=progress)
+        if found.connected or self.layers.joint_pace is None:
+            return self, found
+        return self.at_any_pace().search(epsilon, strict=strict, explain=explain)
+
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
-        found = max_min_search(self.layers, epsilon, explain=explain, throw=False)
-        return self.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
+        planner, found = self.search(epsilon, explain=explain)
+        return (
+            planner.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
+        )
 
     def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
         """The same from q (n,), inside the limits also between the positions."""
         found = self.starting_at(q).best(epsilon, hold_start=True, explain=False)
         if isinstance(found, Failure):
             return found
-        outside = outside_limits(found.path, self._sampler.spec.robot)
+        outside = outside_limits(found.path, self.robot)
         return Failure(message=outside) if outside else found.path
 
     def between(self, first: int, last: int) -> "ToolPathPlanner":
@@ -216,21 +311,71 @@ class ToolPathPlanner:
         return replace(self, path=path, layers=some, halvings=self._halvings[k[:-1]])
 
     def along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
-        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration."""
+        """The joint path through the positions of a path that the search found; `hold_start` keeps its first configuration.
+
+        Joints are faster between positions than from one to the next, and accelerate. So where the tool does not keep the speed
+        that is asked for, others are searched on which the joints are slower: first the slowest with which anything connects,
+        then, where that keeps the speed, ones between for a larger minimum manipulability. Where none keeps it the fastest one
+        is returned.
+        """
+        made = best = self._along(found, progress, hold_start=hold_start)
+        demand, first, begin = self.demand, found.indices[:1], found.q[0]
+        pace, layers = None if demand is None else self.at_speed(demand).layers.joint_pace, self.layers
+        if demand is None or pace is None or made.keeps_speed:
+            return made
+        if hold_start:
+            layers = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
+
+        def search(slower: float, prefer: Literal["shortest", "first"] = "shortest") -> SearchResult:
+            slow = replace(layers, joint_pace=pace / slower)
+            return max_min_search(slow, found.epsilon, prefer=prefer, strict=found.strict, explain=False, throw=False)
+
+        low, high = 0.0, _largest(lambda slower: search(slower, "first").connected)
+        for k in range(1 + BETWEEN_PACES):
+            slower = high if not k else float(np.sqrt(low * high))
+            enough = not best.keeps_speed or best.refinement.refined > ENOUGH * made.refinement.refined
+            if self.deadline.left < made.ending or (k and enough) or high < CLOSE * low:
+                break
+            again = search(slower)
+            if not again.connected:  # closed paths are searched for anything that connects by another rule
+                break
+            if hold_start:
+                again = replace(again, q=again.q + 2 * np.pi * np.round((begin - again.q[0]) / (2 * np.pi)))
+            other = self._along(again, progress, hold_start=hold_start, layers=replace(layers, joint_pace=pace / slower))
+            low, high = (max(low, min(1.0, high)), slower) if other.keeps_speed else (slower, high)
+            best = max(best, other, key=RefinedToolPath.rank)
+        return best
+
+    def _along(
+        self, found: SearchResult, progress: Progress, *, hold_start: bool = False, layers: Layers | None = None
+    ) -> RefinedToolPath:
+        """The same for the path that the search found alone; `layers` of the search."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         began = work_time()
         seed, _ = self._joined(found.q, None, hold_start=hold_start)
         ending = ENDING + ENDING_OF_JOINING * (work_time() - began)
         limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
-        refined = refine(self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
+        refined = refine(
+            layers or self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress
+        )
         path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
         loose = np.flatnonzero(self._touching(path) | ~is_inside)
-        return RefinedToolPath(search=found, refinement=refined, path=path, seed=seed, loose=loose, ending=ending)
+        return RefinedToolPath(
+            search=found,
+            refinement=refined,
+            path=path,
+            seed=seed,
+            loose=loose,
+            ending=ending,
+            robot=self.robot,
+            demand=self.demand,
+            is_for_speed=layers is not None,
+        )
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The same with more positions where it is loose between those there are, from the same first configuration."""
-        made, begin, first = self.along(found, progress, hold_start=hold_start), found.q[0], found.indices[:1]
-        layers = self.layers
+        made, layers = self.along(found, progress, hold_start=hold_start), self.layers
+        begin, first = made.search.q[0], made.search.indices[:1]
         alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
         planner = replace(self, layers=alone)
         for _ in range(CLOSER):
@@ -240,7 +385,7 @@ class ToolPathPlanner:
                 planner = planner.halved(made.loose, silent)
             except InvalidInputError:  # no configuration keeps what candidates have to spare there
                 break
-            found = max_min_search(planner.layers, found.epsilon, strict=found.strict, explain=False, throw=False)
+            planner, found = planner.search(found.epsilon, strict=found.strict)
             if not found.connected:
                 break
             found = replace(found, q=found.q + 2 * np.pi * np.round((begin - found.q[0]) / (2 * np.pi)))
@@ -317,6 +462,15 @@ class ToolPathPlanner:
             tube=tube,
             hold_start=hold_start,
         )
+
+
+def _largest(connects: Callable[[float], bool]) -> float:
+    """The largest factor at which anything connects, to a share, by bisection."""
+    low, high = (1.0, np.inf) if connects(1.0) else (0.0, 1.0)
+    while high > CLOSE * low and high > 1 / SLOWEST and low < SLOWEST:
+        factor = 2 * low if np.isinf(high) else high / 2 if not low else float(np.sqrt(low * high))
+        low, high = (factor, high) if connects(factor) else (low, factor)
+    return low or high
 
 
 def outside_limits(path: JointPath, robot: Robot) -> str:

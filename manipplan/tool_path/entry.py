@@ -206,6 +206,8 @@ def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: i
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.
 MOTIONS, TRIES, LISTED = 4, 8, 16
+#: The second of these where the joint path is chosen for a tool speed, which takes several searches.
+STEADY_TRIES = 2
 #: Share of the time that is left that one lead-in gets.
 SHARE = 0.75
 #: Minimum time of one lead-in, where as much is left [s].
@@ -240,6 +242,7 @@ def choose_entry(
     notify: Progress,
     *,
     enough: float = np.inf,
+    steady: Array | None = None,
 ) -> EntryChoice:
     """The entry with the largest minimum manipulability of lead-in and path together.
 
@@ -257,6 +260,8 @@ def choose_entry(
         seconds: time limit of all lead-ins together [s].
         notify: called with the share done.
         enough: the minimum manipulability of the motion before, beyond which more does not count.
+        steady: (n,) the candidate in which the motion at a tool speed begins, where that is not the best one at any speed; it
+            comes first, and few others after it.
     """
     configurations = FirstConfigurations(
         planner=planner, best=first, cap=min(float(integral.kinematics.manipulability(start)), enough)
@@ -265,6 +270,11 @@ def choose_entry(
     if planner.layers.closed and int(first.indices[0]) not in {index for _, index in waiting}:
         (row,) = rate_candidates(first.q[:1], [0], start, integral)  # others may have no motion that returns to them
         waiting.append((replace(row, bound=min(row.bound, first.minimum)), int(first.indices[0])))
+    if steady is not None:
+        k = int(np.abs(planner.layers.q[0] - steady).max(axis=1).argmin())
+        (row,) = rate_candidates(planner.layers.q[0][k : k + 1], [0], start, integral)
+        others = [each for each in waiting if each[1] != k]
+        waiting = [next((each for each in waiting if each[1] == k), (row, k)), *others[: STEADY_TRIES - 1]]
     done: list[GoalCandidate] = []
     best: Entry | None = None
     deadline = planner.deadline
@@ -286,6 +296,9 @@ def choose_entry(
         left = 0.5**tried  # of the share of the work
         tried += 1
         refined = planner.closely_along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        if best is not None and best.refined.keeps_speed and not refined.keeps_speed:
+            done.append(replace(row, status="left out: the tool does not keep its speed from it"))
+            continue
         began = work_time()
         most = min(max(SHARE * seconds, min(LEAST, seconds)), deadline.left - refined.ending)
         lead_in = plan_transit(refined.path.start, most, part(notify, 1 - 0.7 * left, 1 - 0.5 * left))
@@ -299,7 +312,7 @@ def choose_entry(
         least = min(lead_in.min_manipulability, integral.cost(refined.path).min_manipulability)
         status = f"planned: minimum manipulability {least:.4g}"
         done.append(replace(row, min_manipulability=least, g=lead_in.g, status=status))
-        if best is None or least > best.minimum * (1 + GAIN):
+        if best is None or refined.keeps_speed > best.refined.keeps_speed or least > best.minimum * (1 + GAIN):
             done = [replace(each, chosen=False) for each in done]
             done[-1] = replace(done[-1], chosen=True)
             best = Entry(lead_in=lead_in, refined=refined, minimum=least)

@@ -3,7 +3,8 @@
 The parts of a workspace path along which there are continuous motions: all of it or, where none is, the fewest.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
@@ -22,9 +23,11 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import Deadline, OutOfTimeError
-from manipplan.support.errors import InvalidInputError, OutOfReachError
+from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
+from manipplan.support.tolerances import COINCIDENT
+from manipplan.timing.constant_speed import RAMP, SpeedDemand
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
@@ -51,8 +54,53 @@ class FoundPart:
 
     @cached_property
     def refined(self) -> RefinedToolPath:
-        """The joint path along the best motion."""
-        return self.planner.along(self.found, silent, hold_start=self.is_held)
+        """The joint path along the best motion or, where a tool speed is asked for, along one that keeps it."""
+        along = self.planner.along if self.planner.demand is None else self.planner.closely_along
+        return along(self.found, silent, hold_start=self.is_held)
+
+    def split(self, stops: Sequence[float], demand: SpeedDemand, epsilon: ArrayLike) -> "list[FoundPart]":
+        """The parts between those of `stops`, s of the whole path, that are inside this one, for a tool speed."""
+        planner, width = self.planner.at_speed(demand), self.s_end - self.s_begin
+        inside = np.sort((np.asarray(stops) - self.s_begin) % 1.0 / width)
+        inside = inside[(inside > COINCIDENT) & (inside < 1 - COINCIDENT)]
+        assert planner.layers.s is not None
+        new = inside[np.abs(inside[:, None] - planner.layers.s).min(axis=1) > COINCIDENT]
+        with suppress(InvalidInputError):  # no configuration keeps what candidates have to spare: stop at a position beside
+            planner = planner.with_positions(new, silent) if len(new) else planner
+        assert planner.layers.s is not None
+        at = {int(np.abs(each - planner.layers.s).argmin()) for each in inside}
+        if planner.layers.closed:
+            edges = sorted(at or {0})
+            edges.append(edges[0] + len(planner.layers.q))
+        else:
+            edges = sorted(at | {0, len(planner.layers.q) - 1})
+        if len(edges) == 2 and not planner.layers.closed:
+            return [self if self.planner.demand is not None else replace(self, planner=planner)]
+        pieces = [
+            _part(planner, *ends, epsilon, (k + 1) / len(edges), is_held=self.is_held and ends[0] == 0)
+            for k, ends in enumerate(pairwise(edges))
+        ]
+        begins = [self.s_begin + width * each.s_begin for each in pieces]
+        turns = np.floor(np.array(begins) + COINCIDENT).tolist()  # around a closed path
+        return [
+            replace(each, s_begin=max(begin - turn, 0.0), s_end=self.s_begin + width * each.s_end - turn)
+            for each, begin, turn in zip(pieces, begins, turns, strict=True)
+        ]
+
+    def stops(self, epsilon: ArrayLike, most: int) -> list[float]:
+        """At most so many s of the whole path at which a tool that is too slow along this part has to stop; [] for none.
+
+        The fewest between which joints have the time for every step from one position to the next. Where they have it anyway,
+        or more would be needed, the one where limits make the tool slowest, if that is not where ramps are anyway.
+        """
+        slowest, layers = self.refined.slowest_at, self.planner.at_speed(self.planner.demand).layers
+        at = [slowest] if layers.closed or RAMP < slowest < 1 - RAMP else []
+        if not max_min_search(layers, epsilon, prefer="first", explain=False, throw=False).connected:
+            with suppress(PlanningError):  # a single step takes too long: limits bind there
+                edges = np.array(fewest_interruptions(layers, epsilon).edges[not layers.closed : -1])
+                assert layers.s is not None
+                at = layers.s[edges % len(layers.q)].tolist() if len(edges) <= most else at
+        return [self.s_begin + (self.s_end - self.s_begin) * each for each in at if most]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -78,10 +126,11 @@ MOST = 20_000_000
 def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None) -> ToolPathPlanner:
     """The planner with as many more positions as a motion along the path needs.
 
-    They are added where a gap has to be closed, until there is none or they are as close as they may be.
+    They are added where a gap has to be closed, until there is none or they are as close as they may be. Joints that are too
+    slow for the tool speed make no gap: more positions do not help them.
     """
     while True:
-        begun = planner if start is None else planner.starting_at(start)
+        begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
         gaps = find_gaps(begun.layers, epsilon)
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
@@ -114,11 +163,15 @@ def find_parts(
     *,
     connects: bool = True,
     start: Array | None = None,
+    stops: Sequence[float] = (),
 ) -> Iterator[list[FoundPart]] | NotConnected:
     """The fewest parts, with the largest minimum manipulability, or why there are none with so few interruptions.
 
     As many parts with other edges follow, for where the arm cannot leave the path at the edges of the first. Positions are
     added where the joint path of the first part is loose between those there are.
+
+    Where a constant tool speed is asked for joint paths keep it, if the search finds such; see `ToolPathPlanner.along`. If not
+    the path is parted where the speed demands it, as `most` allows: one part after the other, the slowest one first.
 
     Args:
         planner: of motions along the whole path.
@@ -128,7 +181,55 @@ def find_parts(
         connects: whether positions are added where no motion through the given ones is continuous.
         start: (n,) at the first pose of the path, where the motion begins. An interrupted motion around a closed path begins
             elsewhere.
+        stops: s at which a tool that has the speed has to stop.
+
+    Raises InvalidInputError where the tool speed is not kept; the message names the fastest one, and what limits it where.
     """
+    demand = planner.demand
+    options = _closely(planner.at_speed(None) if stops else planner, epsilon, most, notify, connects=connects, start=start)
+    if demand is None or isinstance(options, NotConnected):
+        return options
+    keep = partial(_keeping_speed, demand=demand, epsilon=epsilon, most=most, stops=stops, closed=planner.layers.closed)
+    found = next(options)
+    first = keep(found)
+    interruptions = len(first) - (not planner.layers.closed or first[0].planner.layers.closed)
+    if interruptions > most:
+        raise InvalidInputError("interruptions", most, f"at least {interruptions}, at corners and where no motion leads on")
+    slow, unsplit = _slowest(first), _slowest(found)
+    if slow is not None:
+        if unsplit is not None and unsplit.refined.fastest > slow.refined.fastest:
+            slow = unsplit
+        with suppress(PlanningError):  # of other limits: found when the whole motion is timed
+            demand.timed(slow.refined.path, planner.robot, ends=(slow.s_begin, slow.s_end))
+    return chain([first], map(keep, options))
+
+
+def _keeping_speed(
+    parts: list[FoundPart], demand: SpeedDemand, epsilon: ArrayLike, most: int, stops: Sequence[float], *, closed: bool
+) -> list[FoundPart]:
+    """The same parts, split at stops and where the tool is too slow, with at most so many interruptions."""
+    if stops:
+        parts = [piece for each in parts for piece in each.split(stops, demand, epsilon)]
+    while (slow := _slowest(parts)) is not None and not slow.planner.deadline.passed:
+        interruptions = len(parts) - (not closed or slow.planner.layers.closed)
+        pieces = slow.split(at, demand, epsilon) if (at := slow.stops(epsilon, most - interruptions)) else [slow]
+        if pieces[0] is slow:
+            break
+        k = parts.index(slow)
+        parts = [*parts[:k], *pieces, *parts[k + 1 :]]
+    return parts
+
+
+def _slowest(parts: list[FoundPart]) -> FoundPart | None:
+    """Of the parts on which the tool does not keep its speed the one on which it is slowest; None for none."""
+    slow = [each for each in parts if not each.refined.keeps_speed]
+    return min(slow, key=lambda each: each.refined.fastest, default=None)
+
+
+def _closely(
+    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, *, connects: bool, start: Array | None
+) -> Iterator[list[FoundPart]] | NotConnected:
+    """The fewest parts, with positions added where nothing connects or a joint path is loose between those there are."""
     found: tuple[list[FoundPart], Iterator[list[FoundPart]]] | None = None
     for k in range(CLOSER + 1):
         share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
@@ -164,11 +265,10 @@ def _find_parts(
     planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
 ) -> Iterator[list[FoundPart]] | NotConnected:
     """The same for the positions there are."""
-    begun = planner if start is None else planner.starting_at(start)
-    found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=part(notify, 0.0, 0.4))
+    begun, found = (planner if start is None else planner.starting_at(start)).search(epsilon, progress=part(notify, 0.0, 0.4))
     if found.connected:
         return iter([[FoundPart(s_begin=0.0, s_end=1.0, first=0, planner=begun, found=found, is_held=start is not None)]])
-    best = planner if planner.layers.closed else begun
+    best = planner.at_any_pace() if planner.layers.closed else begun
     parts = find_gaps(best.layers, epsilon).parts
     if parts is None:
         return NotConnected(search=found, planner=begun, message="no interruption helps")
@@ -190,15 +290,16 @@ def _find_parts(
 def _part(planner: ToolPathPlanner, first: int, last: int, epsilon: ArrayLike, time: float, *, is_held: bool) -> FoundPart:
     """The part from one position to another, improved until a share of the time that is left is over."""
     of_part, s = planner.between(first, last), planner.layers.s
+    of_part, found = of_part.search(epsilon)
     of_part = replace(of_part, deadline=Deadline.within(time * planner.deadline.left))
     assert s is not None
     count = len(s)
     return FoundPart(
-        s_begin=float(s[first % count]) + first // count,
-        s_end=float(s[last % count]) + last // count,
+        s_begin=float(s[first % count]),
+        s_end=float(s[last % count]) + last // count - first // count,
         first=first,
         planner=of_part,
-        found=max_min_search(of_part.layers, epsilon),
+        found=found,
         is_held=is_held,
     )
 
@@ -249,9 +350,9 @@ class FollowingMotion:
             if each.transit is not None:
                 pairs.append((each.transit.path, each.transit.path))
             control, path = each.refined.seed.control.copy(), each.refined.path
-            if transits[k] is not None:  # the seed begins and ends where transits do
+            if k or transits[0] is not None:  # the seed begins and ends where transits and other parts do
                 control[0, 0] = path.start
-            if transits[k + 1] is not None:
+            if k + 1 < len(self.parts) or self.back is not None:
                 control[-1, -1] = path.goal
             pairs.append((path, JointPath(breaks=each.refined.seed.breaks, control=control)))
         if self.back is not None:
@@ -334,13 +435,26 @@ class PartsJoiner:
                 pieces.append(FollowedPart(part=each, refined=each.refined, transit=None))
                 least = transits.integral.cost(each.refined.path).min_manipulability
                 continue
+            onwards = self._onwards(each, begin, least) if pieces else None
+            if onwards is not None:
+                pieces.append(FollowedPart(part=each, refined=onwards, transit=None))
+                least = min(least, transits.integral.cost(onwards.path).min_manipulability)
+                continue
             plan_transit = transits.between(begin, self.way) if pieces else transits.lead_in(begin)
             where = f"no way on after the interruption at s = {each.s_begin % 1.0:.4f}: " if pieces else ""
             failure = partial(PartsFailure, search=search, at_cut=bool(pieces))
             if isinstance(plan_transit, Failure):
                 return failure(message=where + plan_transit.message, candidates=candidates)
             choice = choose_entry(
-                each.planner, each.found, begin, transits.integral, plan_transit, transits.seconds, share, enough=least
+                each.planner,
+                each.found,
+                begin,
+                transits.integral,
+                plan_transit,
+                transits.seconds,
+                share,
+                enough=least,
+                steady=each.refined.search.q[0] if each.planner.demand is not None and each.refined.is_for_speed else None,
             )
             if not pieces:
                 candidates = choice.candidates
@@ -350,9 +464,24 @@ class PartsJoiner:
             least = min(least, choice.entry.minimum)
         if not returns:
             return FollowingMotion(parts=tuple(pieces), candidates=candidates)
-        plan_transit, first = transits.between(pieces[-1].refined.path.goal, self.way), pieces[0].refined.path.start
+        first = pieces[0].refined.path.start
+        if not self.way.any() and np.abs(pieces[-1].refined.path.goal - first).max() < COINCIDENT:
+            return FollowingMotion(parts=tuple(pieces), candidates=candidates)
+        plan_transit = transits.between(pieces[-1].refined.path.goal, self.way)
         back = plan_transit if isinstance(plan_transit, Failure) else plan_transit(first, transits.seconds, silent)
         if isinstance(back, Failure):
             message = f"no way back to the configuration in which the path began: {back.message}"
             return PartsFailure(message=message, search=search, candidates=candidates, at_cut=True)
         return FollowingMotion(parts=tuple(pieces), candidates=candidates, back=back)
+
+    def _onwards(self, part: FoundPart, begin: Array, least: float) -> RefinedToolPath | None:
+        """The motion along a part from a configuration (n,) at its first pose, where the tool has only to stop for its speed.
+
+        None where the tool has to leave the path, and where others have a larger minimum manipulability.
+        """
+        if self.way.any() or part.planner.demand is None or not part.planner.is_at_start(begin):
+            return None
+        made = part.planner.starting_at(begin).best(part.found.epsilon, hold_start=True, explain=False)
+        if isinstance(made, Failure) or not made.keeps_speed or made.refinement.refined < min(least, part.found.minimum):
+            return None
+        return made

@@ -240,7 +240,14 @@ def calls(folder: Path) -> dict[str, Call]:
         "MoveTo": C(mp.MoveTo, {"goal": goal}, free=("goal",)),
         "MoveAlong": C(
             mp.MoveAlong,
-            {"path": line, "tool_speed": 0.1, "tolerance": mp.Tolerance(position=0.1), "task": position, "positions": 9},
+            {
+                "path": line,
+                "tool_speed": 0.1,
+                "slowdown": 0.1,
+                "tolerance": mp.Tolerance(position=0.1),
+                "task": position,
+                "positions": 9,
+            },
         ),
         "Avoidance": C(
             mp.Avoidance,

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.timing.constant_speed import limits_bound, retime_steady, standing
+from manipplan.timing.constant_speed import SpeedDemand, limits_bound, standing
 
 seeds = st.integers(0, 2**32 - 1)
 ARM = mp.planar_arm([1.0, 1.0, 1.0])
@@ -113,13 +113,13 @@ def test_a_constant_speed_is_kept_or_the_fastest_is_named(seed, arm, jerk, magni
     bound = min(each.speed for each in limits_bound(path, arm))
     speed = 10**magnitude * bound
     try:
-        motion, kept = retime_steady(path, arm, speed)
+        motion, kept = SpeedDemand(speed=speed).timed(path, arm)
     except mp.errors.InvalidInputError as refused:
         assert magnitude > np.log10(0.7), "limits allow this speed"
         fastest = float(re.search(r"at most ([\d.e-]+) m/s, .* limit of \w+ allows no faster", refused.allowed).group(1))
         assert fastest > 0.5 * bound
         speed = 0.9 * fastest
-        motion, kept = retime_steady(path, arm, speed)
+        motion, kept = SpeedDemand(speed=speed).timed(path, arm)
     assert kept.is_steady and max(kept.ramps) <= 0.1 * kept.length
     data, frame = arm.model.createData(), arm.model.getFrameId(arm.tool)
     t = np.linspace(kept.begin, kept.end, 4001)

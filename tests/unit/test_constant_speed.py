@@ -1,13 +1,15 @@
 """Constant speeds of the tool: kept between short ramps, and where they are not possible the fastest one is named."""
 
 import re
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.timing.constant_speed import limits_bound, measure_speed, retime_steady
+from manipplan.timing.constant_speed import SpeedDemand, limits_bound, measure_speed
 
 FEW = {"samples": 48, "epsilon": 0.5}
 
@@ -71,9 +73,9 @@ def test_after_a_lead_in(panda, line, tmp_path):
 @pytest.mark.slow
 def test_the_fastest_speed_is_named_and_kept(panda, line):
     with pytest.raises(
-        mp.errors.InvalidInputError, match=r"tool_speed: got 5.0; allowed: at most [\d.]+ m/s, the fastest"
+        mp.errors.InvalidInputError, match=r"tool_speed: got 2.5; allowed: at most [\d.]+ m/s, the fastest"
     ) as told:
-        mp.follow(panda, line, tool_speed=5.0, positions=8, **FEW)
+        mp.follow(panda, line, tool_speed=2.5, positions=8, **FEW)
     fastest = float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1))
     plan = mp.follow(panda, line, tool_speed=fastest, positions=8, **FEW)
     assert plan.report.passed and plan.report.along[0].tool_speed.is_steady
@@ -88,7 +90,7 @@ def test_the_limits_that_bound_a_constant_speed():
     bound, _ = limits_bound(path, arm)
     assert bound.speed == pytest.approx(2.0, rel=1e-9) and (bound.kind, bound.joint) == ("velocity", "joint1")
     with pytest.raises(mp.errors.InvalidInputError, match="velocity limit of joint1") as told:
-        retime_steady(path, arm.with_limits(acceleration=50.0), 3.0)
+        SpeedDemand(speed=3.0).timed(path, arm.with_limits(acceleration=50.0))
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(2.0, rel=0.02)
 
 
@@ -97,7 +99,7 @@ def test_a_path_too_short_for_its_ramps():
     """From rest v takes v² / 2a, and a tenth of the path is 0.157 m: v = √(2a · 0.157 m)."""
     arm, path = one_joint()
     with pytest.raises(mp.errors.InvalidInputError, match="to or from rest") as told:
-        retime_steady(path, arm.with_limits(velocity=10.0), 3.0)
+        SpeedDemand(speed=3.0).timed(path, arm.with_limits(velocity=10.0))
     most = np.sqrt(2 * 5.0 * np.pi / 20)
     assert float(re.search(r"at most ([\d.]+) m/s", str(told.value)).group(1)) == pytest.approx(most, rel=0.03)
 
@@ -116,7 +118,7 @@ def test_a_motion_that_turns_back_has_no_constant_speed():
     arm = mp.planar_arm([0.6, 0.4])
     there = mp.JointPath.through([[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]])
     with pytest.raises(mp.errors.InvalidInputError, match="a path that is split at s = 0.5.*stands still"):
-        retime_steady(there, arm, 0.1)
+        SpeedDemand(speed=0.1).timed(there, arm)
 
 
 def test_the_measure_tells_a_dip():
@@ -145,7 +147,7 @@ def test_a_winding_seam_is_followed_at_a_constant_speed(panda):
     plan = mp.follow(panda, mp.CartesianPath.through(poses), objective=objective)
     for arm in (panda, panda.with_limits(jerk=np.inf)):
         for speed in (0.015, 0.09):
-            motion, kept = retime_steady(plan.path, arm, speed)
+            motion, kept = SpeedDemand(speed=speed).timed(plan.path, arm)
             t, speeds = tool_speeds(arm, motion)
             between = speeds[(t > kept.begin + 0.02) & (t < kept.end - 0.02)]
             assert kept.is_steady and between.min() >= 0.9899 * speed and speeds.max() <= speed * (1 + 1e-4)
@@ -163,18 +165,18 @@ def test_the_tool_slows_where_it_may():
     with pytest.raises(
         mp.errors.InvalidInputError, match="acceleration limit of joint2 allows no faster one at s = "
     ) as refused:
-        retime_steady(path, arm, 0.4)
+        SpeedDemand(speed=0.4).timed(path, arm)
     share = float(re.search(r"slowdown=([\d.]+)", refused.value.allowed).group(1))
     fastest = float(refused.value.allowed.split()[2])
     assert 0.05 < share < 1 and fastest == pytest.approx(0.4 * (1 - share), rel=0.25)
-    motion, kept = retime_steady(path, arm, 0.4, slowdown=share)
+    motion, kept = SpeedDemand(speed=0.4, slowdown=share).timed(path, arm)
     t, speeds = tool_speeds(arm, motion)
     inside = (t > kept.begin) & (t < kept.end)
     assert kept.is_steady and kept.slowdown == share and speeds[inside].min() >= 0.4 * (1 - share) * (1 - 1e-3)
     assert abs(t[inside][speeds[inside].argmin()] - kept.slowest_at) < 0.01 and kept.fastest > 0.395
     with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
-        retime_steady(path, arm, 0.4, slowdown=share - 0.02)
-    _, steady = retime_steady(path, arm, fastest)
+        SpeedDemand(speed=0.4, slowdown=share - 0.02).timed(path, arm)
+    _, steady = SpeedDemand(speed=fastest).timed(path, arm)
     assert steady.is_steady
 
 
@@ -182,7 +184,7 @@ def test_the_tool_slows_where_it_may():
 def test_the_message_names_the_place_on_the_tools_path():
     arm, path = bent_path()
     with pytest.raises(mp.errors.InvalidInputError) as refused:
-        retime_steady(path, arm, 0.4, ends=(0.2, 0.4))
+        SpeedDemand(speed=0.4).timed(path, arm, ends=(0.2, 0.4))
     s, *position = (float(each) for each in re.findall(r"-?\d\.\d{3}\b", refused.value.allowed.split(" allows ")[1])[:4])
     assert 0.3 < s < 0.4
     np.testing.assert_allclose(position, arm.kinematics().pose(path(np.array([(s - 0.2) / 0.2])))[0][:3, 3], atol=2e-3)
@@ -196,6 +198,134 @@ def test_a_sharp_corner_is_refused_before_the_work(panda):
     with pytest.raises(mp.errors.InvalidInputError, match=r"at s = 0\.5\d*, x y z = .* turns a corner"):
         mp.follow(panda, mp.CartesianPath.through(poses), tool_speed=2.0, progress=lambda *each: told.append(each))
     assert told == []
+
+
+def with_corners(panda, corners):
+    """A path from the Panda's neutral pose straight on by each of corners (k, 2) [m], through poses of 10 mm or less apart."""
+    places = np.vstack([[0.0, 0.0], corners])
+    shares = np.linspace(0, 1, 16)[1:, None]
+    way = np.vstack([places[:1], *(begin + shares * (end - begin) for begin, end in pairwise(places))])
+    poses = np.tile(np.array(panda.kinematics().pose(panda.neutral)), (len(way), 1, 1))
+    poses[:, :2, 3] += way
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))])
+    return mp.CartesianPath.through(poses), length / length[-1]
+
+
+def is_kept(robot, plan, speed):
+    """Whether the tool has the speed between the ramps of each part, by finite differences, and no limit is exceeded."""
+    t, speeds = tool_speeds(robot, plan.trajectory)
+    rates, limits = [plan.trajectory(t, order) for order in (1, 2)], robot.limits
+    assert (np.abs(rates[0]) <= limits.velocity * (1 + 1e-3)).all()
+    assert (np.abs(rates[1]) <= limits.acceleration * (1 + 1e-2)).all()
+    kept = [each.tool_speed for each in plan.report.along]
+    between = [speeds[(t > each.begin + 1e-3) & (t < each.end - 1e-3)] for each in kept]
+    ramps = max(max(each.ramps) / each.length for each in kept)
+    return ramps <= 0.1 and all(each.min() >= speed * 0.9899 and each.max() <= speed * (1 + 1e-4) for each in between)
+
+
+@pytest.mark.slow
+def test_a_seam_that_only_joint_paths_chosen_for_the_speed_allow(panda):
+    """A winding seam of 3.4 m: on the joint path of the largest minimum manipulability the tool has at most 0.12 m/s."""
+    u = np.linspace(0, 1, 400)
+    angle, radius = -2.6 + 7.4 * u, 0.45 + 0.05 * np.sin(9 * u)
+    poses = np.tile(np.diag([1.0, -1.0, -1.0, 1.0]), (400, 1, 1))
+    poses[:, :3, 3] = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.25 + 0.25 * u], axis=1)
+    path, objective = mp.CartesianPath.through(poses), mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
+    best = mp.follow(panda, path, objective=objective)
+    with pytest.raises(mp.errors.InvalidInputError, match="the fastest constant speed"):
+        SpeedDemand(speed=0.12).timed(best.path, panda)
+    plan = mp.follow(panda, path, objective=objective, tool_speed=1.0)
+    assert plan.report.passed and len(plan.report.along) == 1 and is_kept(panda, plan, 1.0)
+    assert plan.result.min_manipulability > 0.7 * best.result.min_manipulability
+
+
+@pytest.mark.slow
+def test_a_corner_is_parted_where_the_speed_demands_it(panda):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    with pytest.raises(mp.errors.InvalidInputError, match=r"tool_speed: got 0\.2.*limit of panda_joint\d .* at s = 0\.500"):
+        mp.follow(panda, path, tool_speed=0.2)
+    plan = mp.follow(panda, path, tool_speed=0.2, interruptions=1, retreat=0.0)
+    assert plan.report.passed and is_kept(panda, plan, 0.2)
+    assert [each.s_end for each in plan.report.along] == pytest.approx([0.5, 1.0], abs=5e-4)
+
+
+@pytest.mark.slow
+def test_cuts_are_at_the_corners_whatever_the_positions(panda):
+    path, s = with_corners(panda, np.array([[0.12, 0.0], [0.06, 0.1], [0.0, 0.0]]))
+    for positions in (None, 11):
+        plan = mp.follow(panda, path, tool_speed=0.2, interruptions=5, retreat=0.0, positions=positions)
+        assert plan.report.passed and is_kept(panda, plan, 0.2)
+        assert [each.s_end for each in plan.report.along] == pytest.approx([s[15], s[30], 1.0], abs=2e-3)
+    plan = mp.follow(panda, path, tool_speed=0.2, interruptions=3, retreat=0.0, closed=True)
+    assert plan.report.passed and is_kept(panda, plan, 0.2)
+    assert sorted(each.s_begin for each in plan.report.along) == pytest.approx([0, s[15], s[30]], abs=2e-3)
+
+
+@pytest.mark.slow
+def test_a_refusal_does_not_depend_on_the_clock(panda, monkeypatch):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    messages, now = [], [0.0]
+
+    def slow_clock():
+        now[0] += 100.0
+        return now[0]
+
+    for clock in (None, slow_clock):
+        if clock is not None:
+            monkeypatch.setattr("manipplan.support.deadline._clock.time", clock)
+        with pytest.raises(mp.errors.InvalidInputError, match="tool_speed") as refused:
+            mp.follow(panda, path, tool_speed=0.3, positions=20)
+        messages.append(str(refused.value))
+    assert messages[0] == messages[1]
+
+
+def test_a_speed_that_the_arm_never_has_is_refused_before_the_work(panda, line):
+    told = []
+    wanted = "no motion within the acceleration limits reaches more from rest on a tenth of the path"
+    with pytest.raises(mp.errors.InvalidInputError, match=wanted) as refused:
+        mp.follow(panda, line, tool_speed=5.0, progress=lambda *each: told.append(each))
+    most = float(re.search(r"at most ([\d.]+) m/s", str(refused.value)).group(1))
+    fast = panda.with_limits(acceleration=1e4, jerk=np.inf)
+    with pytest.raises(mp.errors.InvalidInputError, match="no motion within the velocity limits is faster"):
+        mp.follow(fast, line, tool_speed=50.0, progress=lambda *each: told.append(each))
+    with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[0\]\.tool_speed.*no motion within the velocity limits"):
+        mp.sequence(fast, panda.neutral, [mp.MoveAlong(line, tool_speed=50.0)])
+    assert told == [] and 1.0 < most < 5.0
+
+
+@pytest.mark.slow
+def test_a_tool_of_a_program_slows_where_it_may(panda):
+    path, _ = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
+    begin = panda.neutral
+    with pytest.raises(mp.errors.InvalidInputError, match="tool_speed"):
+        mp.sequence(panda, begin, [mp.MoveAlong(path, tool_speed=0.2)])
+    made = mp.sequence(panda, begin, [mp.MoveAlong(path, tool_speed=0.2, slowdown=0.7)])
+    kept = made.marks[0].tool_speed
+    assert made.passed and kept.is_steady and kept.slowdown == 0.7 and 0.06 <= kept.slowest < 0.15 < kept.fastest
+    t, speeds = tool_speeds(panda, made.trajectory)
+    least = speeds[(t > kept.begin + 1e-3) & (t < kept.end - 1e-3)].min()
+    assert 0.06 * 0.999 <= kept.slowest <= least * 1.001 and least < 0.15  # at the corner
+    for slowdown in (0.0, 1.0, np.nan):
+        with pytest.raises(mp.errors.InvalidInputError, match="slowdown"):
+            mp.MoveAlong(path, tool_speed=0.2, slowdown=slowdown)
+    with pytest.raises(mp.errors.InvalidInputError, match=r"0\.01 where no tool_speed"):
+        mp.MoveAlong(path, slowdown=0.5)
+
+
+def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
+    """The best path is that of brute force among the candidates with such steps."""
+    layers = mp.sample_layers(panda, line, 6, samples=16)
+    free = mp.max_min_search(layers, 1.0)
+    widest = np.abs(np.diff(free.q, axis=0)).max(axis=0)
+    slower = replace(layers, joint_pace=np.where(widest == widest.max(), 0.7, 10.0) * widest / (line.length / 5))
+    limits = slower.step_limits(np.ones(7))
+    value = layers.m[0]
+    for k in range(1, 6):
+        near = (np.abs(layers.q[k][:, None] - layers.q[k - 1]) < limits[k - 1]).all(axis=2)
+        value = np.minimum(layers.m[k], np.where(near, value, -np.inf).max(axis=1))
+    found = mp.max_min_search(slower, 1.0, throw=False)
+    assert limits.shape == (5, 7) and (limits < 1).any()
+    assert found.minimum == value.max() <= free.minimum
 
 
 @pytest.mark.parametrize("slowdown", [0.0, 1.0, -0.1, np.nan, "half"])

@@ -23,13 +23,13 @@ def test_candidates_sorted_by_cell(share, rng):
     q, m = rng.uniform(-3, 3, (5000, 4)), rng.uniform(size=5000)
     grid = choose_grid(q, np.array([q.min(axis=0), q.max(axis=0)]), np.full(4, 0.4), TURNS, 2000)
     assert grid.wraps.any() and (grid.count > 1).sum() > 1
-    cells = sorted_into_cells(q, m, 0.3, share, 0.9, grid)
+    cells = sorted_into_cells(q, m, np.full(4, 0.4), 0.3, share, 0.9, grid)
     taken = np.sort(cells.ids)
     if share == 1:
         np.testing.assert_array_equal(taken, np.flatnonzero(m >= 0.3))
     else:
         assert 0.4 < len(taken) / (m >= 0.3).sum() < 0.6
-        assert set(sorted_into_cells(q, m, 0.3, 0.2, 0.9, grid).ids) <= set(taken)
+        assert set(sorted_into_cells(q, m, np.full(4, 0.4), 0.3, 0.2, 0.9, grid).ids) <= set(taken)
     np.testing.assert_array_equal(cells.m, np.minimum(m[cells.ids], 0.9))
     np.testing.assert_array_equal(cells.rows, q[cells.ids][:, grid.order])
     x = q[taken][:, grid.joints]
