@@ -206,14 +206,8 @@ class Layers:
         """Smallest over the layers of the largest manipulability: no path's minimum manipulability exceeds it, for any ε."""
         return float(min(value.max() for value in self.m))
 
-    def step_limits(self, epsilon: Array) -> Array:
-        """Bound on the step of each joint from each layer to the next, (L - 1, n), or (L, n) where they are closed."""
-        if self.joint_pace is None:
-            return np.broadcast_to(epsilon, (len(self.q) - (not self.closed), self.n))
-        return np.minimum(epsilon, self._ways[:, None] * self.joint_pace)
-
     @cached_property
-    def _ways(self) -> Array:
+    def ways(self) -> Array:
         """Length of the tool's way from each layer to the next (L - 1,), or (L,) where they are closed [m]."""
         assert self.s is not None and self.sampling is not None
         s = np.append(self.s, 1.0) if self.closed else self.s
@@ -287,3 +281,10 @@ def _extreme(layer: Array, extreme: np.ufunc) -> Array:
         folded = extreme.reduce(layer[:whole].reshape(-1, FOLD * layer.shape[1]), axis=0)
         result = extreme(result, extreme.reduce(folded.reshape(FOLD, -1), axis=0))
     return np.asarray(result, dtype=np.float64)
+
+
+def step_limits(layers: Layers, epsilon: Array) -> Array:
+    """Bound on the step of each joint from each layer to the next, (L - 1, n), or (L, n) where they are closed."""
+    if layers.joint_pace is None:
+        return np.broadcast_to(epsilon, (len(layers.q) - (not layers.closed), layers.n))
+    return np.minimum(epsilon, layers.ways[:, None] * layers.joint_pace)

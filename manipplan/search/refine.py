@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from manipplan.paths.tolerance import Tolerance
-from manipplan.search.layers import Layers
+from manipplan.search.layers import Layers, step_limits
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.sweep import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, flag, instance, number, whole_number
@@ -154,7 +154,7 @@ class _Refiner:
         self.hold_start, self.deadline = hold_start, deadline
         self.program = level_program(self.kinematics, len(self.poses), closed=layers.closed)
         self.tolerance, self.is_exact = self.program.rows.box(tolerance), tolerance is None
-        self.step_limits = layers.step_limits(found.epsilon)
+        self.step_limits = step_limits(layers, found.epsilon)
         self.history = [found.minimum]
         self.bound = self._bound()
 

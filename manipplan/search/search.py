@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.search.layers import Layers
+from manipplan.search.layers import Layers, step_limits
 from manipplan.search.sweep import (
     SAMPLE,
     Cells,
@@ -193,13 +193,13 @@ class ThresholdSearch:
 
     def _stages(self, reach: Array) -> list[SweepStage]:
         """The layers, each with the bound on the step to it from the one before."""
-        limits, layers = self.layers.step_limits(reach), self.layers
+        limits, layers = step_limits(self.layers, reach), self.layers
         return [SweepStage(q, m, limits[k - 1]) for k, (q, m) in enumerate(zip(layers.q, layers.m, strict=True))]
 
     def _grid(self, reach: Array, active: float) -> Grid:
         q = self.layers.q[int(self.layers.sizes.argmax())]
         most = int(max(FEWEST_CELLS, CELLS * active / len(self.layers.q)))
-        widest = self.layers.step_limits(reach).max(axis=0)
+        widest = step_limits(self.layers, reach).max(axis=0)
         return choose_grid(q[:: max(1, len(q) // SAMPLE)], self.layers.extent, widest, self.layers.continuous, most)
 
     def _sort(self, stages: list[SweepStage], part: Subset, grid: Grid) -> Iterator[Cells]:

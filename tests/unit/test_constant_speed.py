@@ -9,6 +9,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
+from manipplan.search.layers import step_limits
 from manipplan.timing.constant_speed import SpeedDemand, limits_bound, measure_speed
 
 FEW = {"samples": 48, "epsilon": 0.5}
@@ -318,7 +319,7 @@ def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
     free = mp.max_min_search(layers, 1.0)
     widest = np.abs(np.diff(free.q, axis=0)).max(axis=0)
     slower = replace(layers, joint_pace=np.where(widest == widest.max(), 0.7, 10.0) * widest / (line.length / 5))
-    limits = slower.step_limits(np.ones(7))
+    limits = step_limits(slower, np.ones(7))
     value = layers.m[0]
     for k in range(1, 6):
         near = (np.abs(layers.q[k][:, None] - layers.q[k - 1]) < limits[k - 1]).all(axis=2)

@@ -9,6 +9,7 @@ from manipplan.programs import leg_motions
 from manipplan.programs.leg_motions import ToolPathPlanners, _along, _on_path
 from manipplan.search.sampling import sample_layers
 from manipplan.support.status import Failure
+from manipplan.tool_path.engine import ToolPathPlanner
 
 
 @pytest.fixture
@@ -42,7 +43,7 @@ def test_a_pose_between_positions_out_of_reach_is_not_for_every_start(planar, st
 def test_a_pose_between_positions_that_no_configuration_reaches_is_named(planar, step, state, monkeypatch):
     layers = sample_layers(planar, step.path, 4)
     apart = mp.Layers(q=(layers.q[0], layers.q[1] + 3.0, *layers.q[2:]), m=layers.m, s=layers.s, continuous=layers.continuous)
-    monkeypatch.setattr(ToolPathPlanners, "made", lambda *_, **__: SimpleNamespace(layers=apart))
+    monkeypatch.setattr(ToolPathPlanners, "made", lambda *_, **__: ToolPathPlanner(path=step.path, layers=apart))
     monkeypatch.setattr(leg_motions, "connect", no_pose)
     leg = SimpleNamespace(rest=[(2, step)], along=step)
     with pytest.raises(mp.errors.InvalidInputError, match=r"steps\[2\].path, s = 0.25: got .* a pose within reach"):
