@@ -45,7 +45,7 @@ POSES, VIA = 200, 5
 CORNERS = np.array([[0.45, -0.2, 0.35], [0.6, -0.2, 0.35], [0.6, 0.2, 0.35], [0.45, 0.2, 0.45], [0.45, -0.1, 0.45]])
 #: Number of times at which the tool is compared with the poses, of those beside the nearest one where a pose may be met, of
 #: configurations that are checked for collisions, and of random postures that show which links always touch.
-TIMES, BESIDE, CHECKED, POSTURES = 4000, 6, 400, 100
+TIMES, BESIDE, CHECKED, POSTURES = 4000, 40, 400, 100
 #: Depth of an overlap that counts as contact [m].
 CONTACT = 1e-6
 

@@ -30,6 +30,8 @@ SHARES = 33
 BESIDE = 1e-3
 #: Number of tool poses compared at a time, of pairs of a pose and a piece, and of pairs of which distances are estimated.
 BLOCK, PAIRS, MOST_PAIRS = 256, 10_000, 1_000_000
+#: Number of pieces about the nearest one on which both parts of a tolerance may be kept.
+AROUND = 49
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -311,16 +313,39 @@ def distances_from(
         if tolerance is not None:
             allowed = np.array([tolerance.position or np.inf, tolerance.rotation or np.inf])
             outside = np.flatnonzero((own > allowed).any(axis=1))
-            own[outside] = _within(allowed, line, pieces[:, outside], some[outside], free)
+            reach = own[outside, 0] + 2 * (tolerance.position or 0.0)
+            around = [_around(line, k[outside], reach) for k in (first, other)]
+            found, piece = _within(allowed, line, np.concatenate([pieces[:, outside], *around]), some[outside], free)
+            closer, _ = _within(allowed, line, _around(line, piece, 2 * reach / AROUND), some[outside], free)
+            nearer = (closer / allowed).max(axis=1) < (found / allowed).max(axis=1)
+            own[outside] = np.where(nearer[:, None], closer, found)
         position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = own.T
     return position, rotation
 
 
-def _within(allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array, free: FreeMotion) -> Array:
-    """Distances and angles (k, 2) of poses (k, 4, 4) from where on pieces (6, k) they exceed `allowed` (2,) the least."""
+def _around(line: Array, pieces: NDArray[np.intp], reach: Array) -> NDArray[np.intp]:
+    """Pieces (AROUND, k) of a line within `reach` (k,) along it of others (k,): both parts of a tolerance may be kept there.
+
+    Where pieces are short, that is not beside the one which is nearest by the sum of both.
+    """
+    along = np.append(0.0, np.linalg.norm(np.diff(line[:, :3, 3], axis=0), axis=1).cumsum())
+    begin = np.searchsorted(along, along[pieces] - reach)
+    end = np.searchsorted(along, along[pieces + 1] + reach)
+    spread = begin + (end - begin) * np.linspace(0.0, 1.0, AROUND)[:, None]
+    return np.clip(np.rint(spread).astype(np.intp), 0, len(line) - 2)
+
+
+def _within(
+    allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array, free: FreeMotion
+) -> tuple[Array, NDArray[np.intp]]:
+    """Distances and angles (k, 2) of poses (k, 4, 4) from where on pieces (p, k) they exceed `allowed` (2,) the least.
+
+    Returns them and the pieces (k,).
+    """
     from scipy.spatial.transform import Rotation
 
     best, least = np.full((len(poses), 2), np.inf), np.full(len(poses), np.inf)
+    own = pieces[0].copy()
     for k in pieces if len(poses) else ():
         start, along, offset, turn = _on_pieces(poses, line[k], line[k + 1], free)
         for share in np.linspace(0.0, 1.0, SHARES):
@@ -329,8 +354,8 @@ def _within(allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array,
             found = np.column_stack([np.linalg.norm(offset - share * along, axis=1), angles])
             excess = (found / allowed).max(axis=1)
             better = excess < least
-            best[better], least[better] = found[better], excess[better]
-    return best
+            best[better], least[better], own[better] = found[better], excess[better], k[better]
+    return best, own
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

@@ -3,6 +3,9 @@
 import numpy as np
 import pinocchio as pin
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.paths.cartesian import CartesianPath
@@ -247,6 +250,27 @@ def test_a_pose_within_the_tolerance_of_some_pose_of_the_path_is_within_it():
     beyond = turned(shifted(turning(s), [0, 1.5e-4, 0]), [0, 0, 2.9e-3])
     position, rotation = deviations(turning, beyond, tolerance=tolerance)
     assert ((position > tolerance.position) | (rotation > tolerance.rotation)).all()
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.floats(0.5, 0.95), st.floats(2.0, 40.0), st.floats(0.0, 0.8), st.integers(1, 8))
+def test_both_parts_are_kept_where_the_sum_is_not_smallest(height, rate, share, fineness):
+    """A tool that turns by `rate` [rad/m] past a pose whose position is `height` tolerances off its straight way."""
+    tolerance = mp.Tolerance(position=1e-4, rotation=1e-3)
+    half = 1e-4 * np.sqrt(1 - height**2)  # of the way on which the position is kept
+    u = np.arange(-6e-4, 6e-4, 4e-6 / fineness)
+    angles = 1e-3 + rate * (share * half - u)  # the rotation is kept from u = share * half on
+    way = np.tile(np.eye(4), (len(u), 1, 1))
+    way[:, 0, 3] = u
+    way[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * [0.0, 0.0, 1.0]).as_matrix()
+    pose = np.eye(4)
+    pose[1, 3] = height * 1e-4
+    position, rotation = distances_from(way, pose[None], tolerance=tolerance)
+    fine = np.linspace(-6e-4, 6e-4, 200_001)
+    apart = [np.hypot(fine, height * 1e-4) / 1e-4, np.abs(1e-3 + rate * (share * half - fine)) / 1e-3]
+    least = np.max(apart, axis=0).min()
+    assert least <= 1
+    assert max(position[0] / 1e-4, rotation[0] / 1e-3) <= max(1.0, least + 0.02)
 
 
 @pytest.mark.parametrize("tolerance", [mp.Tolerance(position=1e-4), mp.Tolerance(rotation=2e-3)], ids=["position", "rotation"])
