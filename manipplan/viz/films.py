@@ -119,6 +119,9 @@ class _FilmFigure:
         from matplotlib.figure import Figure
 
         self.shown, self.motions = shown, shown.motions[::-1]
+        self.end = max(float(shown.t[-1]), 1e-9)
+        self.highest = max(float(each.manipulability.max()) for each in self.motions)
+        self.decimals = int(np.clip(2 - np.floor(np.log10(max(self.highest, 1e-12))), 0, 8))
         self.unit = style.raised(shown.kinematics.measure.unit(shown.kinematics.task))
         self.ink, self.faint, self.paper = INK[dark]
         heights = [2 * round(share * width / 2) for share in (HEAD, ARMS, CHART)]
@@ -172,7 +175,7 @@ class _FilmFigure:
             ax.spines[side].set_visible(False)
         ax.tick_params(colors=self.ink, length=0, labelsize=8 * self.scale)
         ax.tick_params(axis="x", pad=6 * self.scale)
-        ax.set(xlim=(0, shown.t[-1]), ylim=(0, 1.12 * max(each.manipulability.max() for each in self.motions)))
+        ax.set(xlim=(0, self.end), ylim=(0, 1.12 * max(self.highest, 1e-12)))
         ax.locator_params(axis="y", nbins=4)
         ax.xaxis.set_major_formatter(lambda t, _: f"{t:g} s")
         text: dict[str, Any] = {"transform": ax.transAxes, "color": self.ink, "size": 9 * self.scale, "va": "top"}
@@ -186,11 +189,11 @@ class _FilmFigure:
             [dot] = ax.plot([], [], "o", color=each.colour, markersize=6 * self.scale, clip_on=False)
             k = int(each.manipulability.argmin())
             least = ax.annotate(
-                f"minimum {each.manipulability[k]:.4f}",
+                f"minimum {each.manipulability[k]:.{self.decimals}f}",
                 (shown.t[k], each.manipulability[k]),
                 xytext=(0, 7 * self.scale),
                 textcoords="offset points",
-                ha=("left", "center", "right")[int(np.digitize(shown.t[k] / shown.t[-1], (0.1, 0.9)))],
+                ha=("left", "center", "right")[int(np.digitize(shown.t[k] / self.end, (0.1, 0.9)))],
                 va="bottom",
                 color=each.colour,
                 weight="bold",
@@ -207,7 +210,7 @@ class _FilmFigure:
         for each, picture, value, curve in zip(self.motions, self.pictures, self.values, self.curves, strict=True):
             picture.set_data(self._rendered(each, time))
             m = float(shown.kinematics.manipulability(each.at(time)))
-            value.set_text(f"m = {m:.4f} {self.unit}")
+            value.set_text(f"m = {m:.{self.decimals}f} {self.unit}".rstrip())
             line, dot, least = curve
             line.set_data([*shown.t[:done], time], [*each.manipulability[:done], m])
             dot.set_data([time], [m])
@@ -218,7 +221,7 @@ class _FilmFigure:
     def _rendered(self, each: MotionSamples, time: float) -> Picture:
         q, shown = each.at(time), self.shown
         step = max(len(shown.t) // WAY, 1)
-        lines = [DrawnWay(points=way[::step], colour=each.colour, done=time / shown.t[-1]) for way in each.tools]
+        lines = [DrawnWay(points=way[::step], colour=each.colour, done=time / self.end) for way in each.tools]
         scale = LARGER * shown.scale
         ellipsoids = [
             (velocity_ellipsoid(tool.jacobian(q)), np.asarray(tool.pose(q))[:3, 3], scale, each.colour) for tool in shown.tools

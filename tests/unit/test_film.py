@@ -87,6 +87,15 @@ def test_a_film_has_its_frames_and_a_dark_one_is_dark(reach_plan, tmp_path):
         assert (np.abs(dark - 255 * np.array(style.rgb(colour))).max(axis=2) < 12).sum() > 30
 
 
+def test_a_plan_that_stays_where_it_is_is_filmed_too(tmp_path):
+    robot = mp.load_robot("ur5")
+    q = [0.3, -1.2, 1.4, -1.5, -1.3, 0.2]
+    plan = mp.plan(robot, q, q)
+    viz.film(plan, tmp_path / "film.gif", width=300, fps=2)
+    with Image.open(tmp_path / "film.gif") as film:
+        assert film.size[0] == 300
+
+
 def test_what_cannot_be_filmed_is_said_before_anything_is_rendered(reach_plan, planar_plan, tmp_path, monkeypatch):
     for change in ({"width": 100}, {"fps": 0}, {"speed": -1}, {"colours": 1}, {"quality": 101}, {"dark": 1}, {"progress": 3}):
         with pytest.raises(mp.errors.InvalidInputError, match=next(iter(change))):
