@@ -11,6 +11,7 @@ import sys
 import time
 import urllib.request
 from dataclasses import replace
+from itertools import groupby
 
 import coal
 import numpy as np
@@ -379,7 +380,8 @@ def test_visual_meshes_stand_where_pinocchio_puts_them(plan):
     plan = moved(plan, robot)
     appearance = appearance_of(robot)
     assert appearance.origin == "visual meshes"
-    assert max(len(body.faces) for body in appearance.bodies) <= 1.01 * MOST
+    by_name = {name: list(parts) for name, parts in groupby(appearance.bodies, key=lambda body: body.name)}  # one per colour
+    assert max(sum(len(body.faces) for body in parts) for parts in by_name.values()) <= MOST
     with plan.show(port=0, open_browser=False) as page:
         page.time = 0.7 * plan.trajectory.duration
         q = plan.trajectory(page.time)
@@ -389,14 +391,15 @@ def test_visual_meshes_stand_where_pinocchio_puts_them(plan):
         posture = np.append(q, [robot.locked[name] for name in list(whole.names)[8:]])
         data, placed = whole.createData(), pin.GeometryData(geometry)
         pin.updateGeometryPlacements(whole, data, geometry, placed, posture)
-        assert len(appearance.bodies) == len(geometry.geometryObjects)
-        for body, item, placement in zip(appearance.bodies, geometry.geometryObjects, placed.oMg, strict=True):
-            frame = page.stage.robot.frames[body.joint]
+        assert list(by_name) == [item.name for item in geometry.geometryObjects]
+        for parts, item, placement in zip(by_name.values(), geometry.geometryObjects, placed.oMg, strict=True):
+            frame = page.stage.robot.frames[parts[0].joint]
             turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
-            ours = body.vertices @ turn.T + frame.position
+            ours = np.concatenate([body.vertices for body in parts]) @ turn.T + frame.position
             theirs = np.array(item.geometry.vertices()) @ placement.rotation.T + placement.translation
             for side in (np.min, np.max):
-                np.testing.assert_allclose(side(ours, axis=0), side(theirs, axis=0), atol=2e-3)
+                # corners in one cell of some millimetres become their mean
+                np.testing.assert_allclose(side(ours, axis=0), side(theirs, axis=0), atol=5e-3)
 
 
 ARM = """<robot name="arm"><link name="base"/><link name="rod">{visual}{collision}</link><link name="slide"/><link name="lift"/><link name="tip"/>
