@@ -88,7 +88,7 @@ class FoundPart:
         ]
 
     def stops(self, epsilon: ArrayLike, most: int) -> list[float]:
-        """At most so many s of the whole path at which a tool that is too slow along this part has to stop; [] for none.
+        """Up to `most` values s of the whole path at which a tool that is too slow along this part has to stop; [] for none.
 
         The fewest between which joints have the time for every step from one position to the next. Where they have it anyway,
         or more would be needed, the one where limits make the tool slowest, if that is not where ramps are anyway.
@@ -207,7 +207,7 @@ def find_parts(
 def _keeping_speed(
     parts: list[FoundPart], demand: SpeedDemand, epsilon: ArrayLike, most: int, stops: Sequence[float], *, closed: bool
 ) -> list[FoundPart]:
-    """The same parts, split at stops and where the tool is too slow, with at most so many interruptions."""
+    """The same parts, split at stops and where the tool is too slow, with at most `most` interruptions."""
     if stops:
         parts = [piece for each in parts for piece in each.split(stops, demand, epsilon)]
     while (slow := _slowest(parts)) is not None and not slow.planner.deadline.passed:
