@@ -63,6 +63,7 @@ from manipplan.timing.verify import jerk_use, limit_use, torque_use
 from manipplan.tracking import formulations
 from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.controller import Controller
+from manipplan.tracking.servo import Servo
 from manipplan.tracking.track import track
 
 if TYPE_CHECKING:
@@ -103,6 +104,7 @@ __all__ = [
     "Scene",
     "Seeding",
     "Segment",
+    "Servo",
     "Sphere",
     "Status",
     "StiffnessProfile",

@@ -277,6 +277,14 @@ def number_array(argument: str, value: ArrayLike) -> Array:
         raise InvalidInputError(argument, value, f"real numbers{masked}") from error
 
 
+def array_of_shape(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
+    """`value` as an array of `shape`, which may contain NaN; raises InvalidInputError for anything else."""
+    array = number_array(argument, value)
+    if array.shape != shape:
+        raise InvalidInputError(argument, value, f"numbers of shape {shape}, not {array.shape}")
+    return array
+
+
 def _only_numbers(value: Any) -> bool:
     """Whether there is no truth value and no masked array in it: NumPy makes numbers of both."""
     if isinstance(value, list | tuple):

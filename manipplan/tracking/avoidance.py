@@ -1,7 +1,8 @@
 """Collision avoidance as rows of the QP: velocity dampers on closest points, (A.1) and (A.2) in dufour2020."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -11,7 +12,7 @@ from manipplan.collision.build import check_names
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, flag, instance, number, one_of, texts
+from manipplan.support.checks import Array, ArrayLike, array_of_shape, flag, instance, number, one_of, texts
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.chain import Placement, SymbolicChain
@@ -130,9 +131,23 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     return AvoidanceRows(matrix=matrix, bound=bound, distance=distance, obstacles=symbols, names=tuple(names))
 
 
-def obstacle_numbers(pose: Array, velocity: Array) -> Array:
-    """The OBSTACLE_SIZE numbers of a moving obstacle at `pose` (4, 4) with `velocity` (6,) of its origin, linear first."""
-    return np.concatenate([pose[:3, :3].ravel(order="F"), pose[:3, 3], velocity])
+def set_moving(avoidance: Avoidance | None, obstacles: Mapping[str, tuple[Any, ArrayLike]], numbers: Array) -> None:
+    """Write the poses (4, 4) or SE3 and velocities (6,), linear first, of moving obstacles to their OBSTACLE_SIZE numbers each.
+
+    Raises InvalidInputError for an unknown name or a wrong shape; values may be NaN.
+    """
+    moving = tuple(avoidance.moving) if avoidance is not None else ()
+    if not isinstance(obstacles, Mapping):
+        raise InvalidInputError("obstacles", obstacles, "a mapping of names to pairs of a pose (4, 4) and a velocity (6,)")
+    for name, given in obstacles.items():
+        at = OBSTACLE_SIZE * moving.index(one_of("obstacles", name, moving))
+        try:
+            pose, velocity = given
+            matrix = array_of_shape(name, getattr(pose, "homogeneous", pose), (4, 4))
+            speed = array_of_shape(name, velocity, (6,))
+        except (TypeError, ValueError) as error:
+            raise InvalidInputError(f"obstacles[{name}]", given, "a pose (4, 4) and a velocity (6,)") from error
+        numbers[at : at + OBSTACLE_SIZE] = np.concatenate([matrix[:3, :3].ravel(order="F"), matrix[:3, 3], speed])
 
 
 def _row(avoidance: Avoidance, near: NearestPoints, rate: ca.SX, approach: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:

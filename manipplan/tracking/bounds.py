@@ -17,14 +17,20 @@ from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
 
 
-def velocity_bounds(q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: float) -> tuple[ca.SX, ca.SX]:
+def velocity_bounds(
+    q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: float, *, step: ca.SX | None = None, slowest: float | None = None
+) -> tuple[ca.SX, ca.SX]:
     """Lower and upper bounds (n,) of the next velocity at (q, qd), each (n,), where the last step accelerated by qdd.
+
+    Where time steps differ, this one takes `step` [s] and none more than `slowest` [s]: a joint then stops in time by steps of
+    any length up to that. Jerk limits are kept in steps of `dt`.
 
     From a viable state all limits hold exactly. From a state that cannot stop in time, position and velocity limits come
     first: the joint exceeds its acceleration limit by as little as necessary. A jerk limit is kept as well, as long as the
     state allows.
     """
-    bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, dt) for i in range(limits.n)]
+    times = (dt, ca.SX(dt) if step is None else step, dt if slowest is None else slowest)
+    bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, times) for i in range(limits.n)]
     return ca.vertcat(*(low for low, _ in bounds)), ca.vertcat(*(high for _, high in bounds))
 
 
@@ -38,18 +44,23 @@ def _binds(limits: JointLimits, dt: float) -> NDArray[np.bool_]:
     return np.asarray(np.isfinite(limits.jerk) & (limits.jerk * dt < 2 * limits.acceleration))
 
 
-def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float) -> tuple[ca.SX, ca.SX]:
+def _bounds_of(
+    q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, times: tuple[float, ca.SX, float]
+) -> tuple[ca.SX, ca.SX]:
+    dt, step, slowest = times
     speed, acceleration = float(limits.velocity[i]), float(limits.acceleration[i])
     room_below, room_above = q - float(limits.lower[i]), float(limits.upper[i]) - q
-    lowest = -_fastest(room_below, speed, acceleration, dt) if np.isfinite(limits.lower[i]) else ca.SX(-speed)
-    highest = _fastest(room_above, speed, acceleration, dt) if np.isfinite(limits.upper[i]) else ca.SX(speed)
+    lowest = -_fastest(room_below, speed, acceleration, slowest) if np.isfinite(limits.lower[i]) else ca.SX(-speed)
+    highest = _fastest(room_above, speed, acceleration, slowest) if np.isfinite(limits.upper[i]) else ca.SX(speed)
     lowest = ca.fmin(lowest, highest)
     low, high = lowest, highest
     if np.isfinite(acceleration):
-        low = _clip(v - acceleration * dt, lowest, highest)
-        high = _clip(v + acceleration * dt, lowest, highest)
+        low = _clip(v - acceleration * step, lowest, highest)
+        high = _clip(v + acceleration * step, lowest, highest)
     if _binds(limits, dt)[i]:
-        return _with_jerk((low, high), (q, v, a), limits, i, dt)
+        inner = _with_jerk((low, high), (q, v, a), limits, i, dt)
+        usual = ca.fabs(step - dt) <= 1e-9 * dt
+        low, high = (ca.if_else(usual, *pair) for pair in zip(inner, (low, high), strict=True))
     return low, high
 
 

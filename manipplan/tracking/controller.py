@@ -13,12 +13,12 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number, number_array, one_of, positive_array
+from manipplan.support.checks import Array, ArrayLike, array_of_shape, finite_array, instance, number, number_array, one_of, positive_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code
 from manipplan.symbolic.task import Task
-from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, obstacle_numbers
+from manipplan.tracking.avoidance import Avoidance, set_moving
 from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.export import MachineCode, Sources
@@ -238,7 +238,7 @@ class Controller:
         if obstacles is not None:
             self._set_obstacles(obstacles)
         if qdd is not None:
-            self._acceleration[:] = _numbers("qdd", qdd, (self.robot.n,))
+            self._acceleration[:] = array_of_shape("qdd", qdd, (self.robot.n,))
         self._run()
         self._remembered[:] = self._to_remember
         velocity: Array = self._velocity.copy()
@@ -344,11 +344,11 @@ class Controller:
     def _take(self, q: ArrayLike, qd: ArrayLike, target: Any, stiffness: Any, drive: Any) -> None:
         """Set the inputs of a step, some of which are not plain arrays of doubles."""
         n = self.robot.n
-        np.asarray(self._q)[:] = _numbers("q", q, (n,))
-        np.asarray(self._qd)[:] = _numbers("qd", qd, (n,))
-        self._target[...] = _numbers("target", getattr(target, "homogeneous", target), _POSE)
-        self._stiffness[0] = float(_numbers("stiffness", stiffness, ()))
-        self._drive[0] = float(_numbers("drive", drive, ()))
+        np.asarray(self._q)[:] = array_of_shape("q", q, (n,))
+        np.asarray(self._qd)[:] = array_of_shape("qd", qd, (n,))
+        self._target[...] = array_of_shape("target", getattr(target, "homogeneous", target), _POSE)
+        self._stiffness[0] = float(array_of_shape("stiffness", stiffness, ()))
+        self._drive[0] = float(array_of_shape("drive", drive, ()))
 
     def _set_tolerance(self, tolerance: Tolerance | None) -> None:
         self._tolerance_changed = tolerance is not None
@@ -359,29 +359,10 @@ class Controller:
         self._tube[:] = [HUGE if limit is None else limit for limit in limits]
 
     def _set_obstacles(self, obstacles: Mapping[str, tuple[Any, ArrayLike]]) -> None:
-        moving = self._avoidance.moving if self._avoidance is not None else ()
-        if not isinstance(obstacles, Mapping):
-            raise InvalidInputError("obstacles", obstacles, "a mapping of names to pairs of a pose (4, 4) and a velocity (6,)")
-        for name, (pose, velocity) in obstacles.items():
-            one_of("obstacles", name, moving)
-            at = slice(OBSTACLE_SIZE * moving.index(name), OBSTACLE_SIZE * (moving.index(name) + 1))
-            try:
-                matrix, speed = _numbers(name, getattr(pose, "homogeneous", pose), _POSE), _numbers(name, velocity, (6,))
-            except InvalidInputError as error:
-                wanted = "a pose (4, 4) and a velocity (6,)"
-                raise InvalidInputError(f"obstacles[{name}]", (pose, velocity), wanted) from error
-            self._obstacles[at] = obstacle_numbers(matrix, speed)
+        set_moving(self._avoidance, obstacles, self._obstacles)
 
 
 _POSE = (4, 4)
-
-
-def _numbers(argument: str, value: Any, shape: tuple[int, ...]) -> Array:
-    """The value as an array of `shape`, which may contain NaN."""
-    array = number_array(argument, value)
-    if array.shape != shape:
-        raise InvalidInputError(argument, value, f"numbers of shape {shape}, not {array.shape}")
-    return array
 
 
 def _each(argument: str, value: ArrayLike, count: int) -> Array:

@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parents[2] / "csrc"
 #: Each is a source, and a module in LLVM's language in `kernels.ll.xz`.
 KERNELS = (
     *("barrier", "batch", "body_motion", "connect", "curves", "distances", "inverse", "near_pairs", "panels"),
-    *("star", "steps", "sweep", "winding"),
+    *("servo", "star", "steps", "sweep", "winding"),
 )
 #: Products and sums are not fused, so that every machine computes the same numbers.
 FLAGS = ("-O3", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC", "-w")

@@ -1,0 +1,865 @@
+/* The law of a servo: joint velocities that make a tool's velocity, near singular postures and in them.
+
+   Of the task's rows J = Σ_k σ_k u_k v_kᵀ, with b = Uᵀ V for the commanded velocity V, and H = ∂J/∂q:
+
+       min  Σ_k w_k² (v_kᵀ q̇ - g_k)²   s.t.  low <= q̇ <= high,  A q̇ >= bound (soft),      w_k = max(σ_k, EPSILON)      (1)
+
+   A lost direction keeps a weight in joint space, so there is no dead zone. Where σ_k is large, g_k = b_k / σ_k. Where it is
+   small, its curvature κ_k = u_kᵀ (∂J/∂q v_k) v_k tells what the singularity is; see `singular_rates` and `escape`. No number
+   depends on the signs of singular vectors. docs/concepts/servo.md derives each branch. */
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    MOST = 16,      /* maximum number of joints; as in servo.py */
+    ROWS = 6,       /* maximum number of rows of a task */
+    TOGETHER = 48   /* maximum number of bounds and rows that hold at a time */
+};
+
+/* As in servo.py: what is commanded, in which axes, which way out of a fold, the kind of the next singularity, what limits a step,
+   and how it ended. */
+enum { TWIST, POSE, JOINTS, BRAKE };
+enum { WORLD, TOOL, OTHER_AXES };
+enum { SAME, OTHER, ANY };
+enum { CLEAR, FOLD, POLE };
+enum { NOTHING, POSITION, VELOCITY, ACCELERATION, OBSTACLE };
+enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
+
+#define EPSILON 0.03     /* least weight of a direction in joint space, in (1) */
+#define SMALL 0.12       /* singular values below this are looked at one by one [m] */
+#define LOST 0.02        /* directions below this are lost [m] */
+#define TURNED 3e-3      /* below this the lost direction is turned, where nothing else helps [m] */
+#define NULL_WEIGHT 1e-3 /* weight of the null space in (1) */
+#define RATE 1.0         /* of the drive in the null space [1/s] */
+#define RANGE 0.1        /* of the drive's joint limits [rad] */
+#define DAMPED 1e-3      /* damping of the drive's JJᵀ [m²] */
+#define LENGTH 0.3       /* metres per radian where a pose is approached */
+#define APPROACH 2.0     /* deceleration with which it is approached [m/s²] */
+#define FASTEST 5.0      /* and the maximum speed [m/s] */
+#define STILL 0.01       /* commanded speed at which the drive has faded by half [m/s] */
+#define SHARE 0.5        /* of the joint speeds that the drive takes at most */
+#define BRAKING 0.7      /* share of the acceleration with which a fold is approached */
+#define PASSING 0.7      /* share of the least damping that a pole's passage needs */
+#define NUDGE 3e-4       /* σ that a pole is taken to have at least where the command is along its lost direction [m] */
+#define ARRIVAL 1e-3     /* σ at which an approach of a fold ends [m]: keeps v defined, and costs 5 µm of reach */
+#define GUARDED 5e-4     /* σ of a fold that is not fallen below [m] */
+#define BENT 0.05        /* curvature from which a singularity is a fold */
+#define AHEAD 0.1        /* joint motion to which ways out are compared [rad] */
+#define VANISHED 1e-11   /* σ whose v is rounding [m] */
+#define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
+
+typedef struct {
+    /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
+    long joints, physical, pairs;
+    const long *leader;
+    const double *ratio, *lower, *upper, *velocity, *acceleration;
+    double usual, slowest, timeout, smoothing;
+    long side;
+    /* the rows: (world_rows + tool_rows, 6), the first in world axes, the others in the tool's; angular entries in metres */
+    long world_rows, tool_rows;
+    const double *selection;
+    /* of this state: columns (physical, 6) in world axes, rotation (3, 3) stored by columns and origin (3) of the tool, the bounds
+       low and high (joints), rows of obstacles (pairs, joints), their bounds and distances (pairs) */
+    const double *columns, *rotation, *origin, *low, *high, *matrix, *bound, *distance;
+    /* the code that computes them from arguments (5): q, qd, qdd, dt, the obstacles; 0 where the caller does */
+    int (*problem)(const double **argument, double **result, long long *iw, double *w, int mem);
+    const double **argument;
+    double **results, *work;
+    long long *integers;
+    /* the step: the state, the command in its axes (twist or joint velocities), a pose (4, 4) by rows, whether it is new */
+    double q[16], qd[16], dt, command[16], pose[16], axes[9];
+    long mode, frame, fresh;
+    /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
+       which of these there are */
+    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
+    long guessed, has_inside, has_way, leaves;
+    /* the result */
+    double result[16], twist[6], speed, followed, slip, seconds, metres, wall, smallest, clearance;
+    long kind, joint, limit, limit_joint, status;
+} Servo;
+
+typedef struct {
+    long n, m, r;                   /* joints that are free, rows, rank at most */
+    long joint[MOST];               /* which joints are free */
+    double J[ROWS][MOST], W[ROWS];  /* rows and command */
+    double U[ROWS][ROWS];           /* U[k] is u_k */
+    double s[ROWS], V[MOST][MOST];  /* V[k] is v_k; those from r on span the null space */
+    double b[ROWS], g[MOST], w[MOST], size, wall;
+    double low[MOST], high[MOST];
+    double inside[MOST], way[MOST];
+    double guard[ROWS][MOST], fall[ROWS]; /* unit directions in which singular values grow, and how fast they may move */
+    long has_inside, has_way, leaves, kind, worst, guards;
+    double seconds;
+} Work;
+
+static inline double least(double a, double b) { return a < b ? a : b; }
+static inline double most(double a, double b) { return a > b ? a : b; }
+static inline double clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+static inline double sign(double x) { return (x > 0) - (x < 0); }
+
+/* The time step; the usual one where what is given cannot be one. */
+static inline double duration(const Servo *servo) {
+    return servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9) ? servo->dt : servo->usual;
+}
+
+static double dot(long n, const double *a, const double *b) {
+    double sum = 0;
+    for (long i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+static void cross(const double *a, const double *b, double *out) {
+    out[0] = a[1] * b[2] - a[2] * b[1], out[1] = a[2] * b[0] - a[0] * b[2], out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Singular values and vectors of J by rotations of its rows [one-sided Jacobi], from the last U on; V is completed to a basis. */
+static void decompose(Work *w, Servo *servo) {
+    long m = w->m, n = w->n;
+    double A[ROWS][MOST];
+    if (!servo->guessed) {
+        memset(servo->guess, 0, sizeof servo->guess);
+        for (long k = 0; k < m; k++) servo->guess[k * ROWS + k] = 1;
+    }
+    for (long k = 0; k < m; k++) {
+        memcpy(w->U[k], servo->guess + k * ROWS, sizeof w->U[k]);
+        for (long j = 0; j < n; j++) {
+            double sum = 0;
+            for (long l = 0; l < m; l++) sum += w->U[k][l] * w->J[l][j];
+            A[k][j] = sum;
+        }
+    }
+    for (int sweep = 0, turned = 1; sweep < 30 && turned; sweep++) {
+        turned = 0;
+        for (long p = 0; p < m - 1; p++)
+            for (long q = p + 1; q < m; q++) {
+                double a = dot(n, A[p], A[p]), b = dot(n, A[q], A[q]), c = dot(n, A[p], A[q]);
+                if (c * c <= 1e-22 * a * b || fabs(c) < 1e-26) continue;
+                turned = 1;
+                double z = (b - a) / (2 * c), t = (z > 0 ? 1 : -1) / (fabs(z) + sqrt(1 + z * z));
+                double cosine = 1 / sqrt(1 + t * t), sine = cosine * t;
+                for (long j = 0; j < n; j++) {
+                    double x = A[p][j], y = A[q][j];
+                    A[p][j] = cosine * x - sine * y, A[q][j] = sine * x + cosine * y;
+                }
+                for (long j = 0; j < m; j++) {
+                    double x = w->U[p][j], y = w->U[q][j];
+                    w->U[p][j] = cosine * x - sine * y, w->U[q][j] = sine * x + cosine * y;
+                }
+            }
+    }
+    double s[ROWS];
+    long order[ROWS];
+    for (long k = 0; k < m; k++) {
+        s[k] = sqrt(dot(n, A[k], A[k]));
+        long at = k;
+        for (; at > 0 && s[order[at - 1]] < s[k]; at--) order[at] = order[at - 1];
+        order[at] = k;
+    }
+    double U[ROWS][ROWS];
+    memcpy(U, w->U, sizeof U);
+    long known = 0;
+    for (long k = 0; k < m; k++) {
+        memcpy(w->U[k], U[order[k]], sizeof U[k]);
+        w->s[k] = s[order[k]];
+        if (k < w->r && w->s[k] > VANISHED) {
+            for (long j = 0; j < n; j++) w->V[k][j] = A[order[k]][j] / w->s[k];
+            known = k + 1;
+        }
+    }
+    for (long k = 0; k < m; k++) memcpy(servo->guess + k * ROWS, w->U[k], sizeof w->U[k]);
+    servo->guessed = 1;
+    for (; known < n; known++) { /* the unit vector farthest from what is spanned */
+        double residual[MOST];
+        long best = 0;
+        for (long j = 0; j < n; j++) {
+            residual[j] = 1;
+            for (long k = 0; k < known; k++) residual[j] -= w->V[k][j] * w->V[k][j];
+            if (residual[j] > residual[best] + 1e-9) best = j;
+        }
+        double *v = w->V[known];
+        memset(v, 0, sizeof w->V[known]);
+        v[best] = 1;
+        for (int again = 0; again < 2; again++) {
+            for (long k = 0; k < known; k++) {
+                double along = dot(n, w->V[k], v);
+                for (long j = 0; j < n; j++) v[j] -= along * w->V[k][j];
+            }
+            double length = sqrt(dot(n, v, v));
+            for (long j = 0; j < n; j++) v[j] /= length;
+        }
+    }
+}
+
+/* The rows' wrench (6) in world axes of weights u (m), and in `turning` that of the tool's rows alone. */
+static void wrench_of(const Servo *servo, const double *u, double *out, double *turning) {
+    memset(out, 0, 6 * sizeof *out);
+    memset(turning, 0, 6 * sizeof *turning);
+    for (long k = 0; k < servo->world_rows; k++)
+        for (int a = 0; a < 6; a++) out[a] += u[k] * servo->selection[6 * k + a];
+    for (long k = servo->world_rows; k < servo->world_rows + servo->tool_rows; k++) {
+        const double *row = servo->selection + 6 * k, *R = servo->rotation;
+        for (int half = 0; half < 6; half += 3)
+            for (int a = 0; a < 3; a++)
+                turning[half + a] += u[k] * (R[a] * row[half] + R[3 + a] * row[half + 1] + R[6 + a] * row[half + 2]);
+    }
+    for (int a = 0; a < 6; a++) out[a] += turning[a];
+}
+
+/* Σ_j y_jᵀ ∂J_j/∂q_i for each free joint i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
+   with the tool (0: none). ∂J_j/∂q_i is (ω_i x l_j, ω_i x ω_j) for i <= j, and (ω_j x l_i, 0) for i > j. */
+static void contract(const Servo *servo, const Work *w, double y[MOST][6], double turning[MOST][6], double *out) {
+    double after[3] = {0}, before[3] = {0}, turns[3] = {0}, all[MOST] = {0}, part[3];
+    if (turning)
+        for (long p = 0; p < servo->physical; p++)
+            for (int half = 0; half < 6; half += 3) {
+                cross(servo->columns + 6 * p + half, turning[p] + half, part);
+                for (int a = 0; a < 3; a++) turns[a] += part[a];
+            }
+    double each[MOST];
+    for (long p = servo->physical - 1; p >= 0; p--) {
+        const double *column = servo->columns + 6 * p;
+        for (int half = 0; half < 6; half += 3) {
+            cross(column + half, y[p] + half, part);
+            for (int a = 0; a < 3; a++) after[a] += part[a];
+        }
+        each[p] = 0;
+        for (int a = 0; a < 3; a++) each[p] += column[3 + a] * (after[a] - turns[a]);
+    }
+    for (long p = 0; p < servo->physical; p++) {
+        const double *column = servo->columns + 6 * p;
+        each[p] += dot(3, column, before);
+        cross(y[p], column + 3, part);
+        for (int a = 0; a < 3; a++) before[a] += part[a];
+        all[servo->leader[p]] += servo->ratio[p] * each[p];
+    }
+    for (long i = 0; i < w->n; i++) out[i] = all[w->joint[i]];
+}
+
+/* ∂(uᵀ J v)/∂q (n) for weights u (m) of the rows and a joint direction v (n). */
+static void slope_of(const Servo *servo, const Work *w, const double *u, const double *v, double *out) {
+    double wrench[6], turning[6], y[MOST][6], turns[MOST][6], whole[MOST] = {0};
+    wrench_of(servo, u, wrench, turning);
+    for (long i = 0; i < w->n; i++) whole[w->joint[i]] = v[i];
+    for (long p = 0; p < servo->physical; p++) {
+        double share = servo->ratio[p] * whole[servo->leader[p]];
+        for (int a = 0; a < 6; a++) y[p][a] = share * wrench[a], turns[p][a] = share * turning[a];
+    }
+    contract(servo, w, y, servo->tool_rows ? turns : 0, out);
+}
+
+/* The largest multiple of a joint direction within limits. */
+static double along(const Work *w, const double *v, const double *limit) {
+    double multiple = INFINITY;
+    for (long i = 0; i < w->n; i++) multiple = least(multiple, limit[w->joint[i]] / most(fabs(v[i]), 1e-9));
+    return multiple;
+}
+
+/* How far the joints can move along a direction inside their limits [rad]. */
+static double room(const Servo *servo, const Work *w, const double *e) {
+    double far = INFINITY;
+    for (long i = 0; i < w->n; i++) {
+        long j = w->joint[i];
+        far = least(far, (e[i] > 0 ? servo->upper[j] - servo->q[j] : servo->q[j] - servo->lower[j]) / most(fabs(e[i]), 1e-6));
+    }
+    return far;
+}
+
+/* The largest speed from which steps of `dt` can stop within a distance, as in bounds.py. */
+static double stopping(double distance, double acceleration, double dt) {
+    if (isinf(acceleration)) return distance / dt;
+    double change = acceleration * dt, far = most(distance, 0);
+    double steps = floor((sqrt(1 + 8 * far / (dt * change)) - 1) / 2);
+    return distance / (dt * (steps + 1)) + change * steps / 2;
+}
+
+/* Eigenvalues of a symmetric matrix (n, n), which is overwritten, and its eigenvectors in rows, the largest first [Jacobi]. */
+static void eigen(long n, double A[MOST][MOST], double value[MOST], double vector[MOST][MOST]) {
+    for (long i = 0; i < n; i++)
+        for (long j = 0; j < n; j++) vector[i][j] = i == j;
+    for (int sweep = 0; sweep < 30; sweep++) {
+        double off = 0, whole = 0;
+        for (long i = 0; i < n; i++)
+            for (long j = 0; j < n; j++) *(i == j ? &whole : &off) += A[i][j] * A[i][j];
+        if (off <= 1e-28 * whole || off < 1e-30) break;
+        for (long p = 0; p < n - 1; p++)
+            for (long q = p + 1; q < n; q++) {
+                if (fabs(A[p][q]) < 1e-18) continue;
+                double z = (A[q][q] - A[p][p]) / (2 * A[p][q]), t = (z > 0 ? 1 : -1) / (fabs(z) + sqrt(1 + z * z));
+                double c = 1 / sqrt(1 + t * t), d = c * t;
+                for (long j = 0; j < n; j++) {
+                    double x = A[j][p], y = A[j][q];
+                    A[j][p] = c * x - d * y, A[j][q] = d * x + c * y;
+                }
+                for (long j = 0; j < n; j++) {
+                    double x = A[p][j], y = A[q][j];
+                    A[p][j] = c * x - d * y, A[q][j] = d * x + c * y;
+                    x = vector[p][j], y = vector[q][j];
+                    vector[p][j] = c * x - d * y, vector[q][j] = d * x + c * y;
+                }
+            }
+    }
+    for (long i = 0; i < n; i++) value[i] = A[i][i];
+    for (long i = 1; i < n; i++)
+        for (long k = i; k > 0 && value[k] > value[k - 1]; k--) {
+            double x = value[k];
+            value[k] = value[k - 1], value[k - 1] = x;
+            for (long j = 0; j < n; j++) x = vector[k][j], vector[k][j] = vector[k - 1][j], vector[k - 1][j] = x;
+        }
+}
+
+/* M (n, n) with M[i][j] = uᵀ ∂J_j/∂q_i, for weights u of the rows. */
+static void second_order(const Servo *servo, const Work *w, const double *u, double M[MOST][MOST]) {
+    double v[MOST] = {0}, column[MOST];
+    for (long j = 0; j < w->n; j++) {
+        v[j] = 1;
+        slope_of(servo, w, u, v, column);
+        v[j] = 0;
+        for (long i = 0; i < w->n; i++) M[i][j] = column[i];
+    }
+}
+
+/* K = sym(Nᵀ M N) for the rows of N (d, n). */
+static void restricted(const Work *w, double M[MOST][MOST], double (*N)[MOST], long d, double K[MOST][MOST]) {
+    double MN[MOST][MOST];
+    for (long a = 0; a < d; a++)
+        for (long i = 0; i < w->n; i++) {
+            MN[a][i] = 0;
+            for (long j = 0; j < w->n; j++) MN[a][i] += (M[i][j] + M[j][i]) * N[a][j];
+        }
+    for (long a = 0; a < d; a++)
+        for (long b = 0; b < d; b++) K[a][b] = dot(w->n, N[a], MN[b]) / 2;
+}
+
+/* The drive in the null space: ∇ log sqrt det(JJᵀ + r² I) and away from joint limits, fading where a direction gets lost. */
+static void drive_null_space(const Servo *servo, Work *w) {
+    double y[MOST][6] = {0}, turns[MOST][6] = {0}, z[MOST], smallest = w->s[w->r - 1];
+    for (long k = 0; k < w->r; k++) {
+        double wrench[6], turning[6], whole[MOST] = {0}, share = w->s[k] / (w->s[k] * w->s[k] + DAMPED);
+        wrench_of(servo, w->U[k], wrench, turning);
+        for (long i = 0; i < w->n; i++) whole[w->joint[i]] = w->V[k][i];
+        for (long p = 0; p < servo->physical; p++) {
+            double part = share * servo->ratio[p] * whole[servo->leader[p]];
+            for (int a = 0; a < 6; a++) y[p][a] += part * wrench[a], turns[p][a] += part * turning[a];
+        }
+    }
+    contract(servo, w, y, servo->tool_rows ? turns : 0, z);
+    for (long i = 0; i < w->n; i++) {
+        long j = w->joint[i];
+        double above = servo->upper[j] - servo->q[j], below = servo->q[j] - servo->lower[j];
+        z[i] = RATE * (z[i] + 0.1 * (1 / (most(below, 0) + RANGE) - 1 / (most(above, 0) + RANGE)));
+    }
+    double fit = least(1, SHARE * along(w, z, servo->velocity)) * w->size / (w->size + STILL);
+    for (long k = w->r; k < w->n; k++) {
+        w->g[k] = fit * dot(w->n, w->V[k], z) * least(1, smallest / 0.05);
+        /* beside a singularity v_k and the null space turn into each other: both get the same weight */
+        w->w[k] = most(NULL_WEIGHT, EPSILON * (1 - smallest / LOST));
+    }
+}
+
+/* g_k of the directions with small σ_k: one after another. */
+static void singular_rates(const Servo *servo, Work *w) {
+    double T = duration(servo);
+    for (long k = 0; k < w->r; k++) {
+        double s = w->s[k], b = w->b[k], *v = w->V[k], slope[MOST];
+        if (s >= SMALL) {
+            w->g[k] = b / s;
+            continue;
+        }
+        slope_of(servo, w, w->U[k], v, slope);
+        double kappa = dot(w->n, slope, v), kb = kappa * b, fastest = along(w, v, servo->velocity);
+        double force = along(w, v, servo->acceleration), toward = sign(b) * kappa;
+        /* a pole: the least damping with which its passage needs no more than the joints' speed and acceleration */
+        double lambda = PASSING * w->size * most(1 / (2 * fastest), 1 / sqrt(force));
+        double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
+        double sd = most(s, NUDGE * share * share);
+        double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
+        /* approaching a fold: no faster than the arm can stop at σ = ARRIVAL, in the distance σ / bend */
+        double bend = -toward;
+        if (w->n > w->r && s < EPSILON) { /* v_k may have turned into the null space: the sharper curvature counts */
+            double M[MOST][MOST], K[MOST][MOST], value[MOST], vector[MOST][MOST], N[MOST][MOST], u[ROWS];
+            long d = 0;
+            memcpy(N[d++], v, sizeof N[0]);
+            for (long j = w->r; j < w->n; j++) memcpy(N[d++], w->V[j], sizeof N[0]);
+            for (long l = 0; l < w->m; l++) u[l] = -sign(b) * w->U[k][l];
+            second_order(servo, w, u, M);
+            restricted(w, M, N, d, K);
+            eigen(d, K, value, vector);
+            bend = most(bend, value[0]);
+        }
+        double fade = clip(bend / BENT, 0, 1), cap = fastest;
+        if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
+        double capped = clip(b / most(s, 1e-9), -cap, cap), approach = fade * capped + (1 - fade) * damped;
+        /* leaving a fold: the root of σ g + ½ κ T g² = b, not damped */
+        double leaving = clip(toward / BENT, 0, 1), leave = damped;
+        if (kb > 0 && !(w->n > w->r && s < LOST)) /* v_k turns quickly there: `escape` leaves */
+            leave = clip(2 * b / (s + sqrt(s * s + 2 * kb * T) + 1e-12), -fastest, fastest);
+        w->g[k] = leaving * leave + (1 - leaving) * approach;
+        if (kb <= 0 && fade > 0) {
+            w->wall += fade * most(b * b - s * s * w->g[k] * w->g[k], 0);
+            double seconds = s * s / (2 * most(fabs(kb), 1e-12));
+            if (fade == 1 && seconds < w->seconds) w->seconds = seconds, w->kind = FOLD, w->worst = k;
+        }
+        if (servo->side == SAME && s > VANISHED) { /* σ falls no faster than it can stop */
+            double length = sqrt(dot(w->n, slope, slope)), folded = clip(fabs(kappa) / BENT - 1, 0, 1);
+            if (length > BENT && folded > 0) {
+                double unit[MOST];
+                for (long i = 0; i < w->n; i++) unit[i] = w->guard[w->guards][i] = slope[i] / length;
+                double stop = stopping(most(s - GUARDED, 0) / length, BRAKING * along(w, unit, servo->acceleration), T);
+                w->fall[w->guards++] = -stop / folded;
+            }
+        }
+        if (k == w->r - 1 && s > 2e-3 && fabs(kappa) > BENT) {
+            for (long i = 0; i < w->n; i++) w->inside[i] = sign(kappa) * v[i];
+            w->has_inside = 1;
+        }
+    }
+}
+
+/* The way out where directions are lost: along the sharpest positive curvature of what is lost, in the span of the lost v_k and the
+   null space; where there is none, the motion that turns the lost direction away from the command fastest. */
+static void escape(const Servo *servo, Work *w) {
+    double T = duration(servo), lost = 0, u[ROWS] = {0};
+    long first = w->r;
+    while (first > 0 && w->s[first - 1] < LOST) first--;
+    for (long k = first; k < w->r; k++) lost += w->b[k] * w->b[k];
+    lost = sqrt(lost);
+    if (first == w->r || w->size < 1e-9 || lost <= 1e-3 * w->size) return;
+    long n = w->n, d = n - first;
+    double M[MOST][MOST], K[MOST][MOST], value[MOST], vector[MOST][MOST], (*N)[MOST] = w->V + first;
+    for (long k = first; k < w->r; k++)
+        for (long l = 0; l < w->m; l++) u[l] += w->b[k] / lost * w->U[k][l];
+    second_order(servo, w, u, M);
+    restricted(w, M, N, d, K);
+    double copy[MOST][MOST], ahead[MOST], now[MOST], memory[MOST];
+    memcpy(copy, K, sizeof copy);
+    eigen(d, copy, value, vector);
+    /* the way that was taken in the last step, the side from which the arm came, or the last way */
+    const double *past = servo->leaves ? w->way : w->has_inside ? w->inside : w->has_way ? w->way : 0;
+    for (long a = 0; a < d; a++) {
+        ahead[a] = a < w->r - first ? w->s[first + a] * w->b[first + a] / lost : 0; /* Nᵀ Jᵀ u */
+        now[a] = 0, memory[a] = 0;
+        for (long i = 0; i < n; i++) {
+            now[a] += N[a][i] * servo->qd[w->joint[i]];
+            if (past) memory[a] += N[a][i] * past[i];
+        }
+        if (servo->side == OTHER && w->has_inside && !servo->leaves) memory[a] = -memory[a];
+    }
+    double best[MOST] = {0}, score = -INFINITY, way[MOST], length = sqrt(dot(d, ahead, ahead));
+    for (int candidate = 0; candidate < (length > 1e-12 ? 3 : 2); candidate++) {
+        double e[MOST], bent = 0, now_along = 0;
+        for (long a = 0; a < d; a++) e[a] = candidate == 2 ? ahead[a] / length : candidate ? -vector[0][a] : vector[0][a];
+        for (long a = 0; a < d; a++) bent += e[a] * dot(d, K[a], e);
+        for (long i = 0; i < n; i++) {
+            way[i] = 0;
+            for (long a = 0; a < d; a++) way[i] += N[a][i] * e[a];
+        }
+        now_along = dot(d, e, now);
+        double value_of = dot(d, ahead, e) * AHEAD + 0.5 * AHEAD * AHEAD * bent + 1e-2 * dot(d, e, memory)
+                        + 1e-4 * least(room(servo, w, way), 1) + 1e-6 * tanh(now_along / 0.05);
+        if (value_of > score) score = value_of, memcpy(best, e, sizeof best);
+    }
+    double bent = 0, rise = dot(d, ahead, best);
+    for (long a = 0; a < d; a++) bent += best[a] * dot(d, K[a], best);
+    for (long i = 0; i < n; i++) {
+        way[i] = 0;
+        for (long a = 0; a < d; a++) way[i] += N[a][i] * best[a];
+    }
+    if (bent > 0.02 && rise * AHEAD + 0.5 * bent * AHEAD * AHEAD > 0) {
+        double speed = (-rise + sqrt(rise * rise + 2 * bent * lost * T)) / (bent * T);
+        speed = least(speed, along(w, way, servo->velocity));
+        double blend = clip(bent / BENT, 0, 1);
+        for (long a = 0; a < d; a++) {
+            w->g[first + a] = (1 - blend) * w->g[first + a] + blend * best[a] * speed;
+            w->w[first + a] = most(w->w[first + a], EPSILON);
+        }
+        memcpy(w->way, way, sizeof way);
+        w->has_way = w->leaves = 1;
+        return;
+    }
+    double sharpest = 0, smallest = w->s[w->r - 1];
+    for (long a = 0; a < d; a++) sharpest = most(sharpest, fabs(value[a]));
+    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= 0.02) return;
+    /* R = Nᵀ M (I - N Nᵀ): how fast motions in N turn the lost direction; the top left singular vector of R */
+    double R[MOST][MOST], RR[MOST][MOST];
+    for (long a = 0; a < d; a++) {
+        for (long j = 0; j < n; j++) {
+            R[a][j] = 0;
+            for (long i = 0; i < n; i++) R[a][j] += N[a][i] * M[i][j];
+        }
+        for (long c = 0; c < d; c++) {
+            double part = dot(n, R[a], N[c]);
+            for (long j = 0; j < n; j++) R[a][j] -= part * N[c][j];
+        }
+    }
+    for (long a = 0; a < d; a++)
+        for (long c = 0; c < d; c++) RR[a][c] = dot(n, R[a], R[c]);
+    eigen(d, RR, value, vector);
+    if (value[0] <= 0.02 * 0.02) return;
+    double toward = 0;
+    for (long i = 0; i < n; i++) {
+        way[i] = 0;
+        for (long a = 0; a < d; a++) way[i] += N[a][i] * vector[0][a];
+        toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
+    }
+    double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
+    double share = (1 - smallest / TURNED) * (lost / w->size - 0.7) / 0.3;
+    for (long a = 0; a < d; a++) {
+        w->g[first + a] += share * (turn * vector[0][a] * fastest - w->g[first + a]);
+        w->w[first + a] = most(w->w[first + a], EPSILON);
+    }
+    for (long i = 0; i < n; i++) w->way[i] = turn * way[i];
+    w->has_way = 1;
+}
+
+/* A row (n) that q̇ keeps at least at the bound that is returned: those of folds, then those of obstacles. */
+static double row_of(const Servo *servo, const Work *w, long c, double *row) {
+    if (c < w->guards) {
+        memcpy(row, w->guard[c], sizeof w->guard[c]);
+        return w->fall[c];
+    }
+    c -= w->guards;
+    for (long i = 0; i < w->n; i++) row[i] = servo->matrix[c * servo->joints + w->joint[i]];
+    return servo->bound[c];
+}
+
+/* Solve (1): in y = w Vᵀ q̇ it is the point nearest to w g that meets all bounds and rows, found by a dual active set
+   [goldfarb1983]. Rows give way where they contradict each other. `force` (n + 1): the multiplier of each joint's bound, negative for
+   a lower one, and the largest of the rows. Returns 0 where it does not end. */
+static int nearest_point(const Servo *servo, const Work *w, double *x, double *force) {
+    long n = w->n, count = 2 * n + w->guards + servo->pairs, active[TOGETHER], size = 0;
+    double y0[MOST], y[MOST], row[TOGETHER][MOST], rhs[TOGETHER], soft[TOGETHER], lambda[TOGETHER];
+    for (long k = 0; k < n; k++) y0[k] = y[k] = w->w[k] * w->g[k];
+    for (long i = 0; i <= n; i++) force[i] = 0;
+    for (int iteration = 0; iteration < 200; iteration++) {
+        for (long i = 0; i < n; i++) {
+            x[i] = 0;
+            for (long k = 0; k < n; k++) x[i] += w->V[k][i] * (y[k] / w->w[k]);
+        }
+        /* the constraint that is violated most, each scaled to its own speed */
+        long worst = -1;
+        double excess = 1e-10;
+        for (long c = 0; c < count; c++) {
+            double over, row_c[MOST], bound;
+            if (c < n) over = x[c] - w->high[c];
+            else if (c < 2 * n) over = w->low[c - n] - x[c - n];
+            else {
+                bound = row_of(servo, w, c - 2 * n, row_c);
+                if (!(bound > -1e12)) continue;
+                over = bound - dot(n, row_c, x);
+                for (long a = 0; a < size; a++)
+                    if (active[a] == c) over = 0;
+            }
+            if (over > excess) excess = over, worst = c;
+        }
+        for (long a = 0; a < size; a++)
+            if (active[a] == worst) worst = -1;
+        if (worst < 0) {
+            for (long a = 0; a < size; a++)
+                if (active[a] < 2 * n) force[active[a] % n] = active[a] < n ? lambda[a] : -lambda[a];
+                else force[n] = most(force[n], lambda[a]);
+            return 1;
+        }
+        if (size == TOGETHER) return 0;
+        /* its normal in y */
+        double *normal = row[size], length = 0, row_c[MOST], limit;
+        limit = worst < n ? w->high[worst] : worst < 2 * n ? -w->low[worst - n] : -row_of(servo, w, worst - 2 * n, row_c);
+        for (long k = 0; k < n; k++) {
+            double sum = worst < n ? w->V[k][worst] : worst < 2 * n ? -w->V[k][worst - n] : -dot(n, w->V[k], row_c);
+            normal[k] = sum / w->w[k];
+            length += normal[k] * normal[k];
+        }
+        length = sqrt(length);
+        if (length < 1e-12) { /* a row that no joint moves */
+            if (worst >= 2 * n) return 1;
+            return 0;
+        }
+        for (long k = 0; k < n; k++) normal[k] /= length;
+        rhs[size] = limit / length;
+        soft[size] = worst < 2 * n ? 0 : 1e-6;
+        active[size] = worst, lambda[size] = 0, size++;
+        for (;;) { /* multipliers of the active ones */
+            double G[TOGETHER][TOGETHER], target[TOGETHER];
+            for (long a = 0; a < size; a++) {
+                for (long c = 0; c <= a; c++) G[a][c] = dot(n, row[a], row[c]);
+                G[a][a] += soft[a];
+                target[a] = dot(n, row[a], y0) - rhs[a];
+            }
+            for (long a = 0; a < size; a++) {
+                for (long c = 0; c <= a; c++) {
+                    double sum = G[a][c];
+                    for (long k = 0; k < c; k++) sum -= G[a][k] * G[c][k];
+                    if (c < a) G[a][c] = sum / G[c][c];
+                    else G[a][a] = sqrt(most(sum, 1e-14));
+                }
+            }
+            for (long a = 0; a < size; a++) {
+                for (long k = 0; k < a; k++) target[a] -= G[a][k] * target[k];
+                target[a] /= G[a][a];
+            }
+            for (long a = size - 1; a >= 0; a--) {
+                for (long k = a + 1; k < size; k++) target[a] -= G[k][a] * target[k];
+                target[a] /= G[a][a];
+            }
+            double step = 1;
+            long leaves = -1;
+            for (long a = 0; a < size; a++)
+                if (target[a] < 0) {
+                    double part = lambda[a] > 0 ? lambda[a] / (lambda[a] - target[a]) : 0;
+                    if (leaves < 0 || part < step) step = part, leaves = a;
+                }
+            for (long a = 0; a < size; a++) lambda[a] += step * (target[a] - lambda[a]);
+            if (leaves < 0) break;
+            size--;
+            for (long a = leaves; a < size; a++) {
+                active[a] = active[a + 1], lambda[a] = lambda[a + 1], rhs[a] = rhs[a + 1], soft[a] = soft[a + 1];
+                memcpy(row[a], row[a + 1], sizeof row[a]);
+            }
+            if (!size) break;
+        }
+        for (long k = 0; k < n; k++) {
+            y[k] = y0[k];
+            for (long a = 0; a < size; a++) y[k] -= lambda[a] * row[a][k];
+        }
+    }
+    return 0;
+}
+
+/* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
+static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, double *force) {
+    long n = w->n, m = servo->world_rows + servo->tool_rows, joints = servo->joints;
+    double rows[ROWS][MOST] = {0}, x[MOST], part[MOST + 1];
+    w->m = m, w->r = n < m ? n : m;
+    for (long k = 0; k < m; k++) {
+        double u[ROWS] = {0}, wrench[6], turning[6];
+        u[k] = 1;
+        wrench_of(servo, u, wrench, turning);
+        for (long p = 0; p < servo->physical; p++)
+            rows[k][servo->leader[p]] += servo->ratio[p] * dot(6, wrench, servo->columns + 6 * p);
+        w->W[k] = dot(6, wrench, servo->twist);
+        for (long j = 0; j < joints; j++) w->W[k] -= rows[k][j] * fixed[j];
+        for (long i = 0; i < n; i++) w->J[k][i] = rows[k][w->joint[i]];
+    }
+    for (long i = 0; i < n; i++) w->low[i] = servo->low[w->joint[i]], w->high[i] = servo->high[w->joint[i]];
+    w->size = sqrt(dot(m, w->W, w->W));
+    w->wall = 0, w->guards = 0, w->leaves = 0, w->kind = CLEAR, w->worst = w->r - 1, w->seconds = INFINITY;
+    w->has_inside = servo->side != ANY && servo->has_inside, w->has_way = servo->side != ANY && servo->has_way;
+    for (long i = 0; i < n; i++) w->inside[i] = servo->inside[w->joint[i]], w->way[i] = servo->way[w->joint[i]];
+    decompose(w, servo);
+    for (long k = 0; k < w->r; k++) {
+        w->b[k] = dot(m, w->U[k], w->W);
+        w->w[k] = most(w->s[k], EPSILON);
+    }
+    if (n > w->r) drive_null_space(servo, w);
+    singular_rates(servo, w);
+    escape(servo, w);
+    int solved = nearest_point(servo, w, x, part);
+    memcpy(velocity, fixed, (size_t)joints * sizeof *velocity);
+    memset(force, 0, (size_t)joints * sizeof *force);
+    for (long i = 0; i < n; i++) velocity[w->joint[i]] = clip(x[i], w->low[i], w->high[i]), force[w->joint[i]] = part[i];
+    force[joints] = part[n];
+    return solved;
+}
+
+/* Rates of the task's rows (m) at joint velocities. */
+static void rates_of(const Servo *servo, const Work *w, const double *velocity, double *out) {
+    for (long k = 0; k < w->m; k++) {
+        double u[ROWS] = {0}, wrench[6], turning[6];
+        u[k] = 1, out[k] = 0;
+        wrench_of(servo, u, wrench, turning);
+        for (long p = 0; p < servo->physical; p++)
+            out[k] += servo->ratio[p] * velocity[servo->leader[p]] * dot(6, wrench, servo->columns + 6 * p);
+    }
+}
+
+/* The share of a command (m) that is followed along it, and the part across it. */
+static void compare(Servo *servo, long m, const double *command, const double *rate) {
+    double size = sqrt(dot(m, command, command)), along_it = size > 0 ? dot(m, rate, command) / size : 0;
+    servo->speed = size;
+    servo->followed = size > 0 ? along_it / size : 1;
+    servo->slip = size > 0 ? sqrt(most(dot(m, rate, rate) - along_it * along_it, 0)) / size : 0;
+}
+
+/* What limits the step: the bound or row that pushes most. */
+static void find_limit(Servo *servo, const double *force) {
+    double largest = force[servo->joints];
+    servo->limit = largest > 0 ? OBSTACLE : NOTHING, servo->limit_joint = -1;
+    for (long j = 0; j < servo->joints; j++) {
+        if (fabs(force[j]) <= largest) continue;
+        largest = fabs(force[j]);
+        double bound = force[j] > 0 ? servo->high[j] : -servo->low[j], before = force[j] > 0 ? servo->qd[j] : -servo->qd[j];
+        double gain = servo->acceleration[j] * duration(servo), speed = servo->velocity[j];
+        servo->limit_joint = j;
+        servo->limit = bound >= speed * (1 - 1e-9) ? VELOCITY : bound >= before + gain - 1e-9 * gain ? ACCELERATION : POSITION;
+    }
+}
+
+/* Joint velocities for the twist, and the next singularity in its direction. */
+static int follow_twist(Servo *servo, double *velocity) {
+    Work whole, free, *w = &whole;
+    long joints = servo->joints, blocked = 0;
+    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS], command[ROWS];
+    whole.n = free.n = 0;
+    for (long j = 0; j < joints; j++) { /* joints that do not carry the tool brake */
+        int carries = 0;
+        for (long p = 0; p < servo->physical; p++)
+            for (int a = 0; a < 6; a++) carries |= servo->leader[p] == j && servo->columns[6 * p + a] != 0;
+        if (carries) whole.joint[whole.n++] = j;
+        else fixed[j] = clip(0, servo->low[j], servo->high[j]);
+    }
+    int solved = solve(servo, w, fixed, velocity, force);
+    memcpy(command, w->W, sizeof command);
+    /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others */
+    for (long i = 0; i < whole.n; i++) {
+        long j = whole.joint[i];
+        double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
+        int stands = (force[j] > 0 && servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near)
+                  || (force[j] < 0 && servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near);
+        if (stands) fixed[j] = velocity[j], blocked++;
+        else free.joint[free.n++] = j;
+    }
+    if (solved && blocked && free.n) {
+        double guess[36], pushed[MOST + 1];
+        memcpy(guess, servo->guess, sizeof guess);
+        solved = solve(servo, &free, fixed, velocity, pushed);
+        memcpy(servo->guess, guess, sizeof guess);
+        w = &free;
+        for (long i = 0; i < free.n; i++) force[free.joint[i]] = pushed[free.joint[i]];
+        force[joints] = pushed[joints];
+    }
+    for (long i = 0; i < w->n; i++) servo->inside[w->joint[i]] = w->inside[i], servo->way[w->joint[i]] = w->way[i];
+    servo->has_inside = w->has_inside, servo->has_way = w->has_way, servo->leaves = w->leaves;
+    if (!solved) return 0;
+    rates_of(servo, w, velocity, rate);
+    compare(servo, w->m, command, rate);
+    find_limit(servo, force);
+    servo->smallest = w->s[w->r - 1], servo->kind = w->kind, servo->seconds = w->seconds;
+    servo->wall = w->size > 0 ? sqrt(least(w->wall, w->size * w->size)) / w->size : 0;
+    if (w->kind == CLEAR && servo->smallest < SMALL && w->size > 0) {
+        double slope[MOST], approach = 0;
+        slope_of(servo, w, w->U[w->r - 1], w->V[w->r - 1], slope);
+        for (long i = 0; i < w->n; i++) approach -= slope[i] * velocity[w->joint[i]];
+        servo->kind = POLE;
+        if (approach > 1e-9) servo->seconds = servo->smallest / approach;
+    }
+    servo->metres = servo->seconds * sqrt(dot(3, servo->twist, servo->twist));
+    if (servo->kind != CLEAR) {
+        double largest = 0;
+        for (long i = 0; i < w->n; i++)
+            if (fabs(w->V[w->worst][i]) > largest + 1e-9) largest = fabs(w->V[w->worst][i]), servo->joint = w->joint[i];
+    }
+    return 1;
+}
+
+/* Joint velocities nearest to the commanded ones. */
+static int follow_joints(Servo *servo, double *velocity) {
+    Work w = {.n = servo->joints};
+    double force[MOST + 1];
+    for (long j = 0; j < w.n; j++) {
+        w.joint[j] = j, w.V[j][j] = 1, w.w[j] = 1, w.g[j] = servo->command[j];
+        w.low[j] = servo->low[j], w.high[j] = servo->high[j];
+    }
+    if (!nearest_point(servo, &w, velocity, force)) return 0;
+    for (long j = 0; j < w.n; j++) velocity[j] = clip(velocity[j], w.low[j], w.high[j]);
+    compare(servo, w.n, servo->command, velocity);
+    find_limit(servo, force);
+    return 1;
+}
+
+static int all_finite(long n, const double *values) {
+    for (long i = 0; i < n; i++)
+        if (!(fabs(values[i]) < 1e12)) return 0;
+    return 1;
+}
+
+/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there. Returns 0 for no pose. */
+static int toward_pose(const Servo *servo, double *twist) {
+    const double *P = servo->pose, *R = servo->rotation;
+    double turn[9], across[3], sine, size, angular[3] = {0};
+    if (!all_finite(16, P) || fabs(P[12]) > 1e-5 || fabs(P[13]) > 1e-5 || fabs(P[14]) > 1e-5 || fabs(P[15] - 1) > 1e-5) return 0;
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            double product = P[a] * P[b] + P[4 + a] * P[4 + b] + P[8 + a] * P[8 + b];
+            if (fabs(product - (a == b)) > 1e-5) return 0;
+        }
+    double first[3] = {P[0], P[4], P[8]}, second[3] = {P[1], P[5], P[9]}, third[3] = {P[2], P[6], P[10]};
+    cross(first, second, across);
+    if (dot(3, across, third) < 0.5) return 0;
+    for (int a = 0; a < 3; a++) /* P Rᵀ */
+        for (int b = 0; b < 3; b++) turn[3 * a + b] = P[4 * a] * R[b] + P[4 * a + 1] * R[3 + b] + P[4 * a + 2] * R[6 + b];
+    across[0] = (turn[7] - turn[5]) / 2, across[1] = (turn[2] - turn[6]) / 2, across[2] = (turn[3] - turn[1]) / 2;
+    sine = sqrt(dot(3, across, across));
+    double cosine = (turn[0] + turn[4] + turn[8] - 1) / 2, angle = atan2(sine, cosine);
+    if (sine > 1e-9)
+        for (int a = 0; a < 3; a++) angular[a] = across[a] * angle / sine;
+    else if (cosine < 0) /* a half turn: about the axis with the largest entry of (P Rᵀ + 1) / 2 */
+        for (int a = 0, top = turn[0] >= turn[4] ? (turn[0] >= turn[8] ? 0 : 2) : turn[4] >= turn[8] ? 1 : 2; a < 3; a++)
+            angular[a] = angle * ((turn[3 * a + top] + (a == top)) / 2) / sqrt((turn[4 * top] + 1) / 2);
+    for (int a = 0; a < 3; a++) twist[a] = P[4 * a + 3] - servo->origin[a], twist[3 + a] = angular[a];
+    size = sqrt(dot(3, twist, twist) + LENGTH * LENGTH * dot(3, angular, angular));
+    double rate = size > 0 ? least(1 / duration(servo), least(FASTEST, sqrt(2 * APPROACH * size)) / size) : 0;
+    for (int a = 0; a < 6; a++) twist[a] *= rate;
+    return 1;
+}
+
+/* The commanded twist in world axes; returns how the command is. */
+static long read_command(Servo *servo) {
+    double T = duration(servo), share = servo->smoothing > 0 ? 1 - exp(-T / servo->smoothing) : 1;
+    servo->age = servo->fresh ? 0 : servo->age + T;
+    if (servo->fresh && servo->mode == POSE) {
+        if (!toward_pose(servo, servo->held)) return BAD_COMMAND;
+    } else if (servo->fresh) {
+        const double *axes = servo->frame == TOOL ? servo->rotation : servo->axes; /* both stored by columns */
+        if (!all_finite(6, servo->command)) return BAD_COMMAND;
+        for (int half = 0; half < 6; half += 3)
+            for (int a = 0; a < 3; a++) {
+                servo->held[half + a] = servo->command[half + a];
+                if (servo->frame != WORLD) servo->held[half + a] = axes[a] * servo->command[half] + axes[3 + a] * servo->command[half + 1] + axes[6 + a] * servo->command[half + 2];
+            }
+    } else if (servo->age > servo->timeout) return STALE;
+    for (int a = 0; a < 6; a++) servo->twist[a] = servo->filtered[a] += share * (servo->held[a] - servo->filtered[a]);
+    return FOLLOWING;
+}
+
+static void forget(Servo *servo) {
+    memset(servo->filtered, 0, sizeof servo->filtered);
+    memset(servo->held, 0, sizeof servo->held);
+    servo->guessed = servo->has_inside = servo->has_way = servo->leaves = 0;
+}
+
+/* One step: joint velocities (joints) in `result`, and what a teleoperator wants to know about them. It keeps all limits. */
+void manipplan_servo(Servo *servo) {
+    long joints = servo->joints;
+    double velocity[MOST] = {0}, T;
+    servo->speed = servo->wall = servo->slip = 0, servo->followed = 1, servo->seconds = servo->metres = INFINITY, servo->smallest = NAN;
+    servo->kind = CLEAR, servo->limit = NOTHING, servo->joint = servo->limit_joint = -1, servo->status = FOLLOWING;
+    if (servo->problem) servo->problem(servo->argument, servo->results, servo->integers, servo->work, 0);
+    T = duration(servo);
+    servo->clearance = INFINITY;
+    for (long k = 0; k < servo->pairs; k++) servo->clearance = least(servo->clearance, servo->distance[k]);
+    if (!all_finite(joints, servo->q) || !all_finite(joints, servo->qd) || !all_finite(6 * servo->physical, servo->columns)) {
+        memset(servo->result, 0, sizeof servo->result);
+        memset(servo->qdd, 0, sizeof servo->qdd);
+        forget(servo);
+        servo->status = BAD_STATE;
+        return;
+    }
+    if (!(servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9))) servo->status = BAD_TIME_STEP;
+    else if (servo->mode == BRAKE) forget(servo);
+    else if (servo->mode == JOINTS) {
+        if (!all_finite(joints, servo->command) || !all_finite(servo->pairs, servo->distance)) servo->status = BAD_COMMAND;
+        else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
+    } else {
+        servo->status = all_finite(servo->pairs, servo->distance) ? read_command(servo) : BAD_COMMAND;
+        if (servo->status == FOLLOWING && !follow_twist(servo, velocity)) servo->status = NOT_SOLVED;
+    }
+    if (servo->status != FOLLOWING) { /* braking: the velocity nearest to zero within the bounds */
+        if (servo->status != NOT_SOLVED) forget(servo);
+        memset(velocity, 0, sizeof velocity);
+        servo->followed = 0;
+    }
+    for (long j = 0; j < joints; j++) {
+        servo->result[j] = clip(velocity[j], servo->low[j], servo->high[j]);
+        servo->qdd[j] = T > 0 ? (servo->result[j] - servo->qd[j]) / T : 0;
+    }
+}
