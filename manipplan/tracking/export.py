@@ -1,4 +1,4 @@
-"""A controller as a C project that needs neither Python nor CasADi at run time.
+"""A controller or a servo as a C project that needs neither Python nor CasADi at run time.
 
 A step in C: the source that CasADi generates, its wrapper, and both compiled as a library for this machine.
 """
@@ -8,13 +8,14 @@ import shutil
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.compiling.compiler import load_library
+from manipplan.support.compiling.declarations import source_text
 from manipplan.support.errors import ManipplanError
 from manipplan.support.files import writable_folder, write_text
 from manipplan.support.untrusted import identifier
@@ -23,6 +24,7 @@ from manipplan.tracking.step import REPORT, STEP_NAME
 
 if TYPE_CHECKING:
     from manipplan.tracking.controller import Controller
+    from manipplan.tracking.servo import Servo
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,6 +144,56 @@ def export_c(controller: "Controller", folder: str | Path) -> list[Path]:
     return written
 
 
+def export_servo(servo: "Servo", folder: str | Path) -> list[Path]:
+    """Write servo.h, servo.c, problem.c, example.c and CMakeLists.txt.
+
+    Returns the files; raises InvalidInputError when the folder cannot be written.
+    """
+    to, here = writable_folder("folder", folder), files("manipplan.tracking")
+    values = _values_of(servo)
+    law = source_text("servo") + (here / "servo.c.in").read_text()
+    texts = {
+        "servo.h": _fill((here / "servo.h.in").read_text(), values),
+        "servo.c": _fill(law, values),
+        "problem.c": generate_source([servo.symbolic]),
+        "example.c": _fill((here / "servo_example.c.in").read_text(), values),
+        "CMakeLists.txt": (here / "servo_CMakeLists.txt.in").read_text(),
+    }
+    for name, text in texts.items():
+        write_text(to / name, text)
+    return [to / name for name in texts]
+
+
+def _values_of(servo: "Servo") -> dict[str, str]:
+    """Values for the templates of a servo."""
+    from manipplan.tracking.servo import OUTPUTS, ServoStatus
+
+    law: Any = servo.law
+    sizes = [servo.symbolic.nnz_out(name) for name in OUTPUTS]
+    constants = {name: _numbers(values.ravel()) for name, values in servo.constants.items() if name != "leader"}
+    return {
+        "ROBOT": identifier(servo.robot.name),
+        "JOINTS": str(law.joints),
+        "PHYSICAL": str(law.physical),
+        "PAIRS": str(law.pairs),
+        "DT": repr(servo.dt),
+        "LONGEST": repr(law.slowest),
+        "TIMEOUT": repr(law.timeout),
+        "SMOOTHING": repr(law.smoothing),
+        "SIDE": str(law.side),
+        "WORLD_ROWS": str(len(servo.task.world_rows)),
+        "TOOL_ROWS": str(len(servo.task.tool_rows)),
+        "OBSTACLES": str(servo.symbolic.nnz_in("obstacles")),
+        "STATUSES": ",\n".join(f"    SERVO_{status.name} = {status.value}" for status in ServoStatus),
+        "SIZES": ", ".join(map(str, sizes)),
+        "NUMBERS": str(sum(sizes) + 1),
+        "AROUND": _numbers(np.append(servo.obstacles, 0.0)),
+        "START": _numbers(servo.robot.neutral),
+        "LEADER": ", ".join(map(str, servo.constants["leader"].tolist())),
+        **{name.upper(): text for name, text in constants.items()},
+    }
+
+
 def _example(controller: "Controller") -> dict[str, str]:
     """Values for the template of the example program: neutral configuration, its pose, defaults."""
     robot = controller.robot
@@ -162,4 +214,4 @@ def _fill(text: str, values: dict[str, str]) -> str:
 
 
 def _numbers(values: Array) -> str:
-    return ", ".join(repr(float(value)) for value in values)
+    return ", ".join(repr(float(value)).replace("inf", "INFINITY") for value in values)

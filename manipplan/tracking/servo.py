@@ -166,9 +166,9 @@ class Servo:
             task = Task.pose(LENGTH) if robot.default_task.name == "pose" else robot.default_task
         self.task = _usable(task)
         self._avoidance = None if avoidance is None else instance("avoidance", avoidance, Avoidance)
-        self._struct: Any = struct("servo", "Servo")()
-        self._struct.smoothing = number("smoothing", smoothing, least=0.0)
-        self._struct.timeout = number("timeout", timeout, least=0.0)
+        self.law: Any = struct("servo", "Servo")()
+        self.law.smoothing = number("smoothing", smoothing, least=0.0)
+        self.law.timeout = number("timeout", timeout, least=0.0)
         chain = SymbolicChain.of(robot.model, robot.tool)
         if len(chain.tree.leader) > MOST_JOINTS:
             raise InvalidInputError("robot", f"{robot.name}, with {len(chain.tree.leader)} joints", f"at most {MOST_JOINTS}")
@@ -216,7 +216,7 @@ class Servo:
 
         `gauge` tells the result. Raises InvalidInputError only for arguments of a wrong shape or name, never for values.
         """
-        s = self._struct
+        s = self.law
         if frame is not self._frame or free is not self._free:
             self._choose_axes(frame, free)
         s.mode, s.fresh = _TWIST, twist is not None
@@ -237,7 +237,7 @@ class Servo:
         self._put("pose", self._pose, getattr(pose, "homogeneous", pose))
         if self._frame != "world" or self._free is not None:
             self._choose_axes("world", None)
-        self._struct.mode, self._struct.fresh = _POSE, 1
+        self.law.mode, self.law.fresh = _POSE, 1
         return self._step(q, qd, obstacles, dt)
 
     def step_joints(
@@ -251,17 +251,17 @@ class Servo:
     ) -> Array:
         """The joint velocities (n,) nearest to `velocity` (n,) that keep limits and distances: a joint jog."""
         self._put("velocity", self._joints, velocity)
-        self._struct.mode = _JOINTS
+        self.law.mode = _JOINTS
         return self._step(q, qd, obstacles, dt)
 
     def brake(self, q: ArrayLike, qd: ArrayLike, *, dt: float | None = None) -> Array:
         """Joint velocities (n,) that brake as hard as all limits allow."""
-        self._struct.mode = _BRAKE
+        self.law.mode = _BRAKE
         return self._step(q, qd, None, dt)
 
     def reset(self) -> None:
         """Clear the memory of past steps: the last command and acceleration, and from which side a singularity was approached."""
-        s = self._struct
+        s = self.law
         for name in ("qdd", "held", "filtered"):
             ctypes.memset(ctypes.addressof(s) + getattr(type(s), name).offset, 0, getattr(type(s), name).size)
         s.age = 0.0
@@ -270,7 +270,7 @@ class Servo:
     @property
     def gauge(self) -> ServoGauge:
         """What the last step did, and what is ahead."""
-        s, names = self._struct, self.robot.joint_names
+        s, names = self.law, self.robot.joint_names
         return ServoGauge(
             status=ServoStatus(s.status),
             followed=s.followed,
@@ -287,19 +287,49 @@ class Servo:
         )
 
     @property
+    def symbolic(self) -> ca.Function:
+        """What depends on the arm, as a CasADi Function from q, qd, qdd, dt and the moving obstacles' numbers to the Jacobian's
+        columns, the tool's rotation and origin, the bounds of the velocities, and rows, bounds and distances of the avoidance.
+        """
+        return self._problem
+
+    @property
+    def obstacles(self) -> Array:
+        """The numbers of the moving obstacles, as `set_moving` writes them."""
+        return self._obstacles.copy()
+
+    def export_c(self, folder: str | Path) -> list[Path]:
+        """Write a self-contained C project with the same numbers, bit by bit: header, sources, CMake file, example program.
+
+        Frames that are given by a rotation, and `free`, are left to Python. Returns the files; raises InvalidInputError when
+        the folder cannot be written.
+        """
+        from manipplan.tracking.export import export_servo
+
+        return export_servo(self, folder)
+
+    @property
     def status(self) -> ServoStatus:
         """How the last step ended."""
-        return ServoStatus(self._struct.status)
+        return ServoStatus(self.law.status)
 
     def _describe(self, chain: SymbolicChain) -> None:
         """Write the arm and the settings to the struct; arrays that it points to live as long as this servo."""
-        s, limits = self._struct, self.robot.limits
+        s, limits = self.law, self.robot.limits
         self._arrays = {
             "leader": np.ascontiguousarray(chain.tree.leader, dtype=np.int_),
             "ratio": np.ascontiguousarray(chain.tree.ratio, dtype=np.float64),
             **{name: np.ascontiguousarray(getattr(limits, name)) for name in ("lower", "upper", "velocity", "acceleration")},
             **{name: np.zeros(max(self._problem.nnz_out(name), 1)) for name in OUTPUTS},
             "selection": np.zeros((6, 6)),
+        }
+        world, tool = self.task.matrices
+        names = ("leader", "ratio", "lower", "upper", "velocity", "acceleration")
+        #: constant numbers of the law, by their names in servo.c; `axes` are those of the base
+        self.constants = {
+            **{name: self._arrays[name] for name in names},
+            "selection": np.concatenate([world, tool]),
+            "axes": self.robot.base[:3, :3].T,
         }
         for name, array in self._arrays.items():
             setattr(s, name, array.ctypes.data)
@@ -309,7 +339,7 @@ class Servo:
 
     def _connect(self) -> None:
         """Connect the arrays that the Function and the law read and write."""
-        n, s = self.robot.n, self._struct
+        n, s = self.robot.n, self.law
         self._q, self._qd, self._joints = (memoryview(_view(s, name, n)) for name in ("q", "qd", "command"))
         self._twist, self._pose = memoryview(_view(s, "command", 6)), memoryview(_view(s, "pose", 16).reshape(4, 4))
         self._axes, self._result = _view(s, "axes", 9), _view(s, "result", n)
@@ -342,7 +372,7 @@ class Servo:
         self._put("qd", self._qd, qd)
         if obstacles is not None:
             set_moving(self._avoidance, obstacles, self._obstacles)
-        self._struct.dt = self.dt if dt is None else float(array_of_shape("dt", dt, ()))
+        self.law.dt = self.dt if dt is None else float(array_of_shape("dt", dt, ()))
         if self._library is None:
             self._evaluate()
         self._law(self._address)
@@ -351,7 +381,7 @@ class Servo:
 
     def _choose_axes(self, frame: str | ArrayLike, free: Collection[str] | None) -> None:
         """Set the axes of twists, and the rows that are followed."""
-        s = self._struct
+        s = self.law
         if isinstance(frame, str):
             s.frame = {"world": _WORLD, "tool": _TOOL, "base": _OTHER_AXES}[one_of("frame", frame, FRAMES)]
             axes = self.robot.base[:3, :3]
