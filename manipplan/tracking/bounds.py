@@ -18,19 +18,18 @@ from manipplan.symbolic.task import Task
 
 
 def velocity_bounds(
-    q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: float, *, step: ca.SX | None = None, slowest: float | None = None
+    q: ca.SX, qd: ca.SX, qdd: ca.SX, limits: JointLimits, dt: float, *, step: ca.SX | None = None
 ) -> tuple[ca.SX, ca.SX]:
     """Lower and upper bounds (n,) of the next velocity at (q, qd), each (n,), where the last step accelerated by qdd.
 
-    Where time steps differ, this one takes `step` [s] and none more than `slowest` [s]: a joint then stops in time by steps of
-    any length up to that. Jerk limits are kept in steps of `dt`.
+    Where time steps differ, this one takes `step` [s], and a joint then stops in time by steps of any length. Jerk limits are
+    kept in steps of `dt`.
 
     From a viable state all limits hold exactly. From a state that cannot stop in time, position and velocity limits come
     first: the joint exceeds its acceleration limit by as little as necessary. A jerk limit is kept as well, as long as the
     state allows.
     """
-    times = (dt, ca.SX(dt) if step is None else step, dt if slowest is None else slowest)
-    bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, times) for i in range(limits.n)]
+    bounds = [_bounds_of(q[i], qd[i], qdd[i], limits, i, dt, step) for i in range(limits.n)]
     return ca.vertcat(*(low for low, _ in bounds)), ca.vertcat(*(high for _, high in bounds))
 
 
@@ -45,22 +44,29 @@ def _binds(limits: JointLimits, dt: float) -> NDArray[np.bool_]:
 
 
 def _bounds_of(
-    q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, times: tuple[float, ca.SX, float]
+    q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float, step: ca.SX | None
 ) -> tuple[ca.SX, ca.SX]:
-    dt, step, slowest = times
     speed, acceleration = float(limits.velocity[i]), float(limits.acceleration[i])
+
+    def fastest(room: ca.SX) -> ca.SX:
+        if step is None:
+            return _fastest(room, speed, acceleration, dt)
+        return _fastest_of_any_steps(room, speed, acceleration, step)
+
     room_below, room_above = q - float(limits.lower[i]), float(limits.upper[i]) - q
-    lowest = -_fastest(room_below, speed, acceleration, slowest) if np.isfinite(limits.lower[i]) else ca.SX(-speed)
-    highest = _fastest(room_above, speed, acceleration, slowest) if np.isfinite(limits.upper[i]) else ca.SX(speed)
+    lowest = -fastest(room_below) if np.isfinite(limits.lower[i]) else ca.SX(-speed)
+    highest = fastest(room_above) if np.isfinite(limits.upper[i]) else ca.SX(speed)
     lowest = ca.fmin(lowest, highest)
     low, high = lowest, highest
     if np.isfinite(acceleration):
-        low = _clip(v - acceleration * step, lowest, highest)
-        high = _clip(v + acceleration * step, lowest, highest)
+        change = acceleration * (dt if step is None else step)
+        low, high = _clip(v - change, lowest, highest), _clip(v + change, lowest, highest)
     if _binds(limits, dt)[i]:
         inner = _with_jerk((low, high), (q, v, a), limits, i, dt)
+        if step is None:
+            return inner
         usual = ca.fabs(step - dt) <= 1e-9 * dt
-        low, high = (ca.if_else(usual, *pair) for pair in zip(inner, (low, high), strict=True))
+        return ca.if_else(usual, inner[0], low), ca.if_else(usual, inner[1], high)
     return low, high
 
 
@@ -75,6 +81,19 @@ def _fastest(room: ca.SX, speed: float, acceleration: float, dt: float) -> ca.SX
     change = acceleration * dt
     steps = ca.floor((ca.sqrt(1 + 8 * ca.fmax(room, 0) / (dt * change)) - 1) / 2)
     return _clip(room / (dt * (steps + 1)) + change * steps / 2, -speed, speed)
+
+
+def _fastest_of_any_steps(room: ca.SX, speed: float, acceleration: float, step: ca.SX) -> ca.SX:
+    """The largest velocity v of a step T from which a joint can stop within `room` by steps of any length, within ±speed.
+
+    v T + v² / 2A = room: short steps brake within v² / 2A, longer ones sooner, and braking by A T keeps the condition, as
+    (v - A T) T + (v - A T)² / 2A = v² / 2A - A T² / 2.
+    """
+    if np.isinf(acceleration):
+        return _clip(room / step, -speed, speed)
+    change, inside = acceleration * step, ca.fmax(room, 0)
+    stopping = 2 * acceleration * inside / (change + ca.sqrt(change**2 + 2 * acceleration * inside))
+    return _clip(ca.if_else(room < 0, room / step, stopping), -speed, speed)
 
 
 def _with_jerk(

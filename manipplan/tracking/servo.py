@@ -442,7 +442,7 @@ def _problem_of(
     rows = avoidance_rows(robot, chain, avoidance) if avoidance else None
     slowest = LONGEST_STEP * dt
     usable = ca.logic_and(step > 0, step <= slowest * (1 + 1e-9))
-    low, high = velocity_bounds(chain.q, qd, qdd, robot.limits, dt, step=ca.if_else(usable, step, dt), slowest=slowest)
+    low, high = velocity_bounds(chain.q, qd, qdd, robot.limits, dt, step=ca.if_else(usable, step, dt))
     made = {
         "columns": chain.alone.jacobian,
         "rotation": chain.tool.rotation,

@@ -1,0 +1,512 @@
+"""The servo: limits in every step, ways out of singular postures, commands that are late or wrong, and one law in three forms."""
+
+import itertools
+import shutil
+import subprocess
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import manipplan as mp
+from manipplan.support.compiling.compiler import find_compiler
+from manipplan.tracking.servo import LONGEST_STEP, Servo, ServoLimit, ServoStatus, Singularity
+
+DT = 0.002
+UPRIGHT = np.array([0.0, -np.pi / 2, 0.0, -np.pi / 2, 0.0, 0.0])
+STRAIGHT = np.array([0.3, -0.8, 0.0, -1.0, 1.2, 0.0])
+SINGULAR = {
+    "ur5 upright": ("ur5", UPRIGHT),
+    "ur5 elbow": ("ur5", STRAIGHT),
+    "ur5 wrist": ("ur5", np.array([0.2, -1.3, 1.5, -1.2, 0.0, 0.3])),
+    "xarm7 zero": ("xarm7", np.zeros(7)),
+    "panda shoulder and wrist": ("panda", np.array([0.556, 0.0, -1.769, -2.593, 1.161, 3.435, 0.433])),
+}
+SCALE = np.array([1.0, 1.0, 1.0, 0.3, 0.3, 0.3])
+
+
+def robot_without_jerk(name):
+    robot = mp.load_robot(name)
+    return robot.with_limits(jerk=np.inf)
+
+
+@pytest.fixture(scope="module")
+def servos():
+    """Servos by the name of the arm; each test begins with an empty memory."""
+    made = {}
+
+    def servo(name, **options):
+        key = (name, *options.items())
+        if key not in made:
+            made[key] = Servo(robot_without_jerk(name), dt=DT, **options)
+        made[key].reset()
+        return made[key]
+
+    return servo
+
+
+def kinematics(robot, q):
+    """Pose and scaled Jacobian by Pinocchio."""
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    jacobian = pin.computeFrameJacobian(robot.model, data, q, frame, pin.LOCAL_WORLD_ALIGNED)
+    return data.oMf[frame].copy(), jacobian * SCALE[:, None]
+
+
+def moved(first, second):
+    """The scaled displacement (6,) of the tool between two poses."""
+    return SCALE * np.concatenate([second.translation - first.translation, pin.log3(second.rotation @ first.rotation.T)])
+
+
+def drive(servo, q, twist, seconds, frame="world", after=None):
+    """q and q̇ of an ideal arm, (N + 1, n)."""
+    q, qd = np.array(q, dtype=float), np.zeros(len(q))
+    all_q, all_qd = [q], [qd]
+    for k in range(round(seconds / DT)):
+        qd = servo.step(q, qd, twist(k * DT) if callable(twist) else twist, frame)
+        q = q + DT * qd
+        all_q.append(q)
+        all_qd.append(qd)
+        if after is not None and after(q):
+            break
+    return np.array(all_q), np.array(all_qd)
+
+
+def test_far_from_singularities_the_twist_is_followed_exactly(servos):
+    servo = servos("panda")
+    q = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5])
+    twist = np.array([0.02, -0.03, 0.01, 0.05, 0.0, -0.1])
+    path, _ = drive(servo, q, twist, 0.4)
+    pose, jacobian = kinematics(servo.robot, path[-1])
+    assert np.allclose(jacobian @ servo.step(path[-1], np.zeros(7) + (path[-1] - path[-2]) / DT, twist, "world"), SCALE * twist, atol=1e-9)
+    gauge = servo.gauge
+    assert gauge.status is ServoStatus.FOLLOWING
+    assert gauge.kind is Singularity.CLEAR
+    assert gauge.followed == pytest.approx(1.0)
+    assert gauge.slip == pytest.approx(0.0, abs=1e-9)
+    assert gauge.seconds == np.inf
+
+
+@pytest.mark.parametrize("frame", ["tool", "base", "world", "camera"])
+def test_axes_of_the_twist(servos, frame):
+    robot = mp.load_robot("ur5").at(pin.SE3(pin.rpy.rpyToMatrix(0.3, -0.5, 1.0), np.array([0.2, -0.1, 0.4])).homogeneous)
+    servo = Servo(robot, dt=DT)
+    q = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3])
+    pose, jacobian = kinematics(robot, q)
+    camera = pin.rpy.rpyToMatrix(1.0, 0.2, -0.7)
+    axes = {"tool": pose.rotation, "base": robot.base[:3, :3], "world": np.eye(3), "camera": camera}[frame]
+    twist = 1e-3 * np.array([1.0, -2.0, 0.5, 0.3, 1.0, -0.4])
+    expected = np.kron(np.eye(2), axes) @ twist
+    qd = servo.step(q, np.zeros(6), twist, camera if frame == "camera" else frame)
+    assert np.allclose(jacobian @ qd, SCALE * expected, atol=1e-12)
+
+
+def test_free_directions_are_not_followed(servos):
+    servo = servos("ur5")
+    q = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3])
+    pose, jacobian = kinematics(servo.robot, q)
+    twist = 1e-3 * np.array([1.0, -2.0, 0.5, 0.3, 1.0, -0.4])
+    qd = servo.step(q, np.zeros(6), twist, "tool", free=("z", "ry"))
+    in_tool = np.kron(np.eye(2), pose.rotation.T) @ (jacobian @ qd / SCALE)
+    followed = [0, 1, 3, 5]
+    assert np.allclose(in_tool[followed], twist[followed], atol=1e-6)
+    assert abs(in_tool[2] - twist[2]) > 1e-5
+    qd = servo.step(q, np.zeros(6), twist, "tool")
+    assert np.allclose(np.kron(np.eye(2), pose.rotation.T) @ (jacobian @ qd / SCALE), twist, atol=1e-10)
+
+
+@pytest.mark.parametrize("name", SINGULAR)
+def test_every_way_out_of_a_singular_posture_is_taken(servos, name):
+    """20 mm along each of 12 directions; those that need another posture far away are left out."""
+    arm, q = SINGULAR[name]
+    servo = servos(arm)
+    start, _ = kinematics(servo.robot, q)
+    unreachable = {"ur5 upright": (4, 8), "ur5 elbow": (), "ur5 wrist": (), "xarm7 zero": (), "panda shoulder and wrist": ()}[name]
+    left = []
+    for i in range(12):
+        twist = np.zeros(6)
+        twist[i // 2] = (0.1 if i < 6 else 0.1 / 0.3) * (1 - 2 * (i % 2))
+        direction = SCALE * twist / np.linalg.norm(SCALE * twist)
+
+        def far(x, direction=direction):
+            return direction @ moved(start, kinematics(servo.robot, x)[0]) >= 0.02
+
+        servo.reset()
+        path, _ = drive(servo, q, twist, 2.0, after=far)
+        left.append(far(path[-1]))
+        assert len(path) * DT < 0.6 or not left[-1]
+    reached = [i for i in range(12) if left[i]]
+    assert len(reached) >= 9, (name, reached, unreachable)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_the_elbow_is_not_pushed_through(servos, sign):
+    """Outward for four seconds, across, and inward again: the arm folds to the side from which it came."""
+    servo = servos("ur5")
+    q = np.array([0.3, -0.6, 0.5 * sign, -1.2, -1.2, 0.4])
+    straight = q * [1, 1, 0, 1, 1, 1]
+    outward = kinematics(servo.robot, straight)[0].translation - [0, 0, 0.089]
+    lost = np.linalg.svd(kinematics(servo.robot, straight)[1])[0][:3, -1]
+    outward = np.sign(lost @ outward) * lost / np.linalg.norm(lost)
+    across = np.cross(outward, [0, 0, 1])
+    legs = [outward, outward + across, outward - across, -outward]
+
+    def twist(t):
+        d = legs[min(int(t // 2), 3)]
+        return np.concatenate([0.1 * d / np.linalg.norm(d), np.zeros(3)])
+
+    path, _ = drive(servo, q, twist, 8.0)
+    assert (sign * path[:, 2] > 0).all()
+    assert np.abs(path[:, 2]).min() < 0.02
+    assert abs(path[-1, 2]) > 0.3
+
+
+def test_pushed_against_the_reach_the_arm_rests(servos):
+    """Ten seconds along what a straight elbow loses: no drift of σ, and no motion but what the command has besides."""
+    servo = servos("ur5")
+    q = np.array([0.3, -0.6, 0.1, -1.2, -1.2, 0.4])
+    straight = q * [1, 1, 0, 1, 1, 1]
+    pose, jacobian = kinematics(servo.robot, straight)
+    lost = np.linalg.svd(jacobian)[0][:, -1]
+    lost = lost * np.sign(lost[:3] @ (pose.translation - [0, 0, 0.089]))
+    path, velocity = drive(servo, q, 0.1 * lost / SCALE, 10.0)
+    assert servo.gauge.wall > 0.9
+    assert servo.gauge.kind is Singularity.FOLD
+    sigma = [np.linalg.svd(kinematics(servo.robot, x)[1], compute_uv=False)[-1] for x in path[-2500::100]]
+    assert np.ptp(sigma) < 1e-5
+    assert np.abs(velocity[-1]).max() < 0.02
+    assert (path[:, 2] > 0).all()
+
+
+def test_the_other_side(servos):
+    servo = servos("ur5", side="other")
+    q = np.array([0.3, -0.6, 0.5, -1.2, -1.2, 0.4])
+    straight = q * [1, 1, 0, 1, 1, 1]
+    lost = np.linalg.svd(kinematics(servo.robot, straight)[1])[0][:3, -1]
+    outward = lost * np.sign(lost @ (kinematics(servo.robot, straight)[0].translation - [0, 0, 0.089]))
+    outward = 0.1 * outward / np.linalg.norm(outward)
+    path, _ = drive(servo, q, lambda t: np.concatenate([outward if t < 4 else -outward, np.zeros(3)]), 8.0)
+    assert path[-1, 2] < -0.3
+
+
+def test_the_gauge_sees_the_reach_ahead(servos):
+    """seconds is the time in which σ² falls to zero at the commanded speed."""
+    servo = servos("ur5")
+    q = np.array([0.3, -0.6, 0.5, -1.2, -1.2, 0.4])
+    straight = q * [1, 1, 0, 1, 1, 1]
+    lost = np.linalg.svd(kinematics(servo.robot, straight)[1])[0][:3, -1]
+    outward = lost * np.sign(lost @ (kinematics(servo.robot, straight)[0].translation - [0, 0, 0.089]))
+    twist = np.concatenate([0.1 * outward / np.linalg.norm(outward), np.zeros(3)])
+    seen = []
+
+    def note(x):
+        gauge = servo.gauge
+        seen.append((gauge.kind, gauge.seconds, gauge.metres, gauge.joint, x[2]))
+        return x[2] < 0.01
+
+    path, _ = drive(servo, q, twist, 5.0, after=note)
+    arrival = len(seen) * DT
+    for k, (kind, seconds, metres, joint, _) in enumerate(seen):
+        left = arrival - k * DT
+        if 0.3 < left < 0.6:
+            assert kind is Singularity.FOLD
+            assert joint == "elbow_joint"
+            assert seconds == pytest.approx(left, rel=0.5)
+            assert metres == pytest.approx(0.1 * seconds)
+
+
+@pytest.mark.parametrize("name", ["ur5", "panda", "so100"])
+def test_signs_of_singular_vectors_do_not_matter(servos, name):
+    """U of the last step, from which the decomposition goes on, with signs flipped and rows exchanged at random."""
+    rng = np.random.default_rng(1)
+    servo = servos(name)
+    q = {"ur5": np.array([0.2, -1.3, 0.02, -1.2, 0.03, 0.3]), "panda": SINGULAR["panda shoulder and wrist"][1] + 0.02}
+    start = q.get(name, np.array([0.1, 0.3, 0.2, 0.1, 0.2]))
+    paths = []
+    for flips in (False, True):
+        servo.reset()
+        x, qd = start, np.zeros(len(start))
+        for k in range(400):
+            if flips:
+                guess = np.array(servo.law.guess).reshape(6, 6)
+                m = servo.law.world_rows + servo.law.tool_rows
+                guess[:m, :m] = rng.permutation(guess[:m, :m]) * rng.choice([-1.0, 1.0], (m, 1))
+                servo.law.guess[:] = guess.ravel().tolist()
+            t = k * DT
+            qd = servo.step(x, qd, [0.1 * np.cos(3 * t), 0.1 * np.sin(5 * t), -0.1 * np.cos(4 * t), 0.2, 0.3 * np.sin(4 * t), -0.1], "world")
+            x = x + DT * qd
+        paths.append(x)
+    assert np.allclose(*paths, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["panda", "ur5", "kinova", "so100", "baxter_left", "xarm7"])
+@settings(max_examples=15, deadline=None)
+@given(data=st.data())
+def test_no_step_leaves_the_limits(servos, name, data):
+    """Any twists, modes and time steps, from postures at limits: position, velocity and acceleration, to 1e-9."""
+    servo = servos(name)
+    robot, n = servo.robot, servo.robot.n
+    limits = robot.limits
+    rng = np.random.default_rng(data.draw(st.integers(0, 10**6)))
+    low, high = np.maximum(limits.lower, -3), np.minimum(limits.upper, 3)
+    q = np.where(rng.random(n) < 0.3, np.where(rng.random(n) < 0.5, low, high), rng.uniform(low, high))
+    qd, twist = np.zeros(n), np.zeros(6)
+    for k in range(300):
+        if k % 25 == 0:
+            twist = data.draw(st.sampled_from([0.1, 1.0, 30.0])) * rng.standard_normal(6)
+            mode = data.draw(st.sampled_from(["twist", "joints", "brake", "nan", "none"]))
+        dt = DT * rng.uniform(0.2, LONGEST_STEP)
+        before = qd
+        if mode == "joints":
+            qd = servo.step_joints(q, qd, rng.standard_normal(n) * 3, dt=dt)
+        elif mode == "brake":
+            qd = servo.brake(q, qd, dt=dt)
+        else:
+            given_twist = {"twist": twist, "nan": np.full(6, np.nan), "none": None}[mode]
+            qd = servo.step(q, qd, given_twist, dt=dt)
+        q = q + dt * qd
+        assert (np.abs(qd) <= limits.velocity * (1 + 1e-12)).all()
+        assert (np.abs(qd - before) <= limits.acceleration * dt * (1 + 1e-9) + 1e-12).all()
+        assert (q >= limits.lower - 1e-9).all()
+        assert (q <= limits.upper + 1e-9).all()
+
+
+def test_jerk_limits_are_kept_in_equal_steps():
+    robot = mp.load_robot("panda")
+    servo = Servo(robot, dt=DT)
+    rng = np.random.default_rng(0)
+    twists = [np.concatenate([0.3 * rng.standard_normal(3), rng.standard_normal(3)]) for _ in range(8)]
+    _, velocity = drive(servo, np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5]), lambda t: twists[min(int(t / 0.25), 7)], 2.0)
+    jerk = np.diff(velocity, 2, axis=0) / DT**2
+    assert (np.abs(jerk) <= robot.limits.jerk * (1 + 1e-6)).all()
+
+
+BAD = [
+    ("twist", np.full(6, np.nan)),
+    ("twist", np.array([np.inf, 0, 0, 0, 0, 0])),
+    ("pose", np.zeros((4, 4))),
+    ("pose", np.full((4, 4), np.nan)),
+    ("pose", np.diag([1.0, 1.0, -1.0, 1.0])),
+    ("joints", np.full(6, np.nan)),
+]
+
+
+@pytest.mark.parametrize(("mode", "value"), BAD)
+def test_wrong_commands_brake(servos, mode, value):
+    servo = servos("ur5")
+    q, qd = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.full(6, 0.1)
+    call = {"twist": servo.step, "pose": servo.step_pose, "joints": servo.step_joints}[mode]
+    braked = call(q, qd, value)
+    assert servo.status is ServoStatus.BAD_COMMAND
+    assert np.allclose(braked, np.maximum(qd - servo.robot.limits.acceleration * DT, 0.0))
+    again = servo.step(q, np.zeros(6), np.array([0.01, 0, 0, 0, 0, 0]), "world")
+    assert servo.status is ServoStatus.FOLLOWING
+    assert np.abs(again).max() > 0
+
+
+def test_wrong_states_and_time_steps(servos):
+    servo = servos("ur5")
+    q, twist = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.array([0.01, 0, 0, 0, 0, 0])
+    assert (servo.step(np.full(6, np.nan), np.zeros(6), twist) == 0).all()
+    assert servo.status is ServoStatus.BAD_STATE
+    for dt in (0.0, -1.0, np.nan, np.inf, 6 * DT):
+        braked = servo.step(q, np.full(6, 0.1), twist, dt=dt)
+        assert servo.status is ServoStatus.BAD_TIME_STEP
+        assert (braked < 0.1).all()
+    for outside in (servo.robot.limits.upper + 0.1, servo.robot.limits.lower - 0.1):
+        qd = servo.step(outside, np.zeros(6), twist)
+        back = np.sign(servo.robot.limits.upper - outside)
+        assert (back * qd > 0).all()
+
+
+def test_a_stream_that_stops(servos):
+    servo = servos("ur5", timeout=0.05)
+    q, qd = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.zeros(6)
+    twist = np.array([0.05, 0, 0, 0, 0, 0.0])
+    for _ in range(50):
+        qd = servo.step(q, qd, twist, "world")
+        q = q + DT * qd
+    statuses = []
+    for _ in range(60):
+        qd = servo.step(q, qd, None, "world")
+        q = q + DT * qd
+        statuses.append(servo.status)
+    assert statuses[:24] == [ServoStatus.FOLLOWING] * 24
+    assert statuses[-1] is ServoStatus.STALE
+    assert (qd == 0).all()
+
+
+def test_a_pose_is_reached_and_joints_are_jogged(servos):
+    servo = servos("panda")
+    q, qd = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5]), np.zeros(7)
+    goal, _ = kinematics(servo.robot, q + 0.2)
+    for _ in range(1500):
+        qd = servo.step_pose(q, qd, goal)
+        q = q + DT * qd
+    assert np.linalg.norm(moved(kinematics(servo.robot, q)[0], goal)) < 1e-4
+    velocity = servo.step_joints(q, qd, 1e-3 * np.ones(7))
+    assert np.allclose(velocity, 1e-3, atol=2e-2)
+    half_turn = kinematics(servo.robot, q)[0] * pin.SE3(np.diag([1.0, -1.0, -1.0]), np.zeros(3))
+    servo.step_pose(q, qd, half_turn)
+    assert servo.status is ServoStatus.FOLLOWING
+
+
+def test_at_rest_without_a_command(servos):
+    servo = servos("panda")
+    q = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5])
+    path, _ = drive(servo, q, np.zeros(6), 1.0)
+    assert (path == q).all()
+
+
+def test_obstacles_are_kept_at_a_distance():
+    """A ball 0.3 m ahead of the tool, towards which it is driven, and which then comes nearer by itself."""
+    robot = robot_without_jerk("ur5")
+    q, qd = np.array([0.0, -1.6, 2.0, -2.0, -1.57, 0.3]), np.zeros(6)
+    tool = kinematics(robot, q)[0].translation
+    centre = tool + [0.0, 0.35, 0.0]
+    ball = mp.Sphere(radius=0.05, position=centre, name="ball")
+    avoidance = mp.Avoidance(scene=mp.Scene([ball]), moving=("ball",), influence=0.1, security=0.02)
+    servo = Servo(robot, dt=DT, avoidance=avoidance)
+    twist, clearances = np.array([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]), []
+    for _ in range(1500):
+        qd = servo.step(q, qd, twist, "world")
+        q = q + DT * qd
+        clearances.append(servo.gauge.clearance)
+    assert min(clearances) > 0.019
+    assert clearances[-1] < 0.06
+    assert servo.gauge.reason is ServoLimit.OBSTACLE
+    pose = np.eye(4)
+    pose[:3, 3] = centre
+    for _ in range(500):
+        pose[1, 3] -= DT * 0.1
+        qd = servo.step(q, qd, np.zeros(6), "world", obstacles={"ball": (pose, [0, -0.1, 0, 0, 0, 0])})
+        q = q + DT * qd
+        assert servo.gauge.clearance > 0.015
+    servo.step(q, qd, twist, "world", obstacles={"ball": (pose, np.full(6, np.nan))})
+    assert servo.status is ServoStatus.BAD_COMMAND
+
+
+def test_arms_of_many_kinds():
+    """Rails, branches and followers: the rows that count are followed where nothing limits."""
+    for robot in (mp.load_robot("tiago"), mp.load_robot("talos_torso_right_arm"), mp.planar_arm([0.5, 0.4, 0.3])):
+        servo = Servo(robot, dt=DT)
+        rng = np.random.default_rng(5)
+        low, high = np.maximum(robot.limits.lower, -2), np.minimum(robot.limits.upper, 2)
+        q = low + (high - low) * rng.uniform(0.3, 0.7, robot.n)
+        task = robot.kinematics(servo.task)
+        jacobian = task.jacobian(q)
+        twist = 1e-4 * rng.standard_normal(6)
+        twist[2:] *= servo.task.rows > 2
+        qd = servo.step(q, np.zeros(robot.n), twist, "world")
+        world, _ = servo.task.matrices
+        assert np.allclose(jacobian @ qd, world @ twist, atol=1e-9), robot.name
+
+
+def test_what_is_refused(servos):
+    robot = mp.load_robot("ur5")
+    for argument, value in {"dt": 0.0, "side": "left", "smoothing": -1.0, "timeout": np.nan}.items():
+        with pytest.raises(mp.errors.InvalidInputError, match=argument):
+            Servo(robot, **{"dt": DT} | {argument: value})
+    with pytest.raises(mp.errors.InvalidInputError, match="one tool"):
+        Servo(mp.load_robot("baxter"), dt=DT)
+    with pytest.raises(mp.errors.InvalidInputError, match="region"):
+        Servo(robot, dt=DT, task=mp.Task.pose().within(position=0.01))
+    servo, q = servos("ur5"), np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3])
+    for wrong in (np.zeros(5), np.zeros((6, 1)), "x", None):
+        with pytest.raises(mp.errors.InvalidInputError, match="q:"):
+            servo.step(wrong, np.zeros(6), np.zeros(6))
+    with pytest.raises(mp.errors.InvalidInputError, match="twist"):
+        servo.step(q, np.zeros(6), np.zeros(3))
+    with pytest.raises(mp.errors.InvalidInputError, match="tool"):
+        servo.step(q, np.zeros(6), np.zeros(6), "tol")
+    with pytest.raises(mp.errors.InvalidInputError, match="rotation"):
+        servo.step(q, np.zeros(6), np.zeros(6), 2 * np.eye(3))
+    with pytest.raises(mp.errors.InvalidInputError, match="free"):
+        servo.step(q, np.zeros(6), np.zeros(6), free=("roll",))
+    with pytest.raises(mp.errors.InvalidInputError, match="five"):
+        servo.step(q, np.zeros(6), np.zeros(6), free=("x", "y", "z", "rx", "ry", "rz"))
+
+
+def test_machine_code_and_virtual_machine_agree_bit_by_bit():
+    robot = mp.load_robot("panda")
+    rng = np.random.default_rng(5)
+    twists = [np.concatenate([0.2 * rng.standard_normal(3), rng.standard_normal(3)]) for _ in range(10)]
+    paths = []
+    for compiled in (False, True):
+        servo = Servo(robot, dt=DT, compiled=compiled)
+        assert servo.compiled is compiled
+        paths.append(drive(servo, SINGULAR["panda shoulder and wrist"][1], lambda t: twists[int(t / 0.2)], 1.9)[0])
+    assert np.array_equal(*paths)
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
+@pytest.mark.parametrize("name", ["panda", "so100"])
+def test_the_exported_servo_has_the_same_bits(name, tmp_path):
+    robot = mp.load_robot(name)
+    servo = Servo(robot, dt=DT, compiled=False)
+    servo.export_c(tmp_path)
+    command = [*find_compiler().command, "-O2", "-ffp-contract=off", "example.c", "servo.c", "problem.c", "-o", "example", "-lm"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    printed = subprocess.run([str(tmp_path / "example")], capture_output=True, text=True, check=True).stdout
+    found = np.array([[float(word) for word in line.split()] for line in printed.splitlines()])
+    q, qd, expected = np.array(robot.neutral), np.zeros(robot.n), []
+    for k in range(2000):
+        qd = servo.step(q, qd, [0.1 if k < 1000 else -0.1, 0, 0, 0, 0, 0], "world")
+        q = q + DT * qd
+        gauge = servo.gauge
+        expected.append([*q, gauge.status, gauge.followed, gauge.seconds])
+    assert np.array_equal(found, expected)
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="there is no cmake")
+def test_the_exported_project_builds_by_cmake(tmp_path):
+    mp.Servo(mp.load_robot("ur5"), dt=DT, compiled=False).export_c(tmp_path / "servo")
+    for command in (["cmake", "-S", "servo", "-B", "build"], ["cmake", "--build", "build"], ["build/example"]):
+        subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [each for each in mp.available_robots() if each not in ("baxter", "asr_twodof")])
+def test_exact_zeros_of_the_catalogue_are_left(name):
+    """From all joints at zero, in both signs of zero: no stall in a direction that another posture within 0.8 rad reaches."""
+    try:
+        robot = robot_without_jerk(name)
+        servo = Servo(robot, dt=DT)
+    except mp.errors.InvalidInputError:
+        pytest.skip("more joints or tools than a servo takes")
+    zero = np.clip(np.zeros(robot.n), robot.limits.lower, robot.limits.upper)
+    start, _ = kinematics(robot, zero)
+    world, _ = servo.task.matrices
+    rows = [int(np.flatnonzero(row)[0]) for row in world]
+    rng = np.random.default_rng(0)
+    for row, sign, zero_sign in itertools.product(rows, (1, -1), (1.0, -1.0)):
+        twist = np.zeros(6)
+        twist[row] = sign * (0.1 if row < 3 else 0.1 / 0.3)
+        direction = SCALE * twist / np.linalg.norm(SCALE * twist)
+        servo.reset()
+        path, _ = drive(servo, zero * zero_sign, twist, 1.5, after=lambda x, d=direction: d @ moved(start, kinematics(robot, x)[0]) > 0.02)
+        if direction @ moved(start, kinematics(robot, path[-1])[0]) > 0.005:
+            continue
+        goal = pin.SE3(pin.exp3(twist[3:] * 0.05) @ start.rotation, start.translation + twist[:3] * 0.05)  # 5 mm ahead
+        assert not reaches(servo, goal, zero, rng), (name, row, sign)
+
+
+def reaches(servo, goal, start, rng):
+    """Whether a posture within 0.8 rad has the goal's rows, by damped Newton steps."""
+    robot = servo.robot
+    rows = [int(np.flatnonzero(row)[0]) for row in servo.task.matrices[0]]
+    for trial in range(20):
+        q = start + (0.25 * rng.standard_normal(robot.n) if trial else 0)
+        for _ in range(60):
+            pose, jacobian = kinematics(robot, q)
+            error, part = moved(pose, goal)[rows], jacobian[rows]
+            if np.linalg.norm(error) < 1e-6:
+                inside = (q >= robot.limits.lower).all() and (q <= robot.limits.upper).all()
+                if inside and np.abs(q - start).max() < 0.8:
+                    return True
+                break
+            step = part.T @ np.linalg.solve(part @ part.T + (1e-4 * np.linalg.norm(error) + 1e-12) * np.eye(len(rows)), error)
+            q = q + step * min(1.0, 0.3 / (np.abs(step).max() + 1e-12))
+    return False
