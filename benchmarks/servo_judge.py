@@ -137,7 +137,7 @@ def simulate(
         begin = time.perf_counter()
         try:
             raw = np.asarray(law.step(q, qd, twists[k]), dtype=float)
-        except Exception:  # noqa: BLE001 (a law that raises in the loop: the drive brakes, and it is counted)
+        except Exception:
             errors += 1
             raw = np.zeros(arm.n)
         times[k] = time.perf_counter() - begin
@@ -280,7 +280,9 @@ def leaving_bound(arm: Arm, q: Array, twist: Array, distance: float, seed: int) 
             continue
         way = np.abs(x - q)
         ramp = arm.velocity**2 / (2 * arm.acceleration)
-        joint = np.where(way <= ramp, np.sqrt(2 * way / arm.acceleration), arm.velocity / arm.acceleration + (way - ramp) / arm.velocity)
+        joint = np.where(
+            way <= ramp, np.sqrt(2 * way / arm.acceleration), arm.velocity / arm.acceleration + (way - ramp) / arm.velocity
+        )
         seconds = max(float(joint.max()), distance / size)
         best = seconds if best is None else min(best, seconds)
     return best

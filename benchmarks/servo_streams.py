@@ -75,7 +75,10 @@ def _unit(v: Array) -> Array:
 def designed(arms: dict[str, Arm]) -> dict[str, Stream]:
     """Folds approached, slid along and left; poles passed, straight and beside; starts in singularities; and walks."""
     found = _of_ur5(arms["ur5"]) | _of_xarm7(arms["xarm7"]) | _of_panda(arms["panda"])
-    return {name: Stream(arm=name.split()[0], start=np.asarray(start, dtype=float), twist=twist) for name, (start, twist) in found.items()}
+    return {
+        name: Stream(arm=name.split()[0], start=np.asarray(start, dtype=float), twist=twist)
+        for name, (start, twist) in found.items()
+    }
 
 
 def _of_ur5(arm: Arm) -> dict[str, tuple[Array, Twist]]:
@@ -87,8 +90,9 @@ def _of_ur5(arm: Arm) -> dict[str, tuple[Array, Twist]]:
     u = u * np.sign(u @ outward)
     side = _unit(np.cross(u, [0, 0, 1]))
     up = np.cross(side, u)
-    found["ur5 elbow in, along, oblique, out"] = q, phases(
-        (5, line(*u)), (3, line(*side)), (4, line(*(u + up))), (3, line(*(-u - up))), (5, line(*-u))
+    found["ur5 elbow in, along, oblique, out"] = (
+        q,
+        phases((5, line(*u)), (3, line(*side)), (4, line(*(u + up))), (3, line(*(-u - up))), (5, line(*-u))),
     )
     found["ur5 elbow in and out"] = q, phases(*[(2, line(*(u if i % 2 == 0 else -u))) for i in range(10)])
     q = np.array([0.2, -1.3, 1.5, -1.2, 0.5, 0.3])
@@ -99,8 +103,9 @@ def _of_ur5(arm: Arm) -> dict[str, tuple[Array, Twist]]:
     tilted = -axis + 0.1 * across
     found["ur5 wrist past"] = q, phases(*[(2.5, turn(*(tilted if i % 2 == 0 else -tilted))) for i in range(8)])
     beside = q * [1, 1, 1, 1, 0, 1] + [0, 0, 0, 0, 0.02, 0]
-    found["ur5 wrist along lost"] = beside, phases(
-        (5, turn(*across)), (5, turn(*-across)), (5, turn(*(across + axis))), (5, turn(*(-across + axis)))
+    found["ur5 wrist along lost"] = (
+        beside,
+        phases((5, turn(*across)), (5, turn(*-across)), (5, turn(*(across + axis))), (5, turn(*(-across + axis)))),
     )
     shoulder = np.array([0.0, -1.9, 1.9, -1.6, -1.3, 0.0])
 
@@ -114,11 +119,15 @@ def _of_ur5(arm: Arm) -> dict[str, tuple[Array, Twist]]:
     u = _unit(lost(arm, above)[:3])
     step = arm.pose(above + [0, 0.35, 0, 0, 0, 0]).translation - arm.pose(above).translation
     over = _unit(step)
-    found["ur5 shoulder along lost"] = above + [0, 0.02, 0, 0, 0, 0], phases(
-        (5, line(*u)), (5, line(*-u)), (5, line(*(u + over))), (5, line(*(-u - over)))
+    found["ur5 shoulder along lost"] = (
+        above + [0, 0.02, 0, 0, 0, 0],
+        phases((5, line(*u)), (5, line(*-u)), (5, line(*(u + over))), (5, line(*(-u - over)))),
     )
     upright = np.array([0, -HALF, 0, -HALF, 0, 0])
-    found["ur5 upright start"] = upright, phases((5, line(0, 0, -1)), (5, line(1, 0, 0)), (5, line(0, 1, 0)), (5, line(0, 0, 1)))
+    found["ur5 upright start"] = (
+        upright,
+        phases((5, line(0, 0, -1)), (5, line(1, 0, 0)), (5, line(0, 1, 0)), (5, line(0, 0, 1))),
+    )
     straight = np.array([0.3, -0.8, 0.0, -1.0, 1.2, 0.0])
     u = _unit(lost(arm, straight)[:3])
     u = u * np.sign(u @ (arm.pose(straight).translation - [0, 0, 0.089]))
@@ -138,8 +147,14 @@ def _of_xarm7(arm: Arm) -> dict[str, tuple[Array, Twist]]:
             q,
             phases((6, line(*d)), (3, line(*side)), (3, line(*(d + up))), (3, line(*(-d - up))), (5, line(*-d))),
         ),
-        "xarm7 zero start": (np.zeros(7), phases((5, line(0, 0, 1)), (5, line(1, 0, 0)), (5, line(0, 1, 0)), (5, line(0, 0, -1)))),
-        "xarm7 wrist and shoulder along lost": (beside, phases((5, turn(*u)), (5, turn(*-u)), (5, line(0, 1, 0)), (5, line(0, -1, 0)))),
+        "xarm7 zero start": (
+            np.zeros(7),
+            phases((5, line(0, 0, 1)), (5, line(1, 0, 0)), (5, line(0, 1, 0)), (5, line(0, 0, -1))),
+        ),
+        "xarm7 wrist and shoulder along lost": (
+            beside,
+            phases((5, turn(*u)), (5, turn(*-u)), (5, line(0, 1, 0)), (5, line(0, -1, 0))),
+        ),
         "xarm7 walk 0": (np.zeros(7), walk(100)),
     }
 
@@ -172,7 +187,9 @@ def singular_postures(arm: Arm, count: int, seed: int) -> list[Array]:
                 found.append(q)
                 break
             u, v = left[:, len(sigma) - 1], right[len(sigma) - 1]
-            slope = np.array([u @ (arm.jacobian(q + step) - arm.jacobian(q - step)) @ v / 2e-6 for step in 1e-6 * np.eye(arm.n)])
+            slope = np.array(
+                [u @ (arm.jacobian(q + step) - arm.jacobian(q - step)) @ v / 2e-6 for step in 1e-6 * np.eye(arm.n)]
+            )
             change = -sigma[-1] * slope / (slope @ slope + 1e-9)
             q = np.clip(q + change * min(1.0, 0.3 / (np.abs(change).max() + 1e-12)), low, high)
     return found

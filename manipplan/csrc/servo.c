@@ -34,6 +34,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define RATE 1.0         /* of the drive in the null space [1/s] */
 #define RANGE 0.1        /* of the drive's joint limits [rad] */
 #define DAMPED 1e-3      /* damping of the drive's JJᵀ [m²] */
+#define ROUNDED 1e-5     /* deviation of a rotation that is rounding */
 #define LENGTH 0.3       /* metres per radian where a pose is approached */
 #define APPROACH 2.0     /* deceleration with which it is approached [m/s²] */
 #define FASTEST 5.0      /* and the maximum speed [m/s] */
@@ -51,7 +52,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 
 typedef struct {
     /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
-    long joints, physical, pairs;
+    long joints, physical, pairs, moving;
     const long *leader;
     const double *ratio, *lower, *upper, *velocity, *acceleration;
     double usual, slowest, timeout, smoothing;
@@ -60,8 +61,9 @@ typedef struct {
     long world_rows, tool_rows;
     const double *selection;
     /* of this state: columns (physical, 6) in world axes, rotation (3, 3) stored by columns and origin (3) of the tool, the bounds
-       low and high (joints), rows of obstacles (pairs, joints), their bounds and distances (pairs) */
-    const double *columns, *rotation, *origin, *low, *high, *matrix, *bound, *distance;
+       low and high (joints), rows of obstacles (pairs, joints), their bounds and distances (pairs);
+       moving obstacles (moving, 18) */
+    const double *columns, *rotation, *origin, *low, *high, *matrix, *bound, *distance, *obstacles;
     /* the code that computes them from arguments (5): q, qd, qdd, dt, the obstacles; 0 where the caller does */
     int (*problem)(const double **argument, double **result, long long *iw, double *w, int mem);
     const double **argument;
@@ -772,19 +774,31 @@ static int all_finite(long n, const double *values) {
     return 1;
 }
 
+/* Whether three rows (or columns) of three numbers, `apart` from each other, are a rotation but for rounding. */
+static int is_rotation(const double *m, int apart) {
+    double across[3];
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            if (fabs(dot(3, m + apart * a, m + apart * b) - (a == b)) > ROUNDED) return 0;
+    cross(m, m + apart, across);
+    return dot(3, across, m + 2 * apart) > 0.5;
+}
+
+/* Whether all moving obstacles (18 numbers each: rotation, position, linear and angular velocity) can be ones. */
+static int obstacles_are_sound(const Servo *servo) {
+    if (!all_finite(18 * servo->moving, servo->obstacles)) return 0;
+    for (long k = 0; k < servo->moving; k++)
+        if (!is_rotation(servo->obstacles + 18 * k, 3)) return 0;
+    return 1;
+}
+
 /* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there. Returns 0 for no pose. */
 static int toward_pose(const Servo *servo, double *twist) {
     const double *P = servo->pose, *R = servo->rotation;
     double turn[9], across[3], sine, size, angular[3] = {0};
-    if (!all_finite(16, P) || fabs(P[12]) > 1e-5 || fabs(P[13]) > 1e-5 || fabs(P[14]) > 1e-5 || fabs(P[15] - 1) > 1e-5) return 0;
-    for (int a = 0; a < 3; a++)
-        for (int b = 0; b < 3; b++) {
-            double product = P[a] * P[b] + P[4 + a] * P[4 + b] + P[8 + a] * P[8 + b];
-            if (fabs(product - (a == b)) > 1e-5) return 0;
-        }
-    double first[3] = {P[0], P[4], P[8]}, second[3] = {P[1], P[5], P[9]}, third[3] = {P[2], P[6], P[10]};
-    cross(first, second, across);
-    if (dot(3, across, third) < 0.5) return 0;
+    if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
+    for (int a = 0; a < 4; a++)
+        if (fabs(P[12 + a] - (a == 3)) > ROUNDED) return 0;
     for (int a = 0; a < 3; a++) /* P Rᵀ */
         for (int b = 0; b < 3; b++) turn[3 * a + b] = P[4 * a] * R[b] + P[4 * a + 1] * R[3 + b] + P[4 * a + 2] * R[6 + b];
     across[0] = (turn[7] - turn[5]) / 2, across[1] = (turn[2] - turn[6]) / 2, across[2] = (turn[3] - turn[1]) / 2;
@@ -844,13 +858,14 @@ void manipplan_servo(Servo *servo) {
         servo->status = BAD_STATE;
         return;
     }
+    int sound = obstacles_are_sound(servo);
     if (!(servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9))) servo->status = BAD_TIME_STEP;
     else if (servo->mode == BRAKE) forget(servo);
     else if (servo->mode == JOINTS) {
-        if (!all_finite(joints, servo->command) || !all_finite(servo->pairs, servo->distance)) servo->status = BAD_COMMAND;
+        if (!sound || !all_finite(joints, servo->command)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {
-        servo->status = all_finite(servo->pairs, servo->distance) ? read_command(servo) : BAD_COMMAND;
+        servo->status = sound ? read_command(servo) : BAD_COMMAND;
         if (servo->status == FOLLOWING && !follow_twist(servo, velocity)) servo->status = NOT_SOLVED;
     }
     if (servo->status != FOLLOWING) { /* braking: the velocity nearest to zero within the bounds */

@@ -43,9 +43,7 @@ def _binds(limits: JointLimits, dt: float) -> NDArray[np.bool_]:
     return np.asarray(np.isfinite(limits.jerk) & (limits.jerk * dt < 2 * limits.acceleration))
 
 
-def _bounds_of(
-    q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float, step: ca.SX | None
-) -> tuple[ca.SX, ca.SX]:
+def _bounds_of(q: ca.SX, v: ca.SX, a: ca.SX, limits: JointLimits, i: int, dt: float, step: ca.SX | None) -> tuple[ca.SX, ca.SX]:
     speed, acceleration = float(limits.velocity[i]), float(limits.acceleration[i])
 
     def fastest(room: ca.SX) -> ca.SX:

@@ -13,7 +13,17 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, array_of_shape, finite_array, instance, number, number_array, one_of, positive_array
+from manipplan.support.checks import (
+    Array,
+    ArrayLike,
+    array_of_shape,
+    finite_array,
+    instance,
+    number,
+    number_array,
+    one_of,
+    positive_array,
+)
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.symbolic.machine_code import do_without, wants_machine_code

@@ -25,7 +25,7 @@ from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.machine_code import do_without, generate_source, native_flags, wants_machine_code
 from manipplan.symbolic.task import Task
-from manipplan.tracking.avoidance import Avoidance, avoidance_rows, set_moving
+from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, avoidance_rows, set_moving
 from manipplan.tracking.bounds import velocity_bounds
 
 #: Maximum number of joints, those that follow others included; as in servo.c.
@@ -340,12 +340,13 @@ class Servo:
     def _connect(self) -> None:
         """Connect the arrays that the Function and the law read and write."""
         n, s = self.robot.n, self.law
-        self._q, self._qd, self._joints = (memoryview(_view(s, name, n)) for name in ("q", "qd", "command"))
-        self._twist, self._pose = memoryview(_view(s, "command", 6)), memoryview(_view(s, "pose", 16).reshape(4, 4))
+        self._q, self._qd, self._joints = (_view(s, name, n).data for name in ("q", "qd", "command"))
+        self._twist, self._pose = _view(s, "command", 6).data, _view(s, "pose", 16).reshape(4, 4).data
         self._axes, self._result = _view(s, "axes", 9), _view(s, "result", n)
         self._obstacles = np.zeros(self._problem.nnz_in("obstacles"))
         inputs = [_view(s, "q", n), _view(s, "qd", n), _view(s, "qdd", n), _view(s, "dt", 1), self._obstacles]
         outputs = [self._arrays[name] for name in OUTPUTS]
+        s.obstacles, s.moving = self._obstacles.ctypes.data, len(self._obstacles) // OBSTACLE_SIZE
         self._frame: Any = None
         self._free: Any = None
         self._choose_axes("tool", None)
@@ -356,9 +357,9 @@ class Servo:
             return
         self._buffer, self._evaluate = self._problem.buffer()
         for i, array in enumerate(inputs):
-            self._buffer.set_arg(i, memoryview(array))
+            self._buffer.set_arg(i, array.data)
         for i, array in enumerate(outputs[: self._problem.n_out()]):
-            self._buffer.set_res(i, memoryview(array))
+            self._buffer.set_res(i, array.data)
 
     def _put(self, argument: str, into: Any, value: Any) -> None:
         """Write an argument; memoryviews take exactly as many doubles as they hold."""
@@ -481,7 +482,7 @@ def _point_to(s: Any, library: ctypes.CDLL, inputs: list[Array], outputs: list[A
     sizes = [ctypes.c_longlong() for _ in range(4)]
     getattr(library, f"{PROBLEM}_work")(*map(ctypes.byref, sizes))
     arguments, results, integers, numbers = (each.value for each in sizes)
-    held = [
+    held: list[Any] = [
         (ctypes.c_void_p * max(arguments, len(inputs)))(*(each.ctypes.data for each in inputs)),
         (ctypes.c_void_p * max(results, len(outputs)))(*(each.ctypes.data for each in outputs)),
         (ctypes.c_longlong * (integers + 1))(),

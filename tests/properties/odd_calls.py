@@ -299,6 +299,10 @@ def calls(folder: Path) -> dict[str, Call]:
             f"{name}.__call__": C(getattr(mp.measures, name)(**options), {"jacobian": jacobian})
             for name, options in _OF_MATRICES.items()
         },
+        "Servo": C(
+            mp.Servo,
+            {"robot": arm, "dt": 0.01, "task": position, "side": "same", "smoothing": 0.0, "timeout": 0.1, "compiled": False},
+        ),
         "Controller": C(
             mp.Controller,
             {
@@ -803,6 +807,17 @@ def calls(folder: Path) -> dict[str, Call]:
     controller = mp.Controller(arm, formulations.General(), dt=0.01, task=position, compiled=False)
     found_calls["Controller.step"] = C(controller.step, {"q": q, "qd": np.zeros(3), "target": pose}, nan=("q", "qd", "target"))
     found_calls["Controller.brake"] = C(controller.brake, {"q": q, "qd": np.zeros(3)}, nan=("q", "qd"))
+    servo = mp.Servo(arm, dt=0.01, task=position, compiled=False)
+    still = {"q": q, "qd": np.zeros(3)}
+    found_calls["Servo.step"] = C(
+        servo.step, {**still, "twist": np.zeros(6), "frame": "tool", "dt": 0.01}, nan=("q", "qd", "twist", "dt")
+    )
+    found_calls["Servo.step_pose"] = C(servo.step_pose, {**still, "pose": pose, "dt": 0.01}, nan=("q", "qd", "pose", "dt"))
+    found_calls["Servo.step_joints"] = C(
+        servo.step_joints, {**still, "velocity": np.zeros(3), "dt": 0.01}, nan=("q", "qd", "velocity", "dt")
+    )
+    found_calls["Servo.brake"] = C(servo.brake, {**still, "dt": 0.01}, nan=("q", "qd", "dt"))
+    found_calls["Servo.export_c"] = C(servo.export_c, {"folder": folder / "servo"}, heavy=True)
     found_calls["Controller.rollout"] = C(controller.rollout, {"q": q, "targets": pose[None]})
     return {name: call for name, call in found_calls.items() if name != "ConditionNumber"}
 

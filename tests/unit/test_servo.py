@@ -78,8 +78,10 @@ def test_far_from_singularities_the_twist_is_followed_exactly(servos):
     q = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5])
     twist = np.array([0.02, -0.03, 0.01, 0.05, 0.0, -0.1])
     path, _ = drive(servo, q, twist, 0.4)
-    pose, jacobian = kinematics(servo.robot, path[-1])
-    assert np.allclose(jacobian @ servo.step(path[-1], np.zeros(7) + (path[-1] - path[-2]) / DT, twist, "world"), SCALE * twist, atol=1e-9)
+    _, jacobian = kinematics(servo.robot, path[-1])
+    assert np.allclose(
+        jacobian @ servo.step(path[-1], np.zeros(7) + (path[-1] - path[-2]) / DT, twist, "world"), SCALE * twist, atol=1e-9
+    )
     gauge = servo.gauge
     assert gauge.status is ServoStatus.FOLLOWING
     assert gauge.kind is Singularity.CLEAR
@@ -122,7 +124,9 @@ def test_every_way_out_of_a_singular_posture_is_taken(servos, name):
     arm, q = SINGULAR[name]
     servo = servos(arm)
     start, _ = kinematics(servo.robot, q)
-    unreachable = {"ur5 upright": (4, 8), "ur5 elbow": (), "ur5 wrist": (), "xarm7 zero": (), "panda shoulder and wrist": ()}[name]
+    unreachable = {"ur5 upright": (4, 8), "ur5 elbow": (), "ur5 wrist": (), "xarm7 zero": (), "panda shoulder and wrist": ()}[
+        name
+    ]
     left = []
     for i in range(12):
         twist = np.zeros(6)
@@ -205,7 +209,7 @@ def test_the_gauge_sees_the_reach_ahead(servos):
         seen.append((gauge.kind, gauge.seconds, gauge.metres, gauge.joint, x[2]))
         return x[2] < 0.01
 
-    path, _ = drive(servo, q, twist, 5.0, after=note)
+    drive(servo, q, twist, 5.0, after=note)
     arrival = len(seen) * DT
     for k, (kind, seconds, metres, joint, _) in enumerate(seen):
         left = arrival - k * DT
@@ -234,7 +238,9 @@ def test_signs_of_singular_vectors_do_not_matter(servos, name):
                 guess[:m, :m] = rng.permutation(guess[:m, :m]) * rng.choice([-1.0, 1.0], (m, 1))
                 servo.law.guess[:] = guess.ravel().tolist()
             t = k * DT
-            qd = servo.step(x, qd, [0.1 * np.cos(3 * t), 0.1 * np.sin(5 * t), -0.1 * np.cos(4 * t), 0.2, 0.3 * np.sin(4 * t), -0.1], "world")
+            qd = servo.step(
+                x, qd, [0.1 * np.cos(3 * t), 0.1 * np.sin(5 * t), -0.1 * np.cos(4 * t), 0.2, 0.3 * np.sin(4 * t), -0.1], "world"
+            )
             x = x + DT * qd
         paths.append(x)
     assert np.allclose(*paths, atol=1e-6)
@@ -368,17 +374,17 @@ def test_obstacles_are_kept_at_a_distance():
     ball = mp.Sphere(radius=0.05, position=centre, name="ball")
     avoidance = mp.Avoidance(scene=mp.Scene([ball]), moving=("ball",), influence=0.1, security=0.02)
     servo = Servo(robot, dt=DT, avoidance=avoidance)
-    twist, clearances = np.array([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]), []
+    twist, clearances, reasons = np.array([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]), [], set()
     for _ in range(1500):
         qd = servo.step(q, qd, twist, "world")
         q = q + DT * qd
         clearances.append(servo.gauge.clearance)
-    assert min(clearances) > 0.019
-    assert clearances[-1] < 0.06
-    assert servo.gauge.reason is ServoLimit.OBSTACLE
+        reasons.add(servo.gauge.reason)
+    assert 0.019 < min(clearances) < 0.03
+    assert ServoLimit.OBSTACLE in reasons
     pose = np.eye(4)
-    pose[:3, 3] = centre
-    for _ in range(500):
+    pose[:3, 3] = kinematics(robot, q)[0].translation + [0.0, 0.25, 0.0]
+    for _ in range(1000):
         pose[1, 3] -= DT * 0.1
         qd = servo.step(q, qd, np.zeros(6), "world", obstacles={"ball": (pose, [0, -0.1, 0, 0, 0, 0])})
         q = q + DT * qd
@@ -446,7 +452,17 @@ def test_the_exported_servo_has_the_same_bits(name, tmp_path):
     robot = mp.load_robot(name)
     servo = Servo(robot, dt=DT, compiled=False)
     servo.export_c(tmp_path)
-    command = [*find_compiler().command, "-O2", "-ffp-contract=off", "example.c", "servo.c", "problem.c", "-o", "example", "-lm"]
+    command = [
+        *find_compiler().command,
+        "-O2",
+        "-ffp-contract=off",
+        "example.c",
+        "servo.c",
+        "problem.c",
+        "-o",
+        "example",
+        "-lm",
+    ]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     printed = subprocess.run([str(tmp_path / "example")], capture_output=True, text=True, check=True).stdout
@@ -486,7 +502,9 @@ def test_exact_zeros_of_the_catalogue_are_left(name):
         twist[row] = sign * (0.1 if row < 3 else 0.1 / 0.3)
         direction = SCALE * twist / np.linalg.norm(SCALE * twist)
         servo.reset()
-        path, _ = drive(servo, zero * zero_sign, twist, 1.5, after=lambda x, d=direction: d @ moved(start, kinematics(robot, x)[0]) > 0.02)
+        path, _ = drive(
+            servo, zero * zero_sign, twist, 1.5, after=lambda x, d=direction: d @ moved(start, kinematics(robot, x)[0]) > 0.02
+        )
         if direction @ moved(start, kinematics(robot, path[-1])[0]) > 0.005:
             continue
         goal = pin.SE3(pin.exp3(twist[3:] * 0.05) @ start.rotation, start.translation + twist[:3] * 0.05)  # 5 mm ahead
