@@ -23,6 +23,7 @@ from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 from manipplan.tracking.controller import Rollout, StepReport
+from manipplan.tracking.servo import ServoGauge, ServoLimit, ServoStatus, Singularity
 from manipplan.tracking.step import StepStatus
 from manipplan.tracking.track import Tracking
 
@@ -53,6 +54,10 @@ __all__ = [
     "Report",
     "Rollout",
     "SearchResult",
+    "ServoGauge",
+    "ServoLimit",
+    "ServoStatus",
+    "Singularity",
     "SolutionSet",
     "SteadySpeed",
     "StepReport",

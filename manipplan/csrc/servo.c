@@ -333,15 +333,28 @@ static void restricted(const Work *w, double M[MOST][MOST], double (*N)[MOST], l
         for (long b = 0; b < d; b++) K[a][b] = dot(w->n, N[a], MN[b]) / 2;
 }
 
-/* The drive in the null space: ∇ log sqrt det(JJᵀ + r² I) and away from joint limits, fading where a direction gets lost. */
-static void drive_null_space(const Servo *servo, Work *w) {
-    double y[MOST][6] = {0}, turns[MOST][6] = {0}, z[MOST], smallest = w->s[w->r - 1];
-    for (long k = 0; k < w->r; k++) {
-        double wrench[6], turning[6], whole[MOST] = {0}, share = w->s[k] / (w->s[k] * w->s[k] + DAMPED);
-        wrench_of(servo, w->U[k], wrench, turning);
-        for (long i = 0; i < w->n; i++) whole[w->joint[i]] = w->V[k][i];
+/* A row (n) that q̇ keeps at least at the bound that is returned: those of folds, then those of obstacles. */
+static double row_of(const Servo *servo, const Work *w, long c, double *row) {
+    if (c < w->guards) {
+        memcpy(row, w->guard[c], sizeof w->guard[c]);
+        return w->fall[c];
+    }
+    c -= w->guards;
+    for (long i = 0; i < w->n; i++) row[i] = servo->matrix[c * servo->joints + w->joint[i]];
+    return servo->bound[c];
+}
+
+/* The drive in the null space, z (n): ∇ log sqrt det(JJᵀ), of which Y (m, n) = (JJᵀ)⁻¹ J is the derivative by J, and away from joint
+   limits; it fades where nothing is commanded. */
+static void drive_of(const Servo *servo, const Work *w, double Y[ROWS][MOST], double *z) {
+    double y[MOST][6] = {0}, turns[MOST][6] = {0};
+    for (long k = 0; k < w->m; k++) {
+        double u[ROWS] = {0}, wrench[6], turning[6], whole[MOST] = {0};
+        u[k] = 1;
+        wrench_of(servo, u, wrench, turning);
+        for (long i = 0; i < w->n; i++) whole[w->joint[i]] = Y[k][i];
         for (long p = 0; p < servo->physical; p++) {
-            double part = share * servo->ratio[p] * whole[servo->leader[p]];
+            double part = servo->ratio[p] * whole[servo->leader[p]];
             for (int a = 0; a < 6; a++) y[p][a] += part * wrench[a], turns[p][a] += part * turning[a];
         }
     }
@@ -352,11 +365,78 @@ static void drive_null_space(const Servo *servo, Work *w) {
         z[i] = RATE * (z[i] + 0.1 * (1 / (most(below, 0) + RANGE) - 1 / (most(above, 0) + RANGE)));
     }
     double fit = least(1, SHARE * along(w, z, servo->velocity)) * w->size / (w->size + STILL);
+    for (long i = 0; i < w->n; i++) z[i] *= fit;
+}
+
+/* g_k and w_k of the null space; the damping of JJᵀ ends where all singular values are large. */
+static void drive_null_space(const Servo *servo, Work *w) {
+    double Y[ROWS][MOST] = {0}, z[MOST], smallest = w->s[w->r - 1], damping = DAMPED * clip(1 - smallest / SMALL, 0, 1);
+    for (long k = 0; k < w->r; k++) {
+        double share = w->s[k] / (w->s[k] * w->s[k] + damping);
+        for (long l = 0; l < w->m; l++)
+            for (long i = 0; i < w->n; i++) Y[l][i] += share * w->U[k][l] * w->V[k][i];
+    }
+    drive_of(servo, w, Y, z);
     for (long k = w->r; k < w->n; k++) {
-        w->g[k] = fit * dot(w->n, w->V[k], z) * least(1, smallest / 0.05);
+        w->g[k] = dot(w->n, w->V[k], z) * least(1, smallest / 0.05);
         /* beside a singularity v_k and the null space turn into each other: both get the same weight */
         w->w[k] = most(NULL_WEIGHT, EPSILON * (1 - smallest / LOST));
     }
+}
+
+/* The solution of (1) where all singular values are large and no bound is active: q̇ = J⁺ V + (I - J⁺ J) z, by the inverse of JJᵀ, whose
+   trace is at least 1 / σ². Returns 0 elsewhere. */
+static int is_far(const Servo *servo, Work *w, double *x) {
+    long m = w->m, n = w->n;
+    double L[ROWS][ROWS], inverse[ROWS][ROWS] = {0}, trace = 0, y[ROWS];
+    if (n < m) return 0;
+    for (long a = 0; a < m; a++)
+        for (long b = 0; b <= a; b++) {
+            double sum = dot(n, w->J[a], w->J[b]);
+            for (long k = 0; k < b; k++) sum -= L[a][k] * L[b][k];
+            if (a == b && !(sum > 0.5 * SMALL * SMALL)) return 0; /* σ² is at most any pivot */
+            L[a][b] = a == b ? sqrt(sum) : sum / L[b][b];
+        }
+    for (long c = 0; c < m; c++) { /* columns of L⁻¹, of which the inverse is the square */
+        double column[ROWS] = {0};
+        for (long a = c; a < m; a++) {
+            double sum = a == c;
+            for (long k = c; k < a; k++) sum -= L[a][k] * column[k];
+            column[a] = sum / L[a][a];
+            y[a] = column[a];
+        }
+        for (long a = c; a < m; a++) trace += y[a] * y[a], inverse[a][c] = y[a];
+    }
+    if (trace * SMALL * SMALL > 1) return 0;
+    double whole[ROWS][ROWS] = {0};
+    for (long a = 0; a < m; a++)
+        for (long b = 0; b < m; b++)
+            for (long k = a > b ? a : b; k < m; k++) whole[a][b] += inverse[k][a] * inverse[k][b];
+    double Y[ROWS][MOST] = {0};
+    for (long a = 0; a < m; a++)
+        for (long b = 0; b < m; b++)
+            for (long i = 0; i < n; i++) Y[a][i] += whole[a][b] * w->J[b][i];
+    for (long i = 0; i < n; i++) {
+        x[i] = 0;
+        for (long a = 0; a < m; a++) x[i] += Y[a][i] * w->W[a];
+    }
+    if (n > m) {
+        double z[MOST], Jz[ROWS];
+        drive_of(servo, w, Y, z);
+        for (long a = 0; a < m; a++) Jz[a] = dot(n, w->J[a], z);
+        for (long i = 0; i < n; i++) {
+            x[i] += z[i];
+            for (long a = 0; a < m; a++) x[i] -= Y[a][i] * Jz[a];
+        }
+    }
+    for (long i = 0; i < n; i++)
+        if (!(x[i] >= w->low[i] && x[i] <= w->high[i])) return 0;
+    for (long c = 0; c < servo->pairs; c++) {
+        double row[MOST], bound = row_of(servo, w, c, row);
+        if (bound > -1e12 && dot(n, row, x) < bound) return 0;
+    }
+    w->s[w->r - 1] = 1 / sqrt(trace);
+    return 1;
 }
 
 /* g_k of the directions with small σ_k: one after another. */
@@ -514,17 +594,6 @@ static void escape(const Servo *servo, Work *w) {
     w->has_way = 1;
 }
 
-/* A row (n) that q̇ keeps at least at the bound that is returned: those of folds, then those of obstacles. */
-static double row_of(const Servo *servo, const Work *w, long c, double *row) {
-    if (c < w->guards) {
-        memcpy(row, w->guard[c], sizeof w->guard[c]);
-        return w->fall[c];
-    }
-    c -= w->guards;
-    for (long i = 0; i < w->n; i++) row[i] = servo->matrix[c * servo->joints + w->joint[i]];
-    return servo->bound[c];
-}
-
 /* Solve (1): in y = w Vᵀ q̇ it is the point nearest to w g that meets all bounds and rows, found by a dual active set
    [goldfarb1983]. Rows give way where they contradict each other. `force` (n + 1): the multiplier of each joint's bound, negative for
    a lower one, and the largest of the rows. Returns 0 where it does not end. */
@@ -647,6 +716,12 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
     w->wall = 0, w->guards = 0, w->leaves = 0, w->kind = CLEAR, w->worst = w->r - 1, w->seconds = INFINITY;
     w->has_inside = servo->side != ANY && servo->has_inside, w->has_way = servo->side != ANY && servo->has_way;
     for (long i = 0; i < n; i++) w->inside[i] = servo->inside[w->joint[i]], w->way[i] = servo->way[w->joint[i]];
+    memcpy(velocity, fixed, (size_t)joints * sizeof *velocity);
+    memset(force, 0, (size_t)(joints + 1) * sizeof *force);
+    if (is_far(servo, w, x)) {
+        for (long i = 0; i < n; i++) velocity[w->joint[i]] = x[i];
+        return 1;
+    }
     decompose(w, servo);
     for (long k = 0; k < w->r; k++) {
         w->b[k] = dot(m, w->U[k], w->W);
@@ -656,8 +731,6 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
     singular_rates(servo, w);
     escape(servo, w);
     int solved = nearest_point(servo, w, x, part);
-    memcpy(velocity, fixed, (size_t)joints * sizeof *velocity);
-    memset(force, 0, (size_t)joints * sizeof *force);
     for (long i = 0; i < n; i++) velocity[w->joint[i]] = clip(x[i], w->low[i], w->high[i]), force[w->joint[i]] = part[i];
     force[joints] = part[n];
     return solved;

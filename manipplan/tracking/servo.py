@@ -93,7 +93,8 @@ class ServoGauge(NamedTuple):
         seconds, metres: time and way of the tool to it at the commanded speed [s, m]; inf if none is ahead.
         wall: share of the command, in [0, 1], that points into the edge of the reach, such as for haptic feedback.
         reason, limit_joint: what limits the step most, and which joint; "" for none or an obstacle.
-        smallest: smallest singular value of the task's Jacobian [m]; NaN without a command.
+        smallest: smallest singular value of the task's Jacobian [m], where the way is clear a lower bound of it; NaN without a
+            command.
         clearance: smallest distance of the avoidance [m]; inf without one.
     """
 
