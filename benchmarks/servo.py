@@ -1,7 +1,7 @@
 """`mp.Servo` on twist streams through, along and out of singularities, beside our controller and rules of the literature.
 
-Run with `.venv/bin/python benchmarks/servo.py` [number of random streams, 1000]. Writes docs/benchmarks/servo.md. The streams are
-those of servo_streams.py, the judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12
+Run with `.venv/bin/python benchmarks/servo.py` [number of random streams, 1000]. Writes docs/benchmarks/servo.md. The streams
+are those of servo_streams.py, the judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12
 directions out of five singular postures, and random streams that begin at or near random singular postures of six arms, for
 `mp.Servo` alone. Arms have no jerk limits here.
 
@@ -87,7 +87,7 @@ def leave(make: type, models: dict[str, Arm], bounds: dict[str, float | None]) -
 
 def row(name: str, figures: Sequence[Figures], walks: Sequence[bool], leaving: Sequence[float | None]) -> str:
     values = {key: np.array([each[key] for each in figures]) for key in figures[0]}
-    walk = np.array(walks)
+    walk, chatter = np.array(walks), values["chatter"]
     times = [each for each in leaving if each is not None]
     cells = [
         name,
@@ -96,7 +96,7 @@ def row(name: str, figures: Sequence[Figures], walks: Sequence[bool], leaving: S
         f"{values['stalled'].sum():.2f} s",
         f"{100 * values['backward'].mean():.2f} %",
         f"{values['angle'].mean():.0f}°, {values['slip'].mean():.2f}",
-        f"{np.median(values['chatter'][~walk]):.1f}, {values['chatter'][~walk].max():.1f}; {values['chatter'][walk].mean():.1f}",
+        f"{np.median(chatter[~walk]):.1f}, {chatter[~walk].max():.1f}; {chatter[walk].mean():.1f}",
         f"{values['over_velocity'].max():.1e}, {values['over_acceleration'].max():.1e}, {values['over_position'].max():.1e}",
         f"{len(times)} of {len(leaving)}; {np.median(times):.2f}, {max(times):.2f}" if times else f"0 of {len(leaving)}",
     ]
@@ -127,7 +127,8 @@ def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     models = described()
     streams, bounds = designed(models), dict[str, float | None]()
-    head = "| law | share near: median, worst | followed | stalled | backward | angle, slip | chatter: designed median, worst; walks "
+    head = "| law | share near: median, worst | followed | stalled | backward | angle, slip "
+    head += "| chatter: designed median, worst; walks "
     head += (
         "| over limits: velocity, acceleration (shares), position (rad) | leaving: cases; time over its bound: median, worst |"
     )
@@ -162,13 +163,14 @@ def main() -> None:
     lines += [
         "",
         f"Of {len(every)} streams of 20 s, {sum(each['stalled'] > 0 for each in every)} have a stall, "
-        f"{sum(each['backward'] > 0 for each in every)} a sample that moves backward, and {halts} steps halted or raised an error.",
+        f"{sum(each['backward'] > 0 for each in every)} a sample that moves backward, and {halts} steps halted or raised.",
         "",
         "### Time of a step",
         "",
         *steps_from_python(models),
         "",
-        f"Called from Python {platform.python_version()}, {platform.machine()}; command: `.venv/bin/python benchmarks/servo.py`.",
+        f"Called from Python {platform.python_version()}, {platform.machine()}; "
+        "command: `.venv/bin/python benchmarks/servo.py`.",
     ]
     OUT.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))

@@ -1,4 +1,4 @@
-"""Laws beside which servo.py measures `mp.Servo`: our own controller, and rules of the literature as their papers state them."""
+"""Laws beside which servo.py measures `mp.Servo`: our controller, and rules of the literature as papers state them."""
 
 import numpy as np
 from servo_judge import DT, SCALE, Arm, Array, moved
@@ -82,7 +82,7 @@ class JParse(Rule):
 
 
 class MoveItServo(Rule):
-    """The rule of MoveIt Servo's documentation: slower between condition numbers 17 and 30, twice as far when leaving; 0 above."""
+    """The rule of MoveIt Servo's documentation: slower between condition numbers 17 and 30, leaving twice as far."""
 
     def step(self, q: Array, qd: Array, twist: Array) -> Array:  # noqa: ARG002
         jacobian = self.arm.jacobian(q) / SCALE[self.arm.rows, None]

@@ -54,7 +54,7 @@ def phases(*parts: tuple[float, Array]) -> Twist:
 
 
 def walk(seed: int, seconds: float = 20.0) -> Twist:
-    """White noise through 1 / ((1 s + 1) (0.15 s + 1)²), about 0.12 m/s and 0.35 rad/s: smooth, so that chatter is the law's."""
+    """White noise through 1 / ((1 s + 1) (0.15 s + 1)²), about 0.12 m/s and 0.35 rad/s: smooth, so chatter is a law's."""
     rng = np.random.default_rng(seed)
     dt = 0.01
     x = y = w = np.zeros(6)
@@ -117,10 +117,10 @@ def _of_ur5(arm: Arm) -> dict[str, tuple[Array, Twist]]:
     root = next(brentq(determinant, *grid[i : i + 2]) for i in range(59) if values[i] * values[i + 1] < 0)
     above = np.concatenate([[0.0, root], shoulder[2:]])
     u = _unit(lost(arm, above)[:3])
-    step = arm.pose(above + [0, 0.35, 0, 0, 0, 0]).translation - arm.pose(above).translation
+    step = arm.pose(above + 0.35 * np.eye(6)[1]).translation - arm.pose(above).translation
     over = _unit(step)
     found["ur5 shoulder along lost"] = (
-        above + [0, 0.02, 0, 0, 0, 0],
+        above + 0.02 * np.eye(6)[1],
         phases((5, line(*u)), (5, line(*-u)), (5, line(*(u + over))), (5, line(*(-u - over)))),
     )
     upright = np.array([0, -HALF, 0, -HALF, 0, 0])
