@@ -2,10 +2,18 @@
 A program of eight moves
 ========================
 
+.. image:: /pictures/eight_moves.jpg
+   :alt: A Panda carries a part over the wall of a tray.
+   :width: 560px
+
+*For whole programs of a cell: grasp, carry, place, and a seam at constant speed.*
+
 A Panda takes a part from a table, carries it upright over the wall of a tray, puts it
 down there, and then draws a bead along a seam at a constant speed before it goes home.
 The eight moves are planned together.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/eight_moves.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -65,7 +73,8 @@ steps = [
     mp.MoveTo("default"),
 ]
 program = mp.sequence(robot, "default", steps, scene, blend=0.05)
-assert program.passed
+assert program.passed and not program.stops
+assert program.report.min_manipulability > 0.0099  # [m^6], that of the start
 print("\n".join(str(program).splitlines()[:15]))
 
 # %%
