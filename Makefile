@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links figures pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -60,6 +60,10 @@ docs: $(READY) browser
 # Links to other sites; needs a network.
 links: $(READY)
 	$(BIN)/python -m sphinx -q -D plot_gallery=0 -b linkcheck docs docs/_build/links
+
+# Writes the numbers that README and pages state from the tables of docs/benchmarks.
+figures: $(READY)
+	$(BIN)/python docs/figures.py
 
 # The picture and the animation of the README.
 pictures: $(READY) egl
