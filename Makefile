@@ -65,9 +65,13 @@ links: $(READY)
 figures: $(READY)
 	$(BIN)/python docs/figures.py
 
-# The picture and the animation of the README.
+# The films of the README, the stills of the examples and the drawings of the concepts; says which look different afterwards.
 pictures: $(READY) egl
 	$(BIN)/python docs/make_pictures.py
+	$(BIN)/python docs/pictures/stills.py
+	$(BIN)/python docs/pictures/draw.py
+	$(BIN)/python docs/pictures/shapes.py
+	$(BIN)/python docs/compare_pictures.py
 
 # Builds the kernels again after a change of manipplan/csrc: the library, and their text in LLVM's language for machines without
 # a C compiler, which needs clang 16.

@@ -21,6 +21,7 @@ from PIL import Image
 
 import manipplan as mp
 from manipplan.measures.ellipsoid import velocity_ellipsoid
+from manipplan.support.checks import Array
 from manipplan.viz.motions import drawn_tools, ellipsoid_scale, skeleton
 from manipplan.viz.render import DrawnWay, Renderer
 from manipplan.viz.style import OPTIMUM, SEED
@@ -28,8 +29,8 @@ from manipplan.viz.style import OPTIMUM, SEED
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 SIZE, QUALITY = (720, 480), 82
-#: Points of a way, and postures that have to be in the picture.
-WAY, POSTURES = 80, 12
+#: Samples of a path, distance of the points by which a way is drawn [m], and postures that have to be in the picture.
+SAMPLES, STEP, POSTURES = 2000, 0.02, 12
 #: Around the joints and the ways, in each direction [m].
 MARGIN = 0.09
 
@@ -57,10 +58,12 @@ STILLS = {
     "first_steps/first_plan": Still(at=0.55, other="plan.result.seed"),
     "first_steps/own_robot": Still(at=0.3, other="plan.result.seed"),
     "plan/shelf": Still(at=0.5, other="plan.result.seed", direction=(50.0, -20.0)),
-    "plan/cell": Still(robot="carrying", scene="free", at=0.3, ellipsoid=False),
+    "plan/cell": Still(robot="carrying", scene="free", at=0.8, ellipsoid=False),
     "plan/pick_and_place": replace(PROGRAM, at=0.6),
     "plan/eight_moves": replace(PROGRAM, at=0.6),
-    "plan/level_cup": Still(path="plans['level'].path", other="plans['free'].path", ellipsoid=False),
+    "plan/level_cup": Still(
+        path="plans['level'].path", other="plans['free'].path", at=0.6, ellipsoid=False, direction=(235.0, -25.0)
+    ),
     "plan/tray": Still(ellipsoid=False),
     "plan/singular": Still(path="best.path", scene="mp.Scene()", at=1.0),
     "plan/home": Still(at=0.85, other="plan.result.seed", direction=(60.0, -20.0)),
@@ -90,21 +93,28 @@ def picture(still: Still, names: dict[str, Any]) -> Image.Image:
     paths = [(path, OPTIMUM, still.at)]
     if still.other:
         paths.append((eval(still.other, names), SEED, 0.0))
-    s = np.linspace(0.0, 1.0, WAY)
+    s = np.linspace(0.0, 1.0, SAMPLES)
     ways, shown = [], []
     tools = drawn_tools(robot)
-    for each, colour, done in paths:
+    for each, colour, at in paths:
         q = each(s)
-        shown += [skeleton(robot, posture) for posture in q[:: WAY // POSTURES]]
-        for tool in tools:
-            ways.append(DrawnWay(points=tool.pose(q)[:, :3, 3], colour=colour, done=done))
-            shown.append(ways[-1].points)
+        shown += [skeleton(robot, posture) for posture in q[:: SAMPLES // POSTURES]]
+        ways += [way(tool.pose(q)[:, :3, 3], colour, at) for tool in tools]
+    shown += [each.points for each in ways]
     q = path(still.at)
-    scale = ellipsoid_scale(robot, tools, path(s[:: WAY // POSTURES]))
+    scale = ellipsoid_scale(robot, tools, path(s[:: SAMPLES // POSTURES]))
     ellipsoids = [(velocity_ellipsoid(tool.jacobian(q)), tool.pose(q)[:3, 3], scale, OPTIMUM) for tool in tools]
     points = np.concatenate([part + side for part in shown for side in (-MARGIN, MARGIN)])
     with Renderer(robot, scene, points, SIZE, direction=still.direction) as renderer:
         return Image.fromarray(renderer.draw(q, ways, ellipsoids if still.ellipsoid else []))
+
+
+def way(points: Array, colour: str, at: float) -> DrawnWay:
+    """A way through points (k, 3) [m], thick up to a share of them, by points at a constant distance."""
+    gone = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    places = np.searchsorted(gone, np.linspace(0.0, gone[-1], 2 + int(gone[-1] / STEP)))
+    done = gone[round(at * (len(points) - 1))] / max(gone[-1], 1e-9)
+    return DrawnWay(points=points[places.clip(max=len(points) - 1)], colour=colour, done=done)
 
 
 def main(pages: list[str]) -> None:

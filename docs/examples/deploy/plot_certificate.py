@@ -11,7 +11,8 @@ Do not believe us: check a plan with Pinocchio alone
 
 A plan comes with a report and a certificate. Before you run the plan on a robot, you
 may want to check both with independent tools. This page prints both, then computes the
-numbers again from the exported file, with NumPy, Pinocchio and its collision library coal.
+numbers again from the exported file, with NumPy, Pinocchio and its collision library
+coal.
 """
 
 # %%

@@ -54,7 +54,7 @@ print(message.rsplit("; ", maxsplit=1)[-1])
 assert "2 interruptions" in message
 
 # %%
-# With two interruptions allowed, the motion is planned. At an interruption the tool
+# With ``interruptions=2`` there is a motion. At an interruption the tool
 # retreats by 5 cm against its z-axis, the arm moves to another configuration, and the
 # tool comes back to the pose where it left. Of all motions with so few interruptions
 # this one has the largest minimum manipulability on the path.
@@ -102,8 +102,8 @@ ax.set_xlim(0, t[-1])
 plt.show()
 
 # %%
-# Whoever executes the motion switches the spray off during ``plan.off_path``. The
-# trajectory is judged part by part, whatever made it.
+# Switch the spray off during ``plan.off_path``. ``mp.check`` judges such a trajectory
+# part by part, whoever made it.
 
 judged = mp.check(robot, plan.trajectory, path=path, path_parts=plan.report.along)
 print(f"duration {judged.duration:.1f} s, {len(judged.faults)} faults")

@@ -47,8 +47,8 @@ assert "limit of panda_joint7" in refused.message
 # %%
 # The message is about all configurations at positions along the path, not about one
 # attempt. Where motions ended, positions were added between those there were, down to an
-# eighth of their distance, and samples where branches of configurations meet. So a gap
-# that is left is one of the arm, down to that resolution.
+# eighth of their distance, and samples where branches of configurations meet. A gap that
+# remains is therefore one of the arm and not of the samples, down to that resolution.
 #
 # All configurations of the arm along the path, by their last joint, which turns the tool.
 # Blue: motions from the beginning of the path come there. Orange: motions lead from there
@@ -103,7 +103,7 @@ first = min(k for k, each in backward.items() if each.any())
 assert first < last < len(s) - 1
 
 # %%
-# The first remedy: the tool may leave the path. With one interruption it comes back to the
+# The first remedy: let the tool leave the path. With one interruption it comes back to the
 # same pose in another configuration. That number is proven to be the smallest, down to the
 # same resolution.
 
@@ -113,7 +113,7 @@ for part in parts.report.along:
 assert parts.status is mp.Status.FOLLOWED_IN_PARTS and len(parts.report.along) == 2
 
 # %%
-# The second one: what does not count is left free. If the tool is round, it need not turn.
+# The second remedy: leave free what does not matter. A round tool need not turn.
 
 round_tool = mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
 free = mp.follow(robot, path, objective=round_tool)
@@ -124,8 +124,8 @@ print(
 assert free.status is mp.Status.FOLLOWED
 
 # %%
-# The third one: another path. A tool that turns by 2 rad is followed; so may be a path
-# that is shifted, or that an arm on another base follows.
+# The third remedy: change the path. If the tool turns by only 2 rad, a motion follows
+# it. Shifting the path, or the base of the arm, may help as well.
 
 less = mp.follow(robot, line(2.0))
 least = less.report.min_manipulability

@@ -157,8 +157,7 @@ image[rng.random(image.shape) < 0.02] = 0.0
 # Neighbouring pixels see points 3 mm apart, and the noise reaches 3 × 2 mm, so 8 mm
 # leave no gap. ``spacing`` thins the points to one per cube of 1.5 cm. It enlarges
 # the balls so that they cover all that was covered: the plan is faster, and the scan
-# appears up to 26 mm thicker. Behind what the camera sees nothing is known, so nothing
-# is solid there.
+# appears up to 26 mm thicker. Space that the camera cannot see counts as free.
 
 scan = mp.PointCloud.from_depth(
     image,
@@ -273,8 +272,8 @@ ax.set_box_aspect(sides, zoom=1.08)
 
 # %%
 # The smallest distance of the arm with its part to each obstacle. The dotted line is
-# the clearance. Where the arm is inside the machine, the distance to the machine is
-# about 1 cm and not negative: the cavity is not solid.
+# the clearance. Inside the machine the distance is about 1 cm and not negative, since
+# the cavity is not solid.
 
 t = np.linspace(0.0, plan.trajectory.duration, 300)
 q = plan.trajectory(t)

@@ -57,9 +57,9 @@ assert plan.status is mp.Status.OPTIMAL and plan.trajectory.duration < 1.2
 assert plan.report.crossing_note.startswith("starts at an elbow, wrist and shoulder")
 
 # %%
-# Other configurations reach the same pose, and a pose as the goal chooses among them. The
-# singular start is common to all, and the report gives its share of g: here nearly
-# everything. So g differs little.
+# Other configurations reach the same pose, and with the pose as its goal ``plan``
+# chooses among them. All motions share the singular start, which makes up nearly all of
+# g here, so g hardly differs.
 
 by_pose = mp.plan(robot, home, pose, scene, clearance=0.01)
 print(
@@ -81,8 +81,8 @@ viz.plot_manipulability(
 )
 
 # %%
-# A joint motion through a singularity is ordinary: joint speeds are limited, not those
-# of the tool. To see that, MuJoCo plays the motion with a servo per joint that also
+# A joint motion passes a singularity without trouble, since joint speeds are limited and
+# not the speed of the tool. To show that, MuJoCo plays the motion with a servo per joint that also
 # holds the arm against gravity. The meshes are left out of its model.
 
 root = ET.parse(robot.source.file).getroot()

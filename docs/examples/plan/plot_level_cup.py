@@ -23,9 +23,9 @@ import manipplan as mp
 from manipplan import viz
 
 # %%
-# The hand holds the cup from above: the cup is a part of the robot from now on, and
-# stands along the hand's axis z, which points down. The goal is a place for the cup,
-# which may be turned about its own axis.
+# The hand holds the cup from above. From now on the cup is a part of the robot; it
+# stands along the hand's z axis, which points down. The goal is a place for the cup,
+# which may turn about its own axis.
 
 cup = mp.Cylinder(radius=0.03, length=0.1, position=(0.0, 0.0, 0.06))
 robot = mp.load_robot("panda").attach(cup, name="cup")
@@ -55,8 +55,8 @@ for name, plan in plans.items():
 assert plans["level"].report.constraints[0].proven
 
 # %%
-# The tilt of the cup along both motions. The limit is active over a part of the level
-# one, which keeps it everywhere.
+# The tilt of the cup along both motions. The level motion touches the limit on a part of
+# its way and keeps it everywhere.
 
 
 def tilt(plan, count=400):

@@ -68,15 +68,15 @@ stands = end.obstacles[end.names.index("part")].pose.homogeneous
 assert np.abs(stands - place).max() < 1e-5
 
 # %%
-# The whole program: the part where it was, on its way in the hand, and put down. The
-# vertical lines are where steps begin; the hand closes and opens at the solid ones.
+# The whole program: the part at its first place, in the hand, and put down. Vertical
+# lines mark where steps begin; the hand closes and opens at the solid ones.
 
 viz.draw_figure(program, plt.figure(figsize=(11.5, 6.0)))
 plt.show()
 
 # %%
-# One trajectory for the controller. The dashed lines are where the hand closes and
-# opens; at the blended corners the arm keeps moving.
+# The controller gets one trajectory. The hand closes and opens at the dashed lines; at
+# the blended corners the arm keeps moving.
 
 motion = program.trajectory
 t = np.linspace(0.0, motion.duration, 1500)

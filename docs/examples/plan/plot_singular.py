@@ -28,21 +28,21 @@ start = np.array([0.4, -1.2, 1.5, -1.8, -1.3, 0.7])
 goal = np.array([1.4, -0.5, -1.3, 0.3, -1.2, 0.5])  # the elbow bends the other way
 
 # %%
-# The certificate tells which singularities the path crosses, and how many every path has
-# to cross at least.
+# The certificate names the singularities that the path crosses, and the smallest number
+# that any path has to cross.
 
 result = mp.optimize_path(robot, start, goal)
 certificate = result.certificate
 print(result.status.name, f"g {result.g:.0f}")
 for crossing in certificate.crossings:
     print(f"{crossing}; its share in g: {crossing.cost:.0f}")
-print("every path crosses at least", certificate.least_crossings)
+print("smallest number of crossings of any path:", certificate.least_crossings)
 assert result.status is mp.Status.OPTIMAL
 assert len(certificate.crossings) == certificate.least_crossings == 1
 
 # %%
-# Only the pose of the tool matters, and other configurations reach it. A pose as the goal
-# chooses the one with the best motion.
+# Often only the pose of the tool matters, and other configurations reach it, too. With
+# the pose as its goal, ``plan`` chooses the configuration with the best motion.
 
 plan = mp.plan(robot, start, kinematics.pose(goal))
 best = plan.result
@@ -50,7 +50,7 @@ print(f"g {best.g:.0f} instead of {result.g:.0f}")
 assert plan.status is mp.Status.OPTIMAL
 assert best.g < 150 and 1200 < result.g < 1400
 for each in plan.candidates[:4]:
-    print(each.q.round(2), f"needs {each.least_crossings} crossings at least")
+    print(each.q.round(2), f"at least {each.least_crossings} crossings")
 assert not best.certificate.crossings
 assert np.allclose(kinematics.pose(best.path.goal), kinematics.pose(goal), atol=1e-9)
 

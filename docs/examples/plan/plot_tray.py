@@ -48,7 +48,7 @@ scene = mp.Scene(
 )
 
 # %%
-# The way of the tray, level all along: up, across the box, and down again.
+# The tray stays level on its way up, across the box, and down again.
 
 places = [(0.6, -0.15, 0.0), (0.63, -0.07, 0.1), (0.67, 0.07, 0.1), (0.7, 0.15, 0.0)]
 poses = np.tile(np.eye(4), (len(places), 1, 1))
@@ -61,7 +61,7 @@ assert plan.status is mp.Status.CARRIED
 assert plan.report.min_manipulability > 0.013  # [m^6]
 
 # %%
-# The robot on the way.
+# The robot at the start, on the way and at the goal.
 
 figure = plt.figure(figsize=(8.5, 7.0), layout="constrained")
 ax = figure.add_subplot(projection="3d")
