@@ -74,7 +74,7 @@ steps = [
 ]
 program = mp.sequence(robot, "default", steps, scene, blend=0.05)
 assert program.passed and not program.stops
-assert program.report.min_manipulability > 0.0099  # [m^6], that of the start
+assert program.min_manipulability > 0.0099  # [m^6], that of the start
 print("\n".join(str(program).splitlines()[:15]))
 
 # %%
