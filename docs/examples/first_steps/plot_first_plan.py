@@ -13,11 +13,10 @@ Plan a trajectory from a start to a goal, step by step: this is the problem that
 demo`` solves.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/first_plan.jpg"
-
 # %%
 # The robot comes from the catalogue. Its fingers are locked. The acceleration and jerk
 # limits are those that the manufacturer publishes.
+# sphinx_gallery_thumbnail_path = "pictures/first_plan.jpg"
 import matplotlib.pyplot as plt
 
 import manipplan as mp

@@ -15,13 +15,12 @@ loads it, explains the table that is printed, plans a motion, and shows the most
 errors.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/own_robot.jpg"
-
 # %%
 # The arm has six revolute joints, links made of cylinders (no mesh files), and a frame
 # ``torch`` 12 cm beyond the last joint. A manufacturer's URDF has the same structure
 # but is longer.
 
+# sphinx_gallery_thumbnail_path = "pictures/own_robot.jpg"
 import tempfile
 from pathlib import Path
 

@@ -14,11 +14,10 @@ robot and rises. The cables allow the first joint 137 degrees to either side, so
 single motion follows the path. How often does the tool have to leave it, and where?
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/interruptions.jpg"
-
 # %%
 # The path is laid through the poses of a helix with a diameter of 1 m.
 
+# sphinx_gallery_thumbnail_path = "pictures/interruptions.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

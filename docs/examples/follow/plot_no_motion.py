@@ -13,11 +13,10 @@ No single motion follows that. The message says where the motions end, what ends
 how closely that was searched; three remedies are at hand.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/no_motion.jpg"
-
 # %%
 # The tool points down, moves 60 cm along y, and turns by 7 rad.
 
+# sphinx_gallery_thumbnail_path = "pictures/no_motion.jpg"
 from itertools import pairwise
 
 import matplotlib.pyplot as plt

@@ -14,12 +14,11 @@ the torch is round, so its rotation about its own axis does not matter. This one
 of freedom makes the difference.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/weld_seam.jpg"
-
 # %%
 # The torch is mounted at 45 degrees to the flange, as usual, so a rotation about its
 # axis moves the whole wrist. Cables limit every joint to half a turn in each direction.
 
+# sphinx_gallery_thumbnail_path = "pictures/weld_seam.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -15,8 +15,6 @@ workpiece has to be checked for collisions as soon as the arm carries it. You wa
 motion that keeps 1 cm of clearance to all of them.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/cell.jpg"
-
 # %%
 # **The machine.** To make this page run as it stands, it first writes the STL file that
 # you would export from CAD, in millimetres. The housing is one closed surface: its
@@ -24,6 +22,7 @@ motion that keeps 1 cm of clearance to all of them.
 # door, and along the cavity to the inside of the back wall. The bed and the spindle
 # in the cavity are solids of their own.
 
+# sphinx_gallery_thumbnail_path = "pictures/cell.jpg"
 import tempfile
 from itertools import pairwise
 from pathlib import Path

@@ -7,7 +7,7 @@ What to choose: power, degree, measure, shifts
          and a shifted goal.
    :width: 560px
 
-*For users of ``optimize_path`` who want to tune it.*
+*For users of the path optimiser who want to tune it.*
 
 ``optimize_path`` has few parameters. On a planar arm with three unit links each run
 takes less than a second, so this page varies them and shows what each does to the path

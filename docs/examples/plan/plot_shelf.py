@@ -14,12 +14,11 @@ clearance of 2 cm to everything and does not pass near a singularity where the b
 force the arm to fold.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/shelf.jpg"
-
 # %%
 # The shelf consists of five boxes: three boards and two sides. The position of a box is
 # the position of its centre.
 
+# sphinx_gallery_thumbnail_path = "pictures/shelf.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

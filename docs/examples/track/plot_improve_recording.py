@@ -15,13 +15,12 @@ stays inside a tolerance of the recorded poses and uses the rest of the arm's fr
 to stay farther from singularities.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/improve_recording.jpg"
-
 # %%
 # The recording of this page is synthetic: a Panda's hand is guided along an arc near
 # the edge of its reach, sampled at 50 Hz, with noise as from a human hand. Your file
 # has the same columns: ``time`` [s] and ``q_<joint>`` [rad], in any order.
 
+# sphinx_gallery_thumbnail_path = "pictures/improve_recording.jpg"
 import tempfile
 from pathlib import Path
 
