@@ -3,7 +3,7 @@ Every picture
 =============
 
 .. image:: images/sphx_glr_plot_pictures_003.png
-   :alt: Joint positions with their limits, and velocities as shares of the limits.
+   :alt: A planar arm on its path past a ball, with the path of its tool and ellipsoids.
    :width: 560px
 
 *For papers, talks and reports.*
