@@ -219,7 +219,7 @@ def _obstacles(scene: Scene) -> list[tuple[Array, Faces]]:
     return made
 
 
-def _fit(points: Array, wide: float, direction: tuple[float, float]) -> tuple[Array, float]:
+def _fit(points: Array, wide: float, direction: tuple[float, float] = (AZIMUTH, ELEVATION)) -> tuple[Array, float]:
     """Where the camera looks, (3,), and its distance [m], so that points (k, 3) fill a picture `wide` times as wide as high."""
     azimuth, elevation = np.deg2rad(direction)
     ahead = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
