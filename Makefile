@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links figures pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -61,9 +61,17 @@ docs: $(READY) browser
 links: $(READY)
 	$(BIN)/python -m sphinx -q -D plot_gallery=0 -b linkcheck docs docs/_build/links
 
-# The picture and the animation of the README.
+# Writes the numbers that README and pages state from the tables of docs/benchmarks.
+figures: $(READY)
+	$(BIN)/python docs/figures.py
+
+# The films of the README, the stills of the examples and the drawings of the concepts; says which look different afterwards.
 pictures: $(READY) egl
 	$(BIN)/python docs/make_pictures.py
+	$(BIN)/python docs/pictures/stills.py
+	$(BIN)/python docs/pictures/draw.py
+	$(BIN)/python docs/pictures/shapes.py
+	$(BIN)/python docs/compare_pictures.py
 
 # Builds the kernels again after a change of manipplan/csrc: the library, and their text in LLVM's language for machines without
 # a C compiler, which needs clang 16.

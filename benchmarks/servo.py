@@ -23,7 +23,7 @@ import platform
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import example_robot_data as erd
@@ -32,7 +32,7 @@ import pinocchio as pin
 from rich.progress import track
 from servo_judge import DT, LENGTH, Arm, Array, Law, arms, judge, leaving_bound, simulate
 from servo_laws import LAWS, Ours, robot_of
-from servo_streams import POSTURES, designed, touching
+from servo_streams import POSTURES, designed, steady, touching
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "servo.md"
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
@@ -60,7 +60,7 @@ def described() -> dict[str, Arm]:
         return arms(path)
 
 
-def leave(make: type, models: dict[str, Arm], bounds: dict[str, float | None]) -> list[float | None]:
+def leave(make: Callable[[Arm], Law], models: dict[str, Arm], bounds: dict[str, float | None]) -> list[float | None]:
     """Time over its bound of each case that has one; None where the arm does not get there within 4 s."""
     found: list[float | None] = []
     for name, (arm_name, posture) in POSTURES.items():
@@ -80,7 +80,7 @@ def leave(make: type, models: dict[str, Arm], bounds: dict[str, float | None]) -
             def left(q: Array, arm: Arm = arm, begin: pin.SE3 = begin, direction: Array = direction) -> bool:
                 return bool(direction @ arm.error(arm.pose(q), begin) >= DISTANCE)
 
-            run = simulate(law, arm, start, lambda _, twist=twist: twist, 4.0, left)
+            run = simulate(law, arm, start, steady(twist), 4.0, left)
             found.append(len(run.raw) * DT / bound if left(run.q[-1]) else None)
     return found
 

@@ -1,7 +1,9 @@
 """Laws beside which servo.py measures `mp.Servo`: our controller, and rules of the literature as papers state them."""
 
+from collections.abc import Callable
+
 import numpy as np
-from servo_judge import DT, SCALE, Arm, Array, moved
+from servo_judge import DT, SCALE, Arm, Array, Law, moved
 
 import manipplan as mp
 
@@ -99,7 +101,7 @@ class MoveItServo(Rule):
         return np.zeros_like(velocity) if stops.any() else velocity
 
 
-LAWS = {
+LAWS: dict[str, Callable[[Arm], Law]] = {
     "`mp.Servo`": Ours,
     "`mp.Controller`, `General`, one step ahead": General,
     "damped least squares, adaptive": Damped,

@@ -39,6 +39,11 @@ def turn(*axis: float) -> Array:
     return np.concatenate([np.zeros(3), d / np.linalg.norm(d) * TURN])
 
 
+def steady(twist: Array) -> Twist:
+    """The same twist all the time."""
+    return lambda _: twist
+
+
 def phases(*parts: tuple[float, Array]) -> Twist:
     """Twists for some seconds each, with ramps of 0.1 s between them."""
     ends = np.cumsum([seconds for seconds, _ in parts])

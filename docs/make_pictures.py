@@ -1,4 +1,4 @@
-"""Write the picture and the films of the README and the start page: `make pictures`, or `python docs/make_pictures.py`."""
+"""Write the picture and the films of the README and the start page: python docs/make_pictures.py, part of `make pictures`."""
 
 from pathlib import Path
 

@@ -68,7 +68,7 @@ def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Obstacle:
-    """A static obstacle; derive from it for a shape of your own. Its pose in the world: `position` (3,) [m] and `rotation`.
+    """A static obstacle; derive from it to write a shape of your own. `position` (3,) [m] and `rotation` are its pose.
 
     `rotation` is None, a rotation matrix (3, 3), or roll, pitch and yaw (3,) [rad] as in URDF. No position, size or corner is
     beyond `FARTHEST`.
@@ -161,7 +161,7 @@ class Obstacle:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Box(Obstacle):
-    """A box with edges `size` (dx, dy, dz) [m]."""
+    """A box with edges `size` (dx, dy, dz) [m]; `position` is its centre."""
 
     size: ArrayLike
     shape_name = "box"
@@ -179,7 +179,7 @@ class Box(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sphere(Obstacle):
-    """A ball of `radius` [m]."""
+    """A ball of `radius` [m]; `position` is its centre."""
 
     radius: float
     shape_name = "sphere"
@@ -190,7 +190,7 @@ class Sphere(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Capsule(Obstacle):
-    """A cylinder of `radius` and `length` [m] along z with a hemisphere at either end."""
+    """A cylinder of `radius` and `length` [m] along z with a hemisphere at either end; `position` is its centre."""
 
     radius: float
     length: float
@@ -202,7 +202,7 @@ class Capsule(Obstacle):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cylinder(Obstacle):
-    """A cylinder of `radius` and `length` [m] along z."""
+    """A cylinder of `radius` and `length` [m] along z; `position` is its centre."""
 
     radius: float
     length: float
@@ -226,9 +226,9 @@ class Plane(Obstacle):
 class Mesh(Obstacle):
     """Triangles of a file (STL, OBJ, PLY, DAE, glTF, GLB), or `triangles` (t, 3, 3); their numbers times `scale` are metres.
 
-    A mesh is what its triangles say. Triangles that enclose a volume are a solid; shells inside it that face inward are its
-    cavities. All others are surfaces without thickness: an open bin is empty, and a body in it is free. Corners within 1e-9 m
-    are one, triangles without an area are left out, and a closed part that is inside out is turned.
+    Triangles that enclose a volume are a solid; shells inside it that face inward are its cavities. All others are surfaces
+    without thickness: an open bin is empty, and a body in it is free. Corners within 1e-9 m are one, triangles without an
+    area are left out, and a closed part that is inside out is turned.
 
     Args:
         file: its objects are read together, with the transforms of its scene. Polygons are split into triangles. Units and

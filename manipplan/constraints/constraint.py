@@ -47,7 +47,7 @@ class SymbolicPose:
 
 
 class Constraint(ABC):
-    """A constraint on every configuration of a free motion; derive from it for one of your own.
+    """A constraint on every configuration of a free motion; derive from it to write your own.
 
     A row is a smooth function c of the configuration, and is kept where c(q) >= 0. Scale rows so that a change by 1e-6 is
     negligible, as it is in radians and metres: a row counts as kept down to -1e-6. The set of allowed configurations needs some
@@ -260,7 +260,7 @@ class PositionBox(Constraint):
 @one_line
 @dataclass(frozen=True)
 class HeldJoints(Constraint):
-    """Joints that do not move: a motion keeps their values of its start. The manipulability is still that of the whole arm.
+    """Joints that keep their value at the start of a motion. The manipulability is still that of the whole arm.
 
     Attributes:
         joints: their names, at least one, and not all of the arm's.

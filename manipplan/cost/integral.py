@@ -335,7 +335,9 @@ def path_cost(
     metric: ArrayLike | None = None,
     panels: int = 40,
 ) -> PathCost:
-    """Compute g, on panels of ten Gauss points that are halved where that still changes g, and the minimum manipulability.
+    """Compute g and the minimum manipulability of a path.
+
+    g is integrated on panels of ten Gauss points, which are halved as long as that changes g.
 
     Args:
         path: the path.

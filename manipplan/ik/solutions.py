@@ -101,7 +101,7 @@ def inverse_kinematics(
     time_limit: float | None = None,
     seed: int = 0,
 ) -> SolutionSet:
-    """Every configuration that reaches a pose.
+    """Find every configuration that reaches a pose.
 
     A redundant arm has finitely many solutions once some joints are held or, with a spherical shoulder and wrist, once the
     swivel angle of the elbow is fixed: these values are the parameters. A joint angle that fits its limits at several full

@@ -107,7 +107,7 @@ def carry(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> Plan | PartialPlan:
-    """Plan the motion of an object that two tools hold, such as a tray, along a path; timed, and checked with both arms.
+    """Plan the timed and checked motion of two arms that hold an object, such as a tray, and move it along a path.
 
     The arms are searched one after the other, each as in `follow`, at positions at which each can move alone. The first one has
     the best motion among all its configurations, the other one among those that are free of the first. Where that fails, the

@@ -58,9 +58,9 @@ def check(
     degrees: bool = False,
     columns: Mapping[str, str] | None = None,
 ) -> Report:
-    """Judge a trajectory, whoever made it: planned, retimed, edited, recorded, or made by other software.
+    """Judge a trajectory that was planned, retimed, edited, recorded, or made by other software.
 
-    What is judged is the cubic Hermite spline through its samples, at all times. Extremes of position, velocity, acceleration
+    The cubic Hermite spline through its samples is judged at all times. Extremes of position, velocity, acceleration
     and jerk are exact; torque is sampled at both ends of each piece and six times between. Collisions are excluded by a proof
     for the whole motion; where the proof does not decide, by samples between which no joint moves more than 1e-3 rad or m.
 

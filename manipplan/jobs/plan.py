@@ -117,7 +117,7 @@ def plan(
     1e-6, that of the smaller g. With as many joints as task rows a candidate in another aspect than the start is planned only
     if none in the same one is free or has a path. `candidates` of the plan tells what was left out, and why.
 
-    Where the arm stands in a goal already, the motion stands still: Status.AT_GOAL.
+    If the arm is at a goal already, the motion stands still, with Status.AT_GOAL.
 
     The call takes at most `Seeding.time_limit` for each first path, 10 s by default. What is built once per machine, process,
     robot or scene, such as code and collision models, does not count. The candidates share the time. What was found by then is

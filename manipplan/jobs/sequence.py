@@ -45,7 +45,7 @@ def sequence(
     time_limit: float | None = None,
     progress: Progress | None = None,
 ) -> Program:
-    """Plan a program of moves as one: pick, carry, place, weld, retreat.
+    """Plan several moves together as one program: pick, carry, place, weld, retreat.
 
     All configurations that reach the goals of the moves are candidates. One search over the whole program chooses among them
     for the largest minimum manipulability. It begins with upper bounds for the free motions, then plans the motions that it

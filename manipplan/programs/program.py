@@ -81,19 +81,19 @@ class Mark:
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Program(Pictured):
-    """A program of moves, timed and checked.
+    """A program of moves, timed and checked; the result of `sequence`.
 
     Attributes:
         robot, scene: as they are at the beginning.
         final_robot, final_scene: as they are at the end.
         parts: the motions between stops at which something is taken up or put down, or the arm waits: each a Plan from rest to
             rest, of the arm with what it carries then, among the obstacles that are there then.
-        begins: when each part begins [s].
+        begins: times at which the parts begin [s].
         marks: when each step begins.
         trajectory: the whole motion; the arm stands still while it waits.
         goals: for each MoveTo with several goals, by the index of the step: the index of the one that was chosen.
         stops: times at which the arm stands still although nothing is taken up, put down or waited for [s].
-        warnings: what may not be meant, such as a part that is let go in the air, or a blend that is smaller than asked for.
+        warnings: probable mistakes, such as a part that is released in the air, or a blend that is smaller than asked for.
     """
 
     robot: Robot

@@ -101,12 +101,12 @@ class MoveAlong(ProgramStep):
 @one_line
 @dataclass(frozen=True, eq=False)
 class Attach(ProgramStep):
-    """The hand takes up a part, which the arm carries from then on.
+    """The hand picks up a part, which the arm carries from then on.
 
     Attributes:
         part: the name of an obstacle, which is no longer in the scene; or a shape posed in the tool frame.
         name: name of a part that is given as a shape; default: its own, or "part".
-        tool: of a robot with several tools the one that takes it up; "": the only one.
+        tool: the tool that picks it up, of a robot with several; "": the only one.
     """
 
     part: str | Solid

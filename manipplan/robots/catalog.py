@@ -257,9 +257,9 @@ CATALOG: Mapping[str, CatalogEntry] = {
 
 
 def available_robots() -> tuple[str, ...]:
-    """Names that `load_robot` knows: those of the catalogue, then those that installed packages add by an entry point.
+    """List the names that `load_robot` knows: those of the catalogue, then those that installed packages add by an entry point.
 
-    Beside these it takes the names of robot_descriptions and of MuJoCo Menagerie's folders. No package is imported for the
+    `load_robot` also takes the names of robot_descriptions and of MuJoCo Menagerie's folders. No package is imported for the
     list. A name that a package cannot add, such as one of the catalogue, is left out, and the log says why.
     """
     names = []
@@ -285,7 +285,7 @@ def refusal(name: str, points: Sequence[EntryPoint]) -> str | None:
 
 
 def load_robot(name: str | Path, **options: object) -> Robot:
-    """An arm by its name, or from a URDF, xacro or MJCF file.
+    """Load an arm by its name, or from a URDF, xacro or MJCF file.
 
     Args:
         name: one of `available_robots()`; a name of the package robot_descriptions, such as "ur5e_description" (extra

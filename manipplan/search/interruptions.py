@@ -55,9 +55,10 @@ class Interruptions:
 def fewest_interruptions(
     layers: Layers, epsilon: ArrayLike, *, strict: bool = True, progress: Progress | None = None
 ) -> Interruptions:
-    """The fewest parts of a path through the layers; of these, ones with the largest minimum manipulability. Exact, in float64.
+    """Split a path through the layers into the fewest parts, and of these find ones with the largest minimum manipulability.
 
-    Where several positions do for an interruption, the middle one is taken; `others` are some of the rest.
+    The result is exact, in float64. If several positions are possible for an interruption, the middle one is taken; `others`
+    are some of the rest.
 
     Args:
         layers: candidates with their manipulability. Closed ones are passed once around, from the position that needs the

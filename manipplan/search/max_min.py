@@ -196,7 +196,7 @@ def max_min_search(
     progress: Progress | None = None,
     threads: int | None = None,
 ) -> SearchResult | Iterator[SearchResult]:
-    """The continuous path through the layers with the largest minimum manipulability. Exact, in float64.
+    """Find the continuous path through the layers with the largest minimum manipulability; exact, in float64.
 
     Args:
         layers: candidates with their manipulability; if the layers are closed, the path is a cycle.

@@ -116,7 +116,7 @@ def sample_layers(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Layers:
-    """All configurations that reach a number of positions of a path, on a grid over the arm's redundant parameters.
+    """Sample all configurations that reach positions along a path, on a grid over the arm's redundant parameters.
 
     Args:
         robot: the arm.

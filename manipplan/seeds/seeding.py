@@ -111,7 +111,7 @@ AT_END = 1e-6
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PlannerProblem:
-    """What a planner of your own is given: start and goal, a box of joint values, and checks for collisions.
+    """The argument of a planner of your own: start and goal, a box of joint values, and collision checks.
 
     The planner is a function, or an object that can be called, with this problem as its only argument. It returns waypoints
     (k, n) [rad or m], from start to goal, between which the arm moves straight; or None if it finds none.

@@ -55,7 +55,7 @@ class PinocchioCasadi:
 
 
 def pinocchio_casadi(robot: "Robot", *, source: str = "auto") -> PinocchioCasadi:
-    """Pinocchio's CasADi algorithms for `robot`.
+    """Build Pinocchio's CasADi algorithms for a robot.
 
     Args:
         robot: the arm.

@@ -38,7 +38,7 @@ class LimitUse:
 
 
 def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, LimitUse]:
-    """Largest use of the limits of position, velocity and acceleration over the whole trajectory, in closed form.
+    """Compute the largest use of the position, velocity and acceleration limits over a trajectory, in closed form.
 
     On a cubic piece velocity is a parabola and acceleration a line, so each extreme is at an end of the piece, or at
     the vertex of the parabola. For jerk see `jerk_use`.
@@ -92,7 +92,7 @@ def _bent(values: Array) -> Array:
 
 
 def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
-    """Largest use of the jerk limits, by the constant jerk of each cubic piece; ratio inf where acceleration jumps.
+    """Compute the largest use of the jerk limits; each cubic piece has one jerk. The ratio is inf where acceleration jumps.
 
     Acceleration jumps between pieces of most splines. A change at a sample counts as a jump above 1e-5 of the acceleration
     limit, and above what times in whole nanoseconds explain: 6e-9 v (1 / h² + 1 / k²) at the speed v between pieces of the
@@ -119,7 +119,7 @@ def _matching(trajectory: Trajectory, limits: JointLimits) -> None:
 
 
 def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, inside: int = 6) -> LimitUse:
-    """Largest use of effort limits, by Pinocchio's inverse dynamics at both ends of each piece and `inside` times between.
+    """Compute the largest use of effort limits, at both ends of each piece and `inside` times between, by Pinocchio.
 
     `effort` (n,), or one number, is above zero; inf where there is no limit. Raises InvalidInputError for other arguments.
     """

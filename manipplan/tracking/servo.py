@@ -261,7 +261,7 @@ class Servo:
         return self._step(q, qd, None, dt)
 
     def reset(self) -> None:
-        """Clear the memory of past steps: the last command and acceleration, and from which side a singularity was approached."""
+        """Clear the memory of past steps: last command, last acceleration, the side of a singularity that was approached."""
         s = self.law
         for name in ("qdd", "held", "filtered"):
             ctypes.memset(ctypes.addressof(s) + getattr(type(s), name).offset, 0, getattr(type(s), name).size)

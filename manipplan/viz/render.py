@@ -26,7 +26,7 @@ Picture = NDArray[np.uint8]
 
 #: Pixels rendered per pixel shown, in each direction.
 FINER = 2
-#: Direction of the camera: azimuth and elevation [°]; vertical field of view [°].
+#: Direction in which the camera looks: azimuth and elevation [°]; vertical field of view [°].
 AZIMUTH, ELEVATION, FIELD = 140.0, -20.0, 45.0
 #: Share of the picture's width and height that what is shown fills.
 FILLED = 0.94
@@ -56,7 +56,16 @@ class DrawnWay:
 class Renderer:
     """Renders one robot among obstacles; a context manager, as its buffers have to be freed."""
 
-    def __init__(self, robot: Robot, scene: Scene, shown: Array, size: tuple[int, int], *, dark: bool = False) -> None:
+    def __init__(
+        self,
+        robot: Robot,
+        scene: Scene,
+        shown: Array,
+        size: tuple[int, int],
+        *,
+        dark: bool = False,
+        direction: tuple[float, float] = (AZIMUTH, ELEVATION),
+    ) -> None:
         """Build the model and place the camera.
 
         Args:
@@ -65,6 +74,7 @@ class Renderer:
             shown: (k, 3) points that have to be in the picture [m], beside the obstacles.
             size: width and height [pixels].
             dark: whether the background is dark.
+            direction: azimuth and elevation in which the camera looks [°].
 
         Raises ManipplanError where MuJoCo cannot render.
         """
@@ -86,8 +96,8 @@ class Renderer:
         self._state = mujoco.MjData(self._model)
         self._mocap = [self._model.body(f"joint {k}").mocapid[0] for k in range(robot.model.njoints)]
         self._camera = mujoco.MjvCamera()
-        self._camera.lookat[:], self._camera.distance = _fit(np.concatenate(points), size[0] / size[1])
-        self._camera.azimuth, self._camera.elevation = AZIMUTH, ELEVATION
+        self._camera.lookat[:], self._camera.distance = _fit(np.concatenate(points), size[0] / size[1], direction)
+        self._camera.azimuth, self._camera.elevation = direction
         self._rectangle = mujoco.MjrRect(0, 0, FINER * size[0], FINER * size[1])
         self._shown, self._options = mujoco.MjvScene(self._model, maxgeom=MOST_SHAPES), mujoco.MjvOption()
         try:
@@ -209,9 +219,9 @@ def _obstacles(scene: Scene) -> list[tuple[Array, Faces]]:
     return made
 
 
-def _fit(points: Array, wide: float) -> tuple[Array, float]:
+def _fit(points: Array, wide: float, direction: tuple[float, float] = (AZIMUTH, ELEVATION)) -> tuple[Array, float]:
     """Where the camera looks, (3,), and its distance [m], so that points (k, 3) fill a picture `wide` times as wide as high."""
-    azimuth, elevation = np.deg2rad([AZIMUTH, ELEVATION])
+    azimuth, elevation = np.deg2rad(direction)
     ahead = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
     right = np.cross(ahead, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)

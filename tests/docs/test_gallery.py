@@ -16,6 +16,10 @@ PUBLIC = {"manipplan": mp, "manipplan.planar": planar, "manipplan.viz": viz}
 PUBLIC |= {f"manipplan.{name}": getattr(mp, name) for name in ("demo", "errors", "formulations", "measures", "results")}
 
 
+#: Functions whose result has a status.
+MOTION = {"plan", "optimize_path", "follow", "track", "sequence", "carry", "improve", "max_min_search"}
+
+
 def name_of(page):
     return page.relative_to(EXAMPLES).with_suffix("").as_posix()
 
@@ -57,6 +61,32 @@ def test_a_page_has_a_title_text_and_a_picture(page):
     assert len(" ".join(rest)) > 80
     assert page.read_text().count("# %%") >= 3
     assert re.search(r"plt\.|viz\.", page.read_text())
+
+
+@pytest.mark.parametrize("page", sorted(EXAMPLES.glob("**/[pl]*.py")), ids=name_of)
+def test_a_page_begins_with_its_picture_and_says_for_whom(page):
+    """The picture of a page is the one that the page draws, or a still that `make pictures` renders; it is also the thumbnail."""
+    text = page.read_text()
+    _, _, blank, first, *rest = (ast.get_docstring(ast.parse(text)) or "").splitlines()
+    [picture] = re.findall(r"^\.\. image:: (\S+)$", first)
+    assert blank == "" and rest[0].startswith("   :alt: ") and len(rest[0]) > 40
+    assert rest[rest.index("") + 1].startswith("*For "), "the sentence after the picture"
+    if picture.startswith("/"):
+        assert f'# sphinx_gallery_thumbnail_path = "{picture[1:]}"' in text
+        assert (ROOT / "docs" / picture[1:]).stat().st_size < 100_000
+    else:
+        assert re.fullmatch(rf"images/sphx_glr_{page.stem}_\d{{3}}\.png", picture)
+        assert "sphinx_gallery_thumbnail_path" not in text
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_page_asserts_its_status_and_a_number(page):
+    tree = ast.parse(page.read_text())
+    asserted = [node.test for node in ast.walk(tree) if isinstance(node, ast.Assert)]
+    values = [node for test in asserted for node in ast.walk(test)]
+    assert any(isinstance(node, ast.Constant) and isinstance(node.value, float | int) for node in values)
+    if MOTION & {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}:
+        assert {"status", "passed"} & {node.attr for node in values if isinstance(node, ast.Attribute)}
 
 
 def test_the_times_of_all_pages_were_measured():

@@ -20,6 +20,11 @@ BLOCK = re.compile(r"(<!-- not run: [^>]+ -->\n)?```(python|sh|yaml)\n(.*?)```(?
 AT_THE_LIMIT = re.compile(r"(% of the limit), \w+ at [\d.]+ s")
 NUMBER = re.compile(r"-?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
 GENERATED = {"_build", "gallery", "benchmarks"}
+#: What no page prints: a reader wants the value behind it, and what has to hold is asserted.
+BARE = re.compile(r"\b(True|False|None)\b")
+#: Calls that lead to a motion, and what a page says about it.
+MOTION = re.compile(r"\bmp\.(plan|optimize_path|follow|track|sequence|carry|improve|check)\(")
+OUTCOME = re.compile(r"\.status|\.passed|\.faults|print\((plan|report)\.(report|comparison)\)")
 
 
 def blocks(page, language):
@@ -52,6 +57,18 @@ def assert_printed(wanted, got, where):
 
 def test_there_is_code_on_the_pages():
     assert {"start.md", "index.md", "howto/shell.md", "concepts/tracking.md"} <= {*pages_with("python"), *pages_with("sh")}
+
+
+@pytest.mark.parametrize("page", pages_with("python"))
+def test_a_page_prints_values_instead_of_truths(page):
+    shown = [printed for _, printed in blocks(page, "python") if BARE.search(printed)]
+    assert shown == []
+
+
+@pytest.mark.parametrize("page", [page for page in pages_with("python") if page.startswith("howto/")])
+def test_a_how_to_that_makes_a_motion_says_what_came_of_it(page):
+    code = "".join(code for code, _ in blocks(page, "python"))
+    assert OUTCOME.search(code) or not MOTION.search(code)
 
 
 @pytest.mark.parametrize("page", pages_with("python"))

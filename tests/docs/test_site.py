@@ -4,6 +4,7 @@
 """
 
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -91,6 +92,17 @@ def test_search_works_from_files(open_page):
     targets = page.eval_on_selector_all("#search-results li a", "links => links.map(link => link.href)")
     assert any("howto/clearance.html" in target for target in targets)
     assert all(target.startswith("file:") for target in targets)
+
+
+def test_examples_print_values_instead_of_truths(open_page):
+    page, found = open_page(), {}
+    for name in pages():
+        if name.startswith("gallery/"):
+            page.goto((SITE / name).as_uri())
+            printed = page.eval_on_selector_all(".sphx-glr-script-out", "blocks => blocks.map(block => block.innerText)")
+            found[name] = [each for each in printed if re.search(r"\b(True|False|None)\b", each)]
+    assert len(found) > 20
+    assert {name: each for name, each in found.items() if each} == {}
 
 
 def test_formulas_are_drawn(open_page):

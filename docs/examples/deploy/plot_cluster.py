@@ -2,6 +2,12 @@
 Sweep on a Dask cluster
 =======================
 
+.. image:: images/sphx_glr_plot_cluster_001.png
+   :alt: A map of g by the position of the robot's base.
+   :width: 560px
+
+*For studies with thousands of plans.*
+
 One plan takes a second; the study of a robot cell needs thousands of them: every pick
 with every place, several robots, several mounting positions. Every function that does
 many independent computations takes an ``executor=`` with the interface of
@@ -79,6 +85,7 @@ print(
     f"{len(there.rivals)} rivals"
 )
 print(f"g {here.g:.5f} and {there.g:.5f}")
+assert here.status is there.status is mp.Status.OPTIMAL and here.g < 1.47
 assert np.isclose(here.g, there.g, rtol=1e-6)
 
 # %%

@@ -2,6 +2,13 @@
 Export C for a controller
 =========================
 
+.. image:: images/sphx_glr_plot_export_c_001.png
+   :alt: Joint angles by Python and by the exported C, and their difference below
+         1e-12 rad.
+   :width: 560px
+
+*For real-time controllers.*
+
 The computer that drives the robot runs C, perhaps without an operating system that
 supports Python. ``Controller.export_c`` writes the whole control step as a C project:
 kinematics, limits and the QP solver, without memory allocation in a step. This page

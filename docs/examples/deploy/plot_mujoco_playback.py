@@ -2,6 +2,12 @@
 Play a motion in MuJoCo
 =======================
 
+.. image:: images/sphx_glr_plot_mujoco_playback_001.png
+   :alt: Tracking error and torque of a simulated Panda over time.
+   :width: 560px
+
+*For those who want to try a motion in simulation first.*
+
 A plan keeps the velocity, acceleration and jerk limits. Can a simulated arm with servo
 control follow it, and which torques does this take? The simulator is MuJoCo, which
 shares no code with the planner: its inputs are the robot's URDF and a CSV file.
@@ -28,6 +34,7 @@ robot = problem.robot
 plan = mp.plan(
     robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance
 )
+assert plan.status is mp.Status.OPTIMAL and plan.report.min_manipulability > 0.009
 folder = Path(tempfile.mkdtemp())
 plan.trajectory.to_csv(folder / "optimised.csv")
 mp.retime(plan.result.seed, robot).to_csv(folder / "seed.csv")

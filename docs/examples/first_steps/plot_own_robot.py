@@ -2,6 +2,13 @@
 Load my own URDF
 ================
 
+.. image:: /pictures/own_robot.jpg
+   :alt: A grey arm of six cylinders beside a post; the way of its torch in blue,
+         the planner's in yellow.
+   :width: 560px
+
+*For users of an arm that is not in the catalogue.*
+
 You have the URDF of an arm, and perhaps the SRDF that MoveIt's setup assistant wrote,
 and you want to plan with it. This page writes the URDF of a small arm with six joints,
 loads it, explains the table that is printed, plans a motion, and shows the most common
@@ -13,6 +20,7 @@ errors.
 # ``torch`` 12 cm beyond the last joint. A manufacturer's URDF has the same structure
 # but is longer.
 
+# sphinx_gallery_thumbnail_path = "pictures/own_robot.jpg"
 import tempfile
 from pathlib import Path
 
@@ -124,7 +132,8 @@ scene = mp.Scene(
 )
 plan = mp.plan(robot, start, goal, scene, clearance=0.01)
 print(plan.report)
-assert plan.report.passed
+assert plan.status is mp.Status.OPTIMAL
+assert plan.report.g < 255 and plan.report.proven_clearance > 0.0099
 _ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%

@@ -2,6 +2,13 @@
 Trajectories in and out of files
 ================================
 
+.. image:: images/sphx_glr_plot_trajectory_files_001.png
+   :alt: Positions, velocities and accelerations of six joints over time, as read
+         from a file.
+   :width: 560px
+
+*For anyone who passes motions to a controller, a spreadsheet or another program.*
+
 Motions are exchanged in files: a recording as CSV, ROS messages for a controller, a
 NumPy archive for a script. This page writes one trajectory in each format, reads it
 back, and shows the error messages for broken files.
@@ -100,8 +107,9 @@ recorded = mp.Trajectory.from_csv(folder / "recorded.csv")
 between = np.linspace(0, recorded.duration, 999)
 print(
     "largest error between the samples: "
-    f"{np.abs(recorded(between) - trajectory(between)).max():.1e} rad"
+    f"{1e3 * np.abs(recorded(between) - trajectory(between)).max():.1f} mrad"
 )
+assert np.abs(recorded(between) - trajectory(between)).max() < 5e-4
 
 # %%
 # **A broken file** is rejected, and the message says what is expected.

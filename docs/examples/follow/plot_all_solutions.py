@@ -2,11 +2,19 @@
 All configurations that reach a pose
 ====================================
 
+.. image:: /pictures/all_solutions.jpg
+   :alt: A Panda whose hand stays in place while the elbow may swivel.
+   :width: 560px
+
+*For anyone who has to choose a configuration.*
+
 You have a pose of the tool and you want every configuration that reaches it: to choose
 the best one, to know whether a motion has to change from elbow up to elbow down, or to
 see that there is none. ``mp.inverse_kinematics`` returns them all and says in what
 sense they are complete.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/all_solutions.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -31,7 +39,7 @@ print(
     f"{len(solutions.q)} configurations, of {len(families)} postures; largest error "
     f"{solutions.residual.max():.1e}"
 )
-print(f"complete: {solutions.complete.value}")
+print(f"completeness: {solutions.complete.value}")
 print(families.round(3))
 assert len(families) == 8
 assert np.isclose(np.angle(np.exp(1j * (families - q))), 0, atol=1e-6).all(axis=1).any()
@@ -56,7 +64,7 @@ pose = panda.kinematics().pose(given)
 curve = mp.inverse_kinematics(panda, pose, samples=180)
 print(curve)
 print(
-    f"held: {curve.parameter_names}; complete: {curve.complete.value}, by the "
+    f"held: {curve.parameter_names[0]}; completeness: {curve.complete.value}, by the "
     f"method {curve.method!r}"
 )
 m = panda.kinematics().manipulability(curve.q)
@@ -66,6 +74,7 @@ print(
     f"{panda.kinematics().manipulability(given):.4f}, of the best one "
     f"{m.max():.4f} m^6"
 )
+assert m.max() > 0.015 and panda.kinematics().manipulability(given) < 0.009
 
 # %%
 # The self-motion: the hand stays in place while the elbow swivels. Left: all solutions
@@ -102,7 +111,7 @@ found = mp.inverse_kinematics(
 )
 print(found)
 print(
-    f"complete: {found.complete.value}; share that may be missing: {found.missing:.2g}"
+    f"completeness: {found.complete.value}; share that may be missing: {found.missing:.2g}"
 )
 
 # %%
@@ -110,4 +119,4 @@ print(
 
 far = pose.copy()
 far[0, 3] = 2.0
-print(len(mp.inverse_kinematics(panda, far).q))
+print(len(mp.inverse_kinematics(panda, far).q), "solutions")

@@ -2,6 +2,12 @@
 When no motion follows the path
 ===============================
 
+.. image:: /pictures/no_motion.jpg
+   :alt: A Panda on a line that its tool follows while it turns.
+   :width: 560px
+
+*For anyone whose path was refused.*
+
 A Panda draws a line while the tool turns about its own axis, once around and a bit more.
 No single motion follows that. The message says where the motions end, what ends them, and
 how closely that was searched; three remedies are at hand.
@@ -10,6 +16,7 @@ how closely that was searched; three remedies are at hand.
 # %%
 # The tool points down, moves 60 cm along y, and turns by 7 rad.
 
+# sphinx_gallery_thumbnail_path = "pictures/no_motion.jpg"
 from itertools import pairwise
 
 import matplotlib.pyplot as plt
@@ -39,8 +46,8 @@ assert "limit of panda_joint7" in refused.message
 # %%
 # The message is about all configurations at positions along the path, not about one
 # attempt. Where motions ended, positions were added between those there were, down to an
-# eighth of their distance, and samples where branches of configurations meet. So a gap
-# that is left is one of the arm, down to that resolution.
+# eighth of their distance, and samples where branches of configurations meet. A gap that
+# remains is therefore one of the arm and not of the samples, down to that resolution.
 #
 # All configurations of the arm along the path, by their last joint, which turns the tool.
 # Blue: motions from the beginning of the path come there. Orange: motions lead from there
@@ -95,26 +102,33 @@ first = min(k for k, each in backward.items() if each.any())
 assert first < last < len(s) - 1
 
 # %%
-# The first remedy: the tool may leave the path. With one interruption it comes back to the
+# The first remedy: let the tool leave the path. With one interruption it comes back to the
 # same pose in another configuration. That number is proven to be the smallest, down to the
 # same resolution.
 
 parts = mp.follow(robot, path, interruptions=1)
-print(parts.status.name, len(parts.report.along), "parts")
-assert parts.status.name == "FOLLOWED_IN_PARTS" and len(parts.report.along) == 2
+for part in parts.report.along:
+    print(f"s = {part.s_begin:.2f} to {part.s_end:.2f}, from {part.begin:.1f} s on")
+assert parts.status is mp.Status.FOLLOWED_IN_PARTS and len(parts.report.along) == 2
 
 # %%
-# The second one: what does not count is left free. If the tool is round, it need not turn.
+# The second remedy: leave free what does not matter. A round tool need not turn.
 
 round_tool = mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
 free = mp.follow(robot, path, objective=round_tool)
-print(free.status.name, len(free.report.along), "part")
-assert free.status.name == "FOLLOWED"
+least = free.report.min_manipulability
+print(
+    f"{free.status.name}: {free.trajectory.duration:.2f} s, minimum m {least:.4f} m^5"
+)
+assert free.status is mp.Status.FOLLOWED
 
 # %%
-# The third one: another path. A tool that turns by 2 rad is followed; so may be a path
-# that is shifted, or that an arm on another base follows.
+# The third remedy: change the path. If the tool turns by only 2 rad, a motion follows
+# it. Shifting the path, or the base of the arm, may help as well.
 
 less = mp.follow(robot, line(2.0))
-print(less.status.name, len(less.report.along), "part")
-assert less.status.name == "FOLLOWED"
+least = less.report.min_manipulability
+print(
+    f"{less.status.name}: {less.trajectory.duration:.2f} s, minimum m {least:.4f} m^6"
+)
+assert less.status is mp.Status.FOLLOWED

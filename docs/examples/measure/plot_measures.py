@@ -2,6 +2,12 @@
 Ellipsoids and measures
 =======================
 
+.. image:: images/sphx_glr_plot_measures_001.png
+   :alt: A planar arm in three postures with its velocity and force ellipsoids.
+   :width: 560px
+
+*For anyone who has to choose a measure.*
+
 What a posture is good for: in which directions the tool is fast, in which it is strong,
 and how fast it can accelerate.
 """
@@ -115,6 +121,7 @@ for measure in (
 bend = np.linspace(panda.limits.lower[3], panda.limits.upper[3], 300)
 many = np.tile(q, (300, 1))
 many[:, 3] = bend
+best = {}
 figure, ax = plt.subplots(figsize=(7, 3.4))
 for name, line in (
     ("yoshikawa", "-"),
@@ -125,6 +132,8 @@ for name, line in (
     values = panda.kinematics(mp.Task.position(), measure=name).manipulability(many)
     ax.plot(bend, values / values.max(), line, label=name)
     print(f"{name:24s} largest at {bend[values.argmax()]:6.2f} rad")
+    best[name] = bend[values.argmax()]
+assert best["frobenius"] > -0.1 > -1.4 > best["yoshikawa"]
 ax.set(xlabel="elbow angle [rad]", ylabel="share of the maximum", ylim=(0, 1.05))
 ax.legend(frameon=False, fontsize=8)
 figure.tight_layout()

@@ -2,6 +2,12 @@
 Every picture
 =============
 
+.. image:: images/sphx_glr_plot_pictures_003.png
+   :alt: A planar arm on its path past a ball, with the path of its tool and ellipsoids.
+   :width: 560px
+
+*For papers, talks and reports.*
+
 This page shows every function of `viz`. All of them draw into Matplotlib axes: those
 given as `ax=`, or those of a new figure, which they return. Everything is drawn as
 vectors; save a figure with `savefig("picture.svg")` or `.pdf`.
@@ -24,6 +30,7 @@ from manipplan import viz
 problem = mp.demo.panda_among_boxes()
 robot, scene = problem.robot, problem.scene
 plan = mp.plan(robot, problem.start, problem.goal, scene)
+assert plan.status is mp.Status.OPTIMAL and plan.report.min_manipulability > 0.009
 _ = viz.draw_figure(plan, plt.figure(figsize=(11.5, 6.0)))
 
 # %%
@@ -55,7 +62,9 @@ shapes = mp.Scene(
 ax = viz.plot_arm(
     robot, plan.path, shapes, seed=plan.result.seed, names=("optimised", "seed")
 )
-print("collision-free:", shapes.path_clearance(robot, plan.path).proven)
+clearance = shapes.path_clearance(robot, plan.path)
+assert clearance.proven
+print(f"proven clearance {1e3 * clearance.lower:.1f} mm")
 
 # %%
 # A planar arm is drawn from above.

@@ -2,10 +2,18 @@
 A program of eight moves
 ========================
 
+.. image:: /pictures/eight_moves.jpg
+   :alt: A Panda carries a part over the wall of a tray.
+   :width: 560px
+
+*For whole programs of a cell: grasp, carry, place, and a seam at constant speed.*
+
 A Panda takes a part from a table, carries it upright over the wall of a tray, puts it
 down there, and then draws a bead along a seam at a constant speed before it goes home.
 The eight moves are planned together.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/eight_moves.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -30,10 +38,10 @@ scene = mp.Scene(
 ).allow("part", "table")
 
 # %%
-# Grasps from above and tilted by 30°, from eight sides. The place is a pose of the part,
-# so the hand is tilted there as it was at the grasp. On its way the part stays within
-# 15° of upright: the limit is on the axis of the hand, so it holds for grasps from above
-# and forbids to begin it from a tilted one.
+# There are sixteen grasps: from above and tilted by 30°, from eight sides each. The goal
+# of the carried part is a pose of the part, so the hand arrives tilted as it grasped. On
+# the way the hand has to stay within 15° of straight down, which rules out the tilted
+# grasps.
 
 
 def hand_at(x, y, z, turn=0.0, tilt=0.0, away=0.0):
@@ -65,11 +73,12 @@ steps = [
     mp.MoveTo("default"),
 ]
 program = mp.sequence(robot, "default", steps, scene, blend=0.05)
-assert program.passed
+assert program.passed and not program.stops
+assert program.min_manipulability > 0.0099  # [m^6], that of the start
 print("\n".join(str(program).splitlines()[:15]))
 
 # %%
-# Of sixteen grasps one from above was taken: only these let the part be carried upright.
+# The program uses one of the eight grasps from above: only these keep the part upright.
 
 print(
     f"grasp {program.goals[1]} of {len(grasps)}, the first look from {program.goals[0]}"
@@ -77,8 +86,8 @@ print(
 assert program.goals[1] % 2 == 0
 
 # %%
-# The arm with the part where it was, on its way and in the tray; manipulability and
-# joints over time, with the beginnings of the steps.
+# The arm with the part at its first place, on the way and in the tray; manipulability
+# and joints over time. Vertical lines mark where steps begin.
 
 viz.draw_figure(program, plt.figure(figsize=(11.5, 6.0)))
 plt.show()

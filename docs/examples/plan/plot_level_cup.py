@@ -2,10 +2,19 @@
 Carry a level cup
 =================
 
+.. image:: /pictures/level_cup.jpg
+   :alt: A Panda carries a cup past a post; the level way in blue, the free one in
+         yellow.
+   :width: 560px
+
+*For transport of what must not tilt.*
+
 A Panda carries a cup past a post. A free motion tilts the cup, a motion with a tilt
 limit does not, and a proof says so for all times. This page plans both, draws the tilt
 and the manipulability over time, and shows what the limit costs.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/level_cup.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -14,9 +23,9 @@ import manipplan as mp
 from manipplan import viz
 
 # %%
-# The hand holds the cup from above: the cup is a part of the robot from now on, and
-# stands along the hand's axis z, which points down. The goal is a place for the cup,
-# which may be turned about its own axis.
+# The hand holds the cup from above. From now on the cup is a part of the robot; it
+# stands along the hand's z axis, which points down. The goal is a place for the cup,
+# which may turn about its own axis.
 
 cup = mp.Cylinder(radius=0.03, length=0.1, position=(0.0, 0.0, 0.06))
 robot = mp.load_robot("panda").attach(cup, name="cup")
@@ -39,12 +48,15 @@ plans = {
     "free": mp.plan(robot, robot.neutral, place, scene),
     "level": mp.plan(robot, robot.neutral, place, scene, constraints=[level]),
 }
-print(plans["level"].report.constraints[0].name)
+for name, plan in plans.items():
+    figures = f"g {plan.report.g:.1f}, {plan.trajectory.duration:.2f} s"
+    print(f"{name}: {plan.status.name}, {figures}")
+    assert plan.status is mp.Status.OPTIMAL
 assert plans["level"].report.constraints[0].proven
 
 # %%
-# The tilt of the cup along both motions. The limit is active over a part of the level
-# one, which keeps it everywhere.
+# The tilt of the cup along both motions. The level motion touches the limit on a part of
+# its way and keeps it everywhere.
 
 
 def tilt(plan, count=400):

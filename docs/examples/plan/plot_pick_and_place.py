@@ -2,12 +2,20 @@
 Pick, carry and place from poses
 ================================
 
+.. image:: /pictures/pick_and_place.jpg
+   :alt: A Panda carries a part past a post over a table.
+   :width: 560px
+
+*For pick and place with poses alone.*
+
 A program of moves: the hand goes to a part on a table with a straight approach, takes
 it up, carries it past a post, puts it down and goes home. Everything is given as poses:
 four grasps, and where the part is to stand at the end. Each grasp needs another pose of
 the hand there. The grasp and the configurations of all moves are chosen together, for
 the largest minimum manipulability, and the corners between the moves are rounded.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/pick_and_place.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -52,22 +60,23 @@ steps = [
 program = mp.sequence(robot, "default", steps, scene, blend=0.05)
 assert program.passed
 assert not program.stops  # the arm stops only to take the part up and put it down
+assert program.duration < 4.5  # [s]
 for mark in program.marks:
-    print(f"step {mark.step}: {mark.name}")
+    print(f"{mark.begin:.2f} s  step {mark.step}: {mark.name}")
 end = program.final_scene
 stands = end.obstacles[end.names.index("part")].pose.homogeneous
 assert np.abs(stands - place).max() < 1e-5
 
 # %%
-# The whole program: the part where it was, on its way in the hand, and put down. The
-# vertical lines are where steps begin; the hand closes and opens at the solid ones.
+# The whole program: the part at its first place, in the hand, and put down. Vertical
+# lines mark where steps begin; the hand closes and opens at the solid ones.
 
 viz.draw_figure(program, plt.figure(figsize=(11.5, 6.0)))
 plt.show()
 
 # %%
-# One trajectory for the controller. The dashed lines are where the hand closes and
-# opens; at the blended corners the arm keeps moving.
+# The controller gets one trajectory. The hand closes and opens at the dashed lines; at
+# the blended corners the arm keeps moving.
 
 motion = program.trajectory
 t = np.linspace(0.0, motion.duration, 1500)

@@ -2,6 +2,12 @@
 Plan through a shelf
 ====================
 
+.. image:: /pictures/shelf.jpg
+   :alt: A Panda reaches into a shelf from the upper to the lower board.
+   :width: 560px
+
+*For picking and placing between shelves.*
+
 A Panda takes a part from the upper board of a shelf and puts it on the lower one. You
 have two poses of the hand and the sizes of the boards. You want a motion that keeps a
 clearance of 2 cm to everything and does not pass near a singularity where the boards
@@ -12,6 +18,7 @@ force the arm to fold.
 # The shelf consists of five boxes: three boards and two sides. The position of a box is
 # the position of its centre.
 
+# sphinx_gallery_thumbnail_path = "pictures/shelf.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -66,18 +73,15 @@ goal = goals[np.linalg.norm(goals - start, axis=1).argmin()]
 # %%
 # ``mp.Seeding(count=3)`` looks for three first paths. Paths that can be deformed into
 # each other without a collision belong to one class, and of each class one is
-# optimised. The best result is returned, and those of the other classes are kept as
-# rivals.
+# optimised. The best result is returned, and those of other classes are kept as rivals.
+# Here all three belong to one class, so there are none.
 
 plan = mp.plan(
     robot, start, goal, scene, clearance=clearance, seeding=mp.Seeding(count=3)
 )
 print(plan.report)
-rivals = [f"{rival.g:.1f}" for rival in plan.result.rivals]
-print(
-    f"g of the best {plan.result.g:.1f}; of {len(rivals)} rivals: {', '.join(rivals)}"
-)
-assert plan.report.passed
+print(f"{len(plan.result.rivals)} rivals of another class")
+assert plan.status is mp.Status.OPTIMAL and plan.report.g < 490
 assert plan.report.proven_clearance > clearance - 1e-4
 
 # %%

@@ -2,6 +2,13 @@
 Time a path: jerk, torque, and how fast the tool may go
 =======================================================
 
+.. image:: images/sphx_glr_plot_timing_001.png
+   :alt: Speed of the tool and largest share of an acceleration limit over time, for
+         four timings of one path.
+   :width: 560px
+
+*For anyone who has a path and needs a motion.*
+
 You have a path from any planner or file, and you want the fastest motion along it that
 your arm can execute. ``mp.retime`` keeps the robot's velocity, acceleration and jerk
 limits, or the ``limits=`` that you pass instead. On request it also limits the torques,
@@ -16,7 +23,9 @@ import manipplan as mp
 
 robot = mp.load_robot("panda")
 start = np.array([-0.8, -0.3, 0.3, -2.3, 0.0, 2.0, 0.8])
-path = mp.optimize_path(robot, start, [0.9, 0.4, -0.2, -1.6, 0.3, 2.2, 1.2]).path
+result = mp.optimize_path(robot, start, [0.9, 0.4, -0.2, -1.6, 0.3, 2.2, 1.2])
+assert result.status is mp.Status.OPTIMAL
+path = result.path
 limits = robot.limits
 print("jerk limits [rad/s³]:", limits.jerk)
 
@@ -60,6 +69,7 @@ assert (
     motions["velocity and acceleration"].duration
     <= motions["and jerk of the data sheet"].duration
 )
+assert 0.9 < motions["and jerk of the data sheet"].duration < 1.0  # [s]
 assert mp.jerk_use(motions["and a twentieth of that jerk"], gentle).ratio <= 1 + 1e-9
 
 # %%

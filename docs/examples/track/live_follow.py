@@ -2,6 +2,13 @@
 Drag a target, the arm follows
 ==============================
 
+.. image:: /_static/viewer.png
+   :alt: The viewer in a browser: a Panda among boxes, with an ellipsoid at its hand
+         and the manipulability over time.
+   :width: 560px
+
+*For a first impression of the controller.*
+
 This script opens a page in the browser with a Panda next to a crate. Drag the arrows at
 the tool: a controller follows in real time, keeps every limit, stays away from the
 crate, and uses the remaining freedom to raise the manipulability. The ellipsoid and the

@@ -2,6 +2,13 @@
 A controller in a loop, with something in the way
 =================================================
 
+.. image:: images/sphx_glr_plot_avoidance_001.png
+   :alt: Distance to the ball, deviation of the tool and manipulability over six
+         seconds.
+   :width: 560px
+
+*For teleoperation and visual servoing.*
+
 Your robot's interface needs joint velocities every few milliseconds. You have a target
 pose of the tool, perhaps from a teleoperation device or a camera, and moving obstacles.
 ``mp.Controller`` computes the velocities, keeps the limits, avoids the obstacles, and
@@ -41,7 +48,7 @@ tube = mp.Tolerance(position=0.05, rotation=0.3)
 controller = mp.Controller(
     robot, mp.formulations.LogDrive(), dt=dt, tolerance=tube, avoidance=avoidance
 )
-print(f"compiled: {controller.compiled}; {len(controller.pairs)} pairs are kept apart")
+print(f"{len(controller.pairs)} pairs of bodies are kept apart")
 
 # %%
 # The loop: the tool moves sideways and back while the ball flies through the place of
@@ -76,7 +83,8 @@ print(
     f"{1e3 * log['clearance'].min():.1f} mm"
 )
 print(f"largest share of an acceleration limit: {largest.max():.4f}")
-assert log["clearance"].min() > 0 and largest.max() <= 1 + 1e-6
+assert log["solved"].all() and log["clearance"].min() > 0.03
+assert largest.max() <= 1 + 1e-6
 
 # %%
 # Time of one step, measured on the machine that built this page: called from Python,
@@ -127,3 +135,4 @@ plt.show()
 
 controller.step(q, qd, np.full((4, 4), np.nan), obstacles=around)
 print(controller.report.status.name)
+assert controller.report.status is mp.results.StepStatus.BAD_TARGET

@@ -2,6 +2,12 @@
 Improve a recorded path
 =======================
 
+.. image:: /pictures/improve_recording.jpg
+   :alt: A Panda on an arc; the recorded way in yellow, the improved one in blue.
+   :width: 560px
+
+*For recorded or hand-guided motions.*
+
 Someone has guided the arm by hand, or another planner has made a motion, and you have
 it as a CSV file with times and joint angles. You want to keep the path of the tool and
 the time; how the elbow moved is arbitrary, and the noise should go. ``mp.improve``
@@ -14,6 +20,7 @@ to stay farther from singularities.
 # the edge of its reach, sampled at 50 Hz, with noise as from a human hand. Your file
 # has the same columns: ``time`` [s] and ``q_<joint>`` [rad], in any order.
 
+# sphinx_gallery_thumbnail_path = "pictures/improve_recording.jpg"
 import tempfile
 from pathlib import Path
 
@@ -45,6 +52,7 @@ tube = mp.Tolerance(position=0.02, rotation=0.2)
 plan = mp.improve(robot, file, tolerance=tube)
 print(plan.report)
 assert plan.status is mp.Status.IMPROVED
+assert plan.report.min_manipulability > 0.0090  # [m^6]; 0.0078 as recorded
 
 # %%
 # Before and after. Top: manipulability. Middle: deviation of the tool from the recorded

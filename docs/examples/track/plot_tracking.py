@@ -2,10 +2,18 @@
 Follow a circle, and stay able to move
 ======================================
 
+.. image:: /pictures/tracking.jpg
+   :alt: A Panda on a circle that reaches to the edge of its workspace.
+   :width: 560px
+
+*For those who follow a prescribed path in real time.*
+
 A Panda moves its hand around a circle that touches the edge of its reach. If the hand
 follows it exactly, the manipulability falls to a third there. Inside a tube of 2 cm
 there is a motion that keeps most of it.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/tracking.jpg"
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -43,7 +51,11 @@ motions = {
     ),
 }
 for name, motion in motions.items():
-    print(f"{name}: {motion}")
+    m, off = motion.manipulability.min(), 1e3 * motion.deviation.max()
+    print(f"{name}: minimum manipulability {m:.4f} m^6, deviation {off:.1f} mm")
+    assert motion.status is mp.Status.TRACKED
+assert motions["exactly"].manipulability.min() < 0.0045
+assert motions["inside a tube of 2 cm"].manipulability.min() > 0.0085
 
 figure, (top, bottom) = plt.subplots(2, 1, figsize=(7, 5.2), sharex=True)
 for (name, motion), style in zip(motions.items(), ("k:", "C0--", "C2-"), strict=True):
@@ -59,8 +71,10 @@ figure.tight_layout()
 # limit, computed in closed form.
 
 trajectory = motions["inside a tube of 2 cm"].trajectory()
-for kind, use in mp.limit_use(trajectory, robot.limits).items():
-    print(f"{kind:12s} {use.ratio:.6f} {use.joint}")
+use = mp.limit_use(trajectory, robot.limits)
+for kind in ("velocity", "acceleration"):
+    print(f"{kind}: {use[kind].ratio:.1%} of the limit, {use[kind].joint}")
+    assert use[kind].ratio <= 1 + 1e-6
 
 # %%
 # One step of the controller alone, as a control loop calls it: the joint velocities for
@@ -68,5 +82,6 @@ for kind, use in mp.limit_use(trajectory, robot.limits).items():
 
 controller = mp.Controller(robot, mp.formulations.LogDrive(), dt=0.01)
 velocity = controller.step(start, np.zeros(robot.n), near)
-print(velocity.round(4))
-print(controller.report)
+report = controller.report
+print("velocities [rad/s]:", velocity.round(3) + 0.0)
+print(f"{report.status.name}, m = {report.manipulability:.4f} m^6")
