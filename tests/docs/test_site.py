@@ -22,7 +22,7 @@ SAMPLE = (
         (file.relative_to(SITE).as_posix() for file in sorted(SITE.glob("gallery/**/plot_*.html"))),
         "gallery/plot_first_plan.html",
     ),
-    "studies/kth2012.html",
+    "studies/kth2012-paths.html",
     "studies/planar-arm.html",
     "reference/jobs.html",
     "benchmarks.html",
@@ -30,6 +30,8 @@ SAMPLE = (
 #: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
 GRAVE = {"serious", "critical"}
 FLAGS = "--no-sandbox"
+#: Tallest page but those of the reference, on a screen of that width [px]. What is taller is cut into chapters.
+TALLEST, TALL_AT = 12_000, 1400
 
 
 def pages():
@@ -82,6 +84,16 @@ def test_every_page_fits_the_screen_and_asks_no_other_machine(open_page, width):
     assert wide == {}
     assert asked == []
     assert logged == []
+
+
+def test_no_page_is_too_tall_to_survey(open_page):
+    page = open_page(width=TALL_AT)
+    heights = {}
+    for name in pages():
+        page.goto((SITE / name).as_uri())
+        heights[name] = page.evaluate("document.documentElement.scrollHeight")
+    assert max(heights.values()) > 900
+    assert {name: got for name, got in heights.items() if got > TALLEST and not name.startswith("reference/")} == {}
 
 
 def test_search_works_from_files(open_page):
