@@ -164,4 +164,4 @@ $(READY): requirements.txt pyproject.toml
 	@touch $(READY)
 
 clean:
-	rm -rf .venv demo docs/_build docs/gallery .mypy_cache .ruff_cache .pytest_cache
+	rm -rf .venv demo docs/_build docs/gallery docs/reference/api .mypy_cache .ruff_cache .pytest_cache

@@ -4,6 +4,7 @@
 """
 
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,8 @@ SAMPLE = (
     "studies/kth2012-paths.html",
     "studies/planar-arm.html",
     "reference/jobs.html",
+    "reference/api/manipplan.plan.html",
+    "reference/api/manipplan.Scene.html",
     "benchmarks.html",
 )
 #: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
@@ -32,6 +35,18 @@ GRAVE = {"serious", "critical"}
 FLAGS = "--no-sandbox"
 #: Tallest page but those of the reference, on a screen of that width [px]. What is taller is cut into chapters.
 TALLEST, TALL_AT = 12_000, 1400
+#: What a search is for, and the page that it shows first.
+FOUND_FIRST = {
+    "singularity": "concepts/singularities.html",
+    "manipulability": "concepts/measures.html",
+    "time limit": "concepts/how-it-plans.html",
+    "collision": "concepts/collisions.html",
+    "inverse kinematics": "concepts/kinematics.html",
+    "joint limits": "concepts/timing.html",
+    "units": "concepts/frames-and-units.html",
+    "plan": "reference/api/manipplan.plan.html",
+    "PoseGoal": "reference/api/manipplan.PoseGoal.html",
+}
 
 
 def pages():
@@ -103,6 +118,27 @@ def test_search_works_from_files(open_page):
     targets = page.eval_on_selector_all("#search-results li a", "links => links.map(link => link.href)")
     assert any("howto/clearance.html" in target for target in targets)
     assert all(target.startswith("file:") for target in targets)
+
+
+def test_concepts_are_found_first(open_page):
+    page = open_page("search.html")
+    first = {}
+    for query in FOUND_FIRST:
+        page.goto(f"{(SITE / 'search.html').as_uri()}?q={query}")
+        page.wait_for_selector("#search-results li a", timeout=15000)
+        page.wait_for_function("document.querySelector('#search-results p.search-summary')?.innerText.includes('finished')")
+        link = page.eval_on_selector("#search-results li a", "link => link.href")
+        first[query] = link.split("#")[0].split("?")[0].removeprefix(SITE.as_uri() + "/")
+    assert first == FOUND_FIRST
+
+
+@pytest.mark.parametrize("name", [name for name in pages() if name.startswith("reference/")])
+def test_signatures_say_what_is_returned_in_names_that_can_be_read(name):
+    """The types are those of the source: NumPy's array-like is one name, not the union that it stands for."""
+    page = (SITE / name).read_text(encoding="utf-8")
+    calls = re.findall(r'<dl class="py (?:function|method)">\n<dt class="sig.*?</dt>', page, re.DOTALL)
+    assert [call for call in calls if "sig-return" not in call and "__init__" not in call] == []
+    assert not re.search(r"_SupportsArray|_NestedSequence|pinocchio_pywrap", re.sub(r"<[^>]+>", "", page))
 
 
 def test_formulas_are_drawn(open_page):
