@@ -1,6 +1,7 @@
 """Sphinx configuration."""
 
 import logging
+import pydoc
 import re
 import sys
 from pathlib import Path
@@ -114,10 +115,12 @@ def _one_signature(_app, _what, _name, obj, _options, _arguments, _returned):
 
 
 def _public_name(app, env, node, contnode):
-    """What a docstring or a signature names leads there, also without its namespace or with the module that it is made in."""
-    target = node["reftarget"].rsplit(".", 1)[-1] if node["reftarget"].startswith("manipplan.") else node["reftarget"]
-    for space in ("manipplan", *(f"manipplan.{name}" for name in ("errors", "formulations", "measures", "results", "viz.viewer"))):
-        name = f"{space}.{target}"
+    """What docstrings name without its namespace, and signatures by the module that makes it, leads to its public name."""
+    target = node["reftarget"]
+    if pydoc.locate(target):
+        target = target.rsplit(".", 1)[-1]
+    for space in ("", "errors.", "formulations.", "measures.", "results.", "viz.viewer."):
+        name = f"manipplan.{space}{target}"
         if node["refdomain"] == "py" and (found := env.domains["py"].objects.get(name)):
             return make_refnode(app.builder, node["refdoc"], found.docname, found.node_id, contnode, name)
     return None

@@ -1,7 +1,8 @@
-"""Makes docs/_static/fonts/formulas.woff, the font of the site's formulas: `python docs/make_math_font.py STIXMath-Regular.otf`.
+"""Makes docs/_static/fonts/formulas.woff, the font of formulas: `python docs/make_math_font.py STIXMath-Regular.otf`.
 
-Browsers draw MathML well only in a font with a MATH table, and not every machine has one. This is the part of STIX Math (Debian's
-package fonts-stix) that formulas need. Its license, the SIL Open Font License, wants a changed font to have another name.
+Browsers draw MathML well only in a font with a MATH table, and not every machine has one. This is the part of STIX Math
+(Debian's package fonts-stix) that formulas need. Its license, the SIL Open Font License, wants a changed font to have
+another name.
 """
 
 import sys

@@ -3,12 +3,14 @@
 `make docs` builds the site and runs these; MANIPPLAN_SITE names a site that was built elsewhere.
 """
 
+import html
 import os
 import re
 from pathlib import Path
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
+from fontTools.ttLib import TTFont
 
 pytestmark = pytest.mark.site
 SITE = Path(os.environ.get("MANIPPLAN_SITE", Path(__file__).parents[2] / "docs" / "_build" / "html"))
@@ -33,6 +35,7 @@ SAMPLE = (
 #: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
 GRAVE = {"serious", "critical"}
 FLAGS = "--no-sandbox"
+FONT = "Manipplan Formulas"
 #: Tallest page but those of the reference, on a screen of that width [px]. What is taller is cut into chapters.
 TALLEST, TALL_AT = 12_000, 1400
 #: What a search is for, and the page that it shows first.
@@ -148,3 +151,17 @@ def test_formulas_are_drawn(open_page):
     assert len(sizes) >= 2
     assert all(width > 100 and height > 15 for width, height in sizes)
     assert page.eval_on_selector_all("script[src*=mathjax], merror", "all => all.length") == 0
+
+
+def test_formulas_have_their_font_with_all_their_letters(open_page):
+    page = open_page("concepts/tracking.html")
+    page.evaluate("document.fonts.ready.then(() => 0)")
+    assert page.evaluate("[...document.fonts].map(font => [font.family, font.status])") == [[FONT, "loaded"]]
+    font = TTFont(SITE / "_static" / "fonts" / "formulas.woff")
+    assert "MATH" in font
+    letters = set()
+    for name in pages():
+        for formula in re.findall(r"<math.*?</math>", (SITE / name).read_text(encoding="utf-8"), re.DOTALL):
+            letters |= set(html.unescape(re.sub(r"<[^>]+>", "", formula)))
+    assert len(letters) > 50
+    assert {letter for letter in letters if ord(letter) not in font.getBestCmap() and not letter.isspace()} == set()
