@@ -17,6 +17,7 @@ HOW_TOS = [
     f"docs/howto/{name}.md"
     for name in ("pick-from-a-pose", "level-cup", "programs", "follow-poses", "improve-recording", "two-arms")
 ]
+HOW_TOS += [f"docs/tutorials/{name}.md" for name in ("cell", "weld", "teleoperation")]
 #: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
 CHECKERS = {
     "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
@@ -54,7 +55,7 @@ def test_programs_of_the_first_pages_are_typed(page, checker, tmp_path):
 
 
 @pytest.mark.parametrize("page", HOW_TOS)
-def test_the_programs_of_a_how_to_are_typed(page, tmp_path):
+def test_the_programs_of_a_how_to_or_tutorial_are_typed(page, tmp_path):
     done = checked("mypy", program_of(page), tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
 
