@@ -42,12 +42,12 @@ def run(name: str) -> dict[str, Any]:
     return names
 
 
-def still(file: Path, plan: Any, q: Any, way: Any) -> None:
-    """The arm of a plan at q (n,) among its obstacles, with the way (k, n) of its tool."""
+def still(file: Path, plan: Any, q: Any, way: Any, *corners: Any) -> None:
+    """The arm of a plan at q (n,) among its obstacles, with the way (k, n) of its tool; corners (3,) have to be in it."""
     points = plan.robot.kinematics().pose(way)[:, :3, 3]
     gone = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     even = np.searchsorted(gone, np.linspace(0.0, gone[-1], 2 + int(gone[-1] / STEP))).clip(max=len(points) - 1)
-    shown = np.concatenate([points, skeleton(plan.robot, q)])
+    shown = np.concatenate([points, skeleton(plan.robot, q), np.reshape(corners, (-1, 3))])
     around = np.concatenate([shown - MARGIN, shown + MARGIN])
     with Renderer(plan.robot, plan.scene, around, SIZE) as renderer:
         picture = renderer.draw(q, [DrawnWay(points=points[even], colour=OPTIMUM)])
@@ -63,7 +63,9 @@ def cell(names: dict[str, Any]) -> None:
 def weld(names: dict[str, Any]) -> None:
     plan = names["plan"]
     t = np.linspace(plan.path_begin, plan.trajectory.duration, STEPS)
-    still(HERE / "tutorial_weld.jpg", plan, plan.trajectory(t[STEPS // 3]), plan.trajectory(t))
+    still(
+        HERE / "tutorial_weld.jpg", plan, plan.trajectory(t[STEPS // 3]), plan.trajectory(t), (0.0, -1.2, 0.1), (0.0, 1.2, 0.1)
+    )
 
 
 def teleoperation(names: dict[str, Any]) -> None:
