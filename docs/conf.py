@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import a11y_pygments  # noqa: F401  # it prints the INFO of every library; taken back below
+import pinocchio as pin
 from sphinx import addnodes
 from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.nodes import make_refnode
@@ -14,6 +15,8 @@ from sphinx.util.nodes import make_refnode
 import manipplan
 
 logging.getLogger().handlers.clear()
+for kind in (pin.SE3, pin.Model, pin.Data, pin.GeometryModel):
+    kind.__module__ = "pinocchio"  # where users find them, not in the library's inner module
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
 
 project = "manipplan"
