@@ -91,6 +91,7 @@ nitpick_ignore_regex = [
 ]
 
 KEYS = set(re.findall(r"^@\w+\{(\w+),", (Path(__file__).parent / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
+ARGUMENTS = re.compile(r"<dl>\s*(?:<dd>(?:(?!<dl|</dl).)*</dd>\s*)</dl>", re.DOTALL)
 CITED = re.compile(r"\[(\w+)((?:, [^\]]+)?)\]")
 
 
@@ -137,6 +138,19 @@ def _short_navigation(_app, env):
                 tree.parent.remove(tree)
 
 
+def _arguments(_app, _page, _template, context, _doctree):
+    """Arguments on lines of their own are no list of definitions, which would need terms, as screen readers know."""
+    lines = (("<dl>", '<span class="sig-arguments">'), ("<dd>", "<span>"), ("</dd>", "</span>"), ("</dl>", "</span>"))
+
+    def spans(found):
+        text = found.group()
+        for old, new in lines:
+            text = text.replace(old, new)
+        return text
+
+    context["body"] = ARGUMENTS.sub(spans, context.get("body", ""))
+
+
 def _caption_levels(_app, _page, _template, context, _doctree):
     """Sphinx calls the captions of the navigation headings and leaves their level out, which screen readers need."""
     tree = context.get("furo_navigation_tree", "")
@@ -149,4 +163,5 @@ def setup(app):
     app.connect("autodoc-process-signature", _one_signature)
     app.connect("missing-reference", _public_name)
     app.connect("env-updated", _short_navigation)
+    app.connect("html-page-context", _arguments)
     app.connect("html-page-context", _caption_levels, priority=600)
