@@ -52,6 +52,7 @@ types: $(READY)
 
 # Builds the site with its gallery, checks every link and picture, and opens its pages in a browser.
 docs: $(READY) browser
+	rm -rf docs/reference/api
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 	$(BIN)/python docs/check_site.py docs/_build/html
 	$(BIN)/python -m pytest -m site tests/docs/test_site.py
@@ -172,4 +173,4 @@ $(READY): requirements.txt pyproject.toml
 	@touch $(READY)
 
 clean:
-	rm -rf .venv demo docs/_build docs/gallery .mypy_cache .ruff_cache .pytest_cache
+	rm -rf .venv demo docs/_build docs/gallery docs/reference/api .mypy_cache .ruff_cache .pytest_cache

@@ -1,4 +1,4 @@
-"""One self-contained HTML file with all tables and figures of a study, in the order of its page."""
+"""One self-contained HTML file with all tables and figures of a study, in the order of its pages."""
 
 import base64
 import platform
@@ -34,13 +34,21 @@ th, td { text-align: left; padding: 0.25rem 0.7rem; border-bottom: 1px solid var
 """
 
 
+def study_text(page: Path) -> str:
+    """The text of a study's page followed by that of the chapters in its toctree, whose headings are one level lower."""
+    text = page.read_text(encoding="utf-8")
+    names = re.search(r"```\{toctree\}\n:hidden:\n\n(.*?)\n```", text, re.DOTALL)
+    chapters = [page.with_name(f"{name}.md").read_text(encoding="utf-8") for name in names[1].split()] if names else []
+    return "\n".join([text, *(re.sub(r"^#", "##", chapter, flags=re.MULTILINE) for chapter in chapters)])
+
+
 def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, differences: Sequence[str]) -> Path:
     """Collect the tables and figures that a run wrote to `folder` in report.html there; returns that file.
 
     `page` is the study's page in the docs, which has the text, `seconds` the duration of the run, and `differences` the
     differences from the expected results.
     """
-    text = page.read_text(encoding="utf-8")
+    text = study_text(page)
     title = re.sub(r"[`*]|\{[^}]*\}", "", text.split("\n", 1)[0].lstrip("# "))
     body = [f"<h1>{escape(title)}</h1>", *_head(page, quick, seconds, differences)]
     pending: list[str] = []

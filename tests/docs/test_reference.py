@@ -13,16 +13,17 @@ DOCS = ROOT / "docs"
 
 
 def documented():
-    """Full names of all autodoc entries and modules of the reference, with how often each is there."""
+    """Full names of all entries and modules of the reference, with how often each is there: those described and those in lists."""
     names = []
     for page in sorted((DOCS / "reference").glob("*.md")):
         module = "manipplan"
-        for kind, name in re.findall(
-            r"^\.\. (currentmodule|py:module|auto\w+):: (\S+)", page.read_text(encoding="utf-8"), re.MULTILINE
+        for kind, entry, listed in re.findall(
+            r"^\.\. (currentmodule|module|auto\w+):: (\S+)$|^   ~?([\w.]+)$", page.read_text(encoding="utf-8"), re.MULTILINE
         ):
-            if kind == "currentmodule":
+            name = entry or listed
+            if "module" in kind:
                 module = name
-            elif kind != "automodule":
+            if kind != "currentmodule":
                 names.append(name if "." in name else f"{module}.{name}")
     return Counter(names)
 

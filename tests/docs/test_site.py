@@ -3,12 +3,15 @@
 `make docs` builds the site and runs these; MANIPPLAN_SITE names a site that was built elsewhere.
 """
 
+import html
 import os
 import re
+import unicodedata
 from pathlib import Path
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
+from fontTools.ttLib import TTFont
 
 pytestmark = pytest.mark.site
 SITE = Path(os.environ.get("MANIPPLAN_SITE", Path(__file__).parents[2] / "docs" / "_build" / "html"))
@@ -23,14 +26,33 @@ SAMPLE = (
         (file.relative_to(SITE).as_posix() for file in sorted(SITE.glob("gallery/**/plot_*.html"))),
         "gallery/plot_first_plan.html",
     ),
-    "studies/kth2012.html",
+    "studies/kth2012-paths.html",
     "studies/planar-arm.html",
     "reference/jobs.html",
+    "reference/api/manipplan.plan.html",
+    "reference/api/manipplan.Scene.html",
     "benchmarks.html",
+    "tutorials/cell.html",
+    "other-tools.html",
 )
 #: WCAG's level AA asks 4.5 to 1 of text; axe calls what bars readers serious or critical.
 GRAVE = {"serious", "critical"}
 FLAGS = "--no-sandbox"
+FONT = "Manipplan Formulas"
+#: Tallest page but those of the reference, on a screen of that width [px]. What is taller is cut into chapters.
+TALLEST, TALL_AT = 12_000, 1400
+#: What a search is for, and the page that it shows first.
+FOUND_FIRST = {
+    "singularity": "concepts/singularities.html",
+    "manipulability": "concepts/measures.html",
+    "time limit": "concepts/how-it-plans.html",
+    "collision": "concepts/collisions.html",
+    "inverse kinematics": "concepts/kinematics.html",
+    "joint limits": "concepts/timing.html",
+    "units": "concepts/frames-and-units.html",
+    "plan": "reference/api/manipplan.plan.html",
+    "PoseGoal": "reference/api/manipplan.PoseGoal.html",
+}
 
 
 def pages():
@@ -85,6 +107,16 @@ def test_every_page_fits_the_screen_and_asks_no_other_machine(open_page, width):
     assert logged == []
 
 
+def test_no_page_is_too_tall_to_survey(open_page):
+    page = open_page(width=TALL_AT)
+    heights = {}
+    for name in pages():
+        page.goto((SITE / name).as_uri())
+        heights[name] = page.evaluate("document.documentElement.scrollHeight")
+    assert max(heights.values()) > 900
+    assert {name: got for name, got in heights.items() if got > TALLEST and not name.startswith("reference/")} == {}
+
+
 def test_search_works_from_files(open_page):
     page = open_page("search.html")
     page.goto(f"{(SITE / 'search.html').as_uri()}?q=clearance")
@@ -105,6 +137,27 @@ def test_examples_print_values_instead_of_truths(open_page):
     assert {name: each for name, each in found.items() if each} == {}
 
 
+def test_concepts_are_found_first(open_page):
+    page = open_page("search.html")
+    first = {}
+    for query in FOUND_FIRST:
+        page.goto(f"{(SITE / 'search.html').as_uri()}?q={query}")
+        page.wait_for_selector("#search-results li a", timeout=15000)
+        page.wait_for_function("document.querySelector('#search-results p.search-summary')?.innerText.includes('finished')")
+        link = page.eval_on_selector("#search-results li a", "link => link.href")
+        first[query] = link.split("#")[0].split("?")[0].removeprefix(SITE.as_uri() + "/")
+    assert first == FOUND_FIRST
+
+
+@pytest.mark.parametrize("name", [name for name in pages() if name.startswith("reference/")])
+def test_signatures_say_what_is_returned_in_names_that_can_be_read(name):
+    """The types are those of the source: NumPy's array-like is one name, not the union that it stands for."""
+    page = (SITE / name).read_text(encoding="utf-8")
+    calls = re.findall(r'<dl class="py (?:function|method)">\n<dt class="sig.*?</dt>', page, re.DOTALL)
+    assert [call for call in calls if "sig-return" not in call and "__init__" not in call] == []
+    assert not re.search(r"_SupportsArray|_NestedSequence|pinocchio_pywrap", re.sub(r"<[^>]+>", "", page))
+
+
 def test_formulas_are_drawn(open_page):
     page = open_page("concepts/tracking.html")
     script = "all => all.map(each => each.getBoundingClientRect()).map(box => [box.width, box.height])"
@@ -112,3 +165,18 @@ def test_formulas_are_drawn(open_page):
     assert len(sizes) >= 2
     assert all(width > 100 and height > 15 for width, height in sizes)
     assert page.eval_on_selector_all("script[src*=mathjax], merror", "all => all.length") == 0
+
+
+def test_formulas_have_their_font_with_all_their_letters(open_page):
+    page = open_page("concepts/tracking.html")
+    page.evaluate("document.fonts.ready.then(() => 0)")
+    assert page.evaluate("[...document.fonts].map(font => [font.family, font.status])") == [[FONT, "loaded"]]
+    font = TTFont(SITE / "_static" / "fonts" / "formulas.woff")
+    assert "MATH" in font
+    letters = set()
+    for name in pages():
+        for formula in re.findall(r"<math.*?</math>", (SITE / name).read_text(encoding="utf-8"), re.DOTALL):
+            letters |= set(html.unescape(re.sub(r"<[^>]+>", "", formula)))
+    assert len(letters) > 50
+    seen = {letter for letter in letters if unicodedata.category(letter) not in ("Cf", "Cc", "Zs")}  # those that are drawn
+    assert {letter for letter in seen if ord(letter) not in font.getBestCmap()} == set()

@@ -13,7 +13,10 @@ import manipplan
 ROOT = Path(manipplan.__file__).parents[1]
 PROGRAMS = ["README.md", "docs/start.md"]
 #: Pages whose programs are checked together; in viewer.md two viewers of different kinds share a name.
-HOW_TOS = sorted(file.stem for file in (ROOT / "docs" / "howto").glob("*.md") if file.stem != "viewer")
+HOW_TOS = [
+    *sorted((ROOT / "docs" / "howto").glob("*.md")),
+    *(ROOT / "docs" / "tutorials" / f"{name}.md" for name in ("cell", "weld", "teleoperation")),
+]
 #: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
 CHECKERS = {
     "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
@@ -55,8 +58,9 @@ def test_programs_of_the_first_pages_are_typed(page, checker, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_the_programs_of_all_how_tos_are_typed(tmp_path):
-    programs = {f"{name.replace('-', '_')}.py": program_of(f"docs/howto/{name}.md") for name in HOW_TOS}
+def test_the_programs_of_all_how_tos_and_tutorials_are_typed(tmp_path):
+    pages = {page.stem.replace("-", "_"): str(page.relative_to(ROOT)) for page in HOW_TOS if page.stem != "viewer"}
+    programs = {f"{name}.py": program_of(page) for name, page in pages.items()}
     for file, program in programs.items():
         (tmp_path / file).write_text(program, encoding="utf-8")
     done = run([*CHECKERS["mypy"], "--disable-error-code=import-untyped", *programs], tmp_path)  # scipy has no types

@@ -9,6 +9,7 @@ import manipplan as mp
 from studies.dufour2020 import claims, config, run
 from studies.dufour2020.follow import Arm
 from studies.dufour2020.make_paths import demonstrated
+from studies.report import study_text
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +47,7 @@ def test_the_page_shows_what_is_expected():
     with (config.PAGES / "claims.csv").open(newline="") as file:
         rows = [claims.Claim(text=row["claim"], paper=row["paper"], value=float(row["ours"])) for row in csv.DictReader(file)]
     assert claims.differences(rows) == []
-    page = config.PAGES.with_suffix(".md").read_text()
+    page = study_text(config.PAGES.with_suffix(".md"))
     for figure in config.PAGES.glob("*.png"):
         assert figure.stat().st_size < 300_000
         assert f"dufour2020/{figure.name}" in page

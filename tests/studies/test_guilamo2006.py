@@ -10,6 +10,7 @@ import pytest
 
 import manipplan as mp
 from studies.guilamo2006 import claims, config, courses, run, runs
+from studies.report import study_text
 
 FIGURES = {"circle.png", "line.png", "index.png", "search.png", "sampling.png", "joints.png"}
 
@@ -40,7 +41,7 @@ def test_the_page_shows_what_is_expected():
     with (config.PAGES / "claims.csv").open(newline="") as file:
         rows = [claims.Claim(text=row["claim"], paper=row["paper"], value=float(row["ours"])) for row in csv.DictReader(file)]
     assert claims.differences(rows, quick=False) == []
-    page = config.PAGES.with_suffix(".md").read_text()
+    page = study_text(config.PAGES.with_suffix(".md"))
     assert {file.name for file in config.PAGES.glob("*.png")} == FIGURES
     for file in config.PAGES.iterdir():
         if file.suffix in (".png", ".md"):

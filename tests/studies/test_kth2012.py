@@ -14,6 +14,7 @@ import manipplan as mp
 from manipplan import cli
 from manipplan.planar import PlanarArm, manipulability
 from studies.kth2012 import claims, classes, config, figures, geodesics, polynomials, results, run, starts, tables_postures
+from studies.report import study_text
 
 
 def quick_figures():
@@ -89,7 +90,7 @@ def test_the_page_shows_what_is_expected():
             claims.Claim(text=row["figure"], thesis=row["thesis"], value=float(row["ours"])) for row in csv.DictReader(file)
         ]
     assert claims.differences(rows, quick=False) == []
-    page = config.PAGES.with_suffix(".md").read_text()
+    page = study_text(config.PAGES.with_suffix(".md"))
     assert {file.stem for file in config.PAGES.glob("*.svg")} == set(figures.figures(results.Results(quick=False)))
     for file in config.PAGES.iterdir():
         if file.suffix in (".svg", ".md"):

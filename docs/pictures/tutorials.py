@@ -1,0 +1,91 @@
+"""Draws the pictures of the tutorials from the code on their pages: python docs/pictures/tutorials.py [cell ...].
+
+Writes docs/pictures/tutorial_*.jpg and .png. The two arms need the extra `film`.
+"""
+
+import os
+import re
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from PIL import Image
+
+from manipplan.viz.motions import skeleton
+from manipplan.viz.render import DrawnWay, Renderer
+from manipplan.viz.style import OPTIMUM, SEED
+
+HERE = Path(__file__).parent
+SIZE, QUALITY = (900, 520), 84
+#: Steps of a motion, distance of the points by which its way is drawn, and space around it in each direction [m].
+STEPS, STEP, MARGIN = 600, 0.02, 0.12
+
+
+def run(name: str) -> dict[str, Any]:
+    """Run the Python blocks of a tutorial in a folder of their own; returns their names."""
+    text = (HERE.parent / "tutorials" / f"{name}.md").read_text(encoding="utf-8")
+    names: dict[str, Any] = {"__name__": "__main__"}
+    here = Path.cwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            for code in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
+                exec(compile(code, name, "exec"), names)
+        finally:
+            os.chdir(here)
+    return names
+
+
+def still(file: Path, plan: Any, q: Any, way: Any, *corners: Any) -> None:
+    """The arm of a plan at q (n,) among its obstacles, with the way (k, n) of its tool; corners (3,) have to be in it."""
+    points = plan.robot.kinematics().pose(way)[:, :3, 3]
+    gone = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    even = np.searchsorted(gone, np.linspace(0.0, gone[-1], 2 + int(gone[-1] / STEP))).clip(max=len(points) - 1)
+    shown = np.concatenate([points, skeleton(plan.robot, q), np.reshape(corners, (-1, 3))])
+    around = np.concatenate([shown - MARGIN, shown + MARGIN])
+    with Renderer(plan.robot, plan.scene, around, SIZE) as renderer:
+        picture = renderer.draw(q, [DrawnWay(points=points[even], colour=OPTIMUM)])
+    Image.fromarray(picture).save(file, quality=QUALITY, optimize=True)
+
+
+def cell(names: dict[str, Any]) -> None:
+    part = names["program"].parts[1]
+    t = part.trajectory.duration * np.linspace(0.0, 1.0, STEPS)
+    still(HERE / "tutorial_cell.jpg", part, part.trajectory(0.72 * t[-1]), part.trajectory(t))
+
+
+def weld(names: dict[str, Any]) -> None:
+    plan = names["plan"]
+    t = np.linspace(plan.path_begin, plan.trajectory.duration, STEPS)
+    still(
+        HERE / "tutorial_weld.jpg", plan, plan.trajectory(t[STEPS // 3]), plan.trajectory(t), (0.0, -1.2, 0.1), (0.0, 1.2, 0.1)
+    )
+
+
+def teleoperation(names: dict[str, Any]) -> None:
+    figure, (above, below) = plt.subplots(2, 1, figsize=(8.0, 4.4), sharex=True, layout="constrained")
+    for name, colour in (("plain", SEED), ("drive", OPTIMUM)):
+        log = names[name]
+        t = names["DT"] * np.arange(len(log["m"]))
+        label = {"plain": "General: only follows", "drive": "LogDrive: also raises manipulability"}[name]
+        above.plot(t, log["m"], color=colour, label=label)
+        below.plot(t, 100 * log["speed"], color=colour)
+    above.set(ylabel="manipulability [m⁶]", ylim=(0, None), xlim=(0, t[-1]))
+    below.set(ylabel="fastest joint [% of its limit]", xlabel="time [s]", ylim=(0, 105))
+    above.legend(frameon=False)
+    for ax in (above, below):
+        ax.spines[["top", "right"]].set_visible(False)
+    figure.savefig(HERE / "tutorial_teleoperation.png", dpi=120)
+
+
+TUTORIALS = {"cell": cell, "weld": weld, "teleoperation": teleoperation}
+
+if __name__ == "__main__":
+    for name in sys.argv[1:] or TUTORIALS:
+        TUTORIALS[name](run(name))
