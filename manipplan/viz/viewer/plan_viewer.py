@@ -19,6 +19,7 @@ from manipplan.programs.program import Program
 from manipplan.support.checks import Array, ArrayLike, flag, number, whole_number
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import write_text
+from manipplan.support.progress import Progress, as_callback, silent
 from manipplan.viz import style
 from manipplan.viz.motions import ShownMotion
 from manipplan.viz.viewer.bodies import appearance_of
@@ -176,6 +177,7 @@ class PlanViewer(Page):
         stage: the 3D scene.
         speed: playback speed relative to real time, above zero.
         repeats: whether the playback starts again at the end.
+        replanner: what is dragged and planned again; None where the motion is no plan from a start to a goal.
     """
 
     def __init__(self, motion: ShownMotion, *, port: int, host: str) -> None:
@@ -184,12 +186,12 @@ class PlanViewer(Page):
         self.repeats = True
         self._lock = threading.RLock()
         self._playing = threading.Event()
-        self._replanner = Replanner(self.server, lambda: self.running, self.show_motion) if can_replan(motion) else None
+        self.replanner = Replanner(self.server, lambda: self.running, self.show_motion) if can_replan(motion) else None
         with self._furnishing():
             self._take(motion)
         self._start(self._play)
-        if self._replanner is not None:
-            self._start(self._replanner.run)
+        if self.replanner is not None:
+            self._start(self.replanner.run)
 
     @property
     def time(self) -> float:
@@ -226,7 +228,8 @@ class PlanViewer(Page):
 
     def play(self) -> None:
         """Play from the displayed time, or from the start if that is the end."""
-        self._show(0.0 if self._time >= self.motion.trajectory.duration else self._time)
+        if self._time >= self.motion.trajectory.duration:
+            self._show(0.0)
         self._button.label, self._button.icon = "Pause", "player-pause"
         self._playing.set()
 
@@ -258,7 +261,7 @@ class PlanViewer(Page):
         gui, duration, robot = self.server.gui, self.motion.trajectory.duration, self.motion.robot
         self._button = gui.add_button("Play", icon="player-play")
         self._slider = gui.add_slider("time [s]", min=0.0, max=np.ceil(100 * duration) / 100, step=0.01, initial_value=0.0)
-        worst = gui.add_button("Worst moment", icon="arrow-down", hint="Where the manipulability is smallest")
+        worst = gui.add_button("Worst moment", icon="arrow-down", color="gray", hint="Where the manipulability is smallest")
         named = next((name for name, value in SPEEDS.items() if value == self._speed), REAL)
         speed = gui.add_dropdown("speed", tuple(SPEEDS), initial_value=named)
         repeats = gui.add_checkbox("repeat", initial_value=self.repeats)
@@ -271,8 +274,8 @@ class PlanViewer(Page):
                 gui.add_slider(name, min=low, max=high, step=1e-3, initial_value=float(np.clip(q, low, high)))
                 for name, low, high, q in zip(robot.joint_names, *ranges.tolist(), self.motion.trajectory(0.0), strict=True)
             ]
-        if self._replanner is not None:
-            self._replanner.fill_panel(self.motion, self.stage)
+        if self.replanner is not None:
+            self.replanner.fill_panel(self.motion, self.stage)
         switches(gui, self.stage.layers)
         with gui.add_folder("About", expand_by_default=False):
             gui.add_html(about(self.motion))
@@ -366,7 +369,7 @@ PAUSE = 0.8
 EMBEDDED = 1.1
 
 
-def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Path:
+def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0, progress: Progress | None = None) -> Path:
     """Write the motion of a plan as a self-contained HTML file, with legend, measure over time and values; returns the file.
 
     The page of one to two megabytes plays the motion at real speed, again and again; the bar at its bottom or a click on the
@@ -376,6 +379,7 @@ def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Pat
         plan: with a trajectory; or a Program.
         file: file name that ends in .html.
         rate: pictures per second.
+        progress: called with the share done in [0, 1] and a text.
 
     Raises:
         MissingExtraError: viser is not installed.
@@ -386,7 +390,7 @@ def record(plan: Plan | Program, file: str | Path, *, rate: float = 25.0) -> Pat
     if not isinstance(file, str | Path) or Path(file).suffix.lower() not in (".html", ".htm"):
         raise InvalidInputError("file", file, "a file whose name ends in .html")
     path = Path(file).expanduser()
-    write_text(path, _recording(plan, rate))
+    write_text(path, _recording(plan, rate, notify=as_callback(progress)))
     return path
 
 
@@ -427,15 +431,17 @@ def embed(plan: Plan | Program, *, height: int = 480, rate: float = 25.0) -> Emb
     return Embedded(html=_recording(plan, rate, EMBEDDED), height=height)
 
 
-def _recording(plan: Plan | Program, rate: float, wide: float = WIDE) -> str:
+def _recording(plan: Plan | Program, rate: float, wide: float = WIDE, notify: Progress = silent) -> str:
     """The page of a recording, whose camera is placed for a picture `wide` times as wide as high."""
     rate = number("rate", rate, above=0.0, most=120.0)
+    notify(0.0, "preparing the scene")
     motion = ShownMotion.of(plan)
     with Page(0, "localhost", motion.robot.name) as page:
         stage = Stage(page.server, motion, wide)
         serializer = page.server.get_scene_serializer()
         times = np.append(np.arange(0.0, motion.trajectory.duration, 1.0 / rate), motion.trajectory.duration)
         for t, wait in zip(times, np.append(np.diff(times), PAUSE), strict=True):
+            notify(float(t) / motion.trajectory.duration, "recording")
             stage.place(float(t))
             serializer.insert_sleep(float(wait))
         return furnished(serializer.as_html(), motion.robot.name, _panel(motion))

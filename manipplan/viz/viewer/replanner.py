@@ -39,7 +39,9 @@ class Replanner:
 
     Attributes:
         planning: whether it plans.
-        text: how the last planning ended; "" before.
+        text: what it does, or how the last planning ended; "" before.
+        scene: the obstacles where they are now.
+        arrows: viser's handle of what is dragged.
     """
 
     def __init__(self, server: Any, running: Callable[[], bool], show: Callable[[ShownMotion], None]) -> None:
@@ -53,7 +55,7 @@ class Replanner:
         assert isinstance(motion.plan, Plan)
         gui, scene = self._server.gui, self._server.scene
         self._plan, self._stage, self._chosen = motion.plan, stage, -1
-        self._obstacles = motion.scene.named
+        self.scene = motion.scene
         self._goals = [pin.SE3(tool.pose(motion.trajectory.q[-1])) for tool in motion.tools]
         self._is_dragged = False
         several = len(self._goals) > 1
@@ -66,7 +68,7 @@ class Replanner:
         for mark, goal in zip(self._marks, self._goals, strict=True):
             put(mark, goal)
         axes = (True, True, not motion.robot.planar)
-        self._arrows = scene.add_transform_controls("/arrows", ARROWS * size, active_axes=axes, depth_test=False, visible=False)
+        self.arrows = scene.add_transform_controls("/arrows", ARROWS * size, active_axes=axes, depth_test=False, visible=False)
         with gui.add_folder("Plan again", expand_by_default=bool(self.text)):
             self._choice = gui.add_dropdown("drag", choices, initial_value=NOTHING)
             self._button = gui.add_button("Plan again", icon="route")
@@ -75,17 +77,17 @@ class Replanner:
             self._line = gui.add_html("")
         self._say(self.text)
         self._choice.on_update(lambda _: self.choose(choices.index(self._choice.value)))
-        self._arrows.on_update(self._drag)
+        self.arrows.on_update(self._drag)
         self._button.on_click(lambda _: self.plan())
         self._stop.on_click(lambda _: self.stop())
 
     def choose(self, k: int) -> None:
         """Put the arrows at a choice: 0 at nothing, then the goal of each tool, then each obstacle."""
         self._chosen = k - 1
-        self._arrows.visible = k > 0
+        self.arrows.visible = k > 0
         if k > 0:
             n = len(self._goals)
-            put(self._arrows, self._goals[k - 1] if k <= n else self._obstacles[k - 1 - n].pose)
+            put(self.arrows, self._goals[k - 1] if k <= n else self.scene.obstacles[k - 1 - n].pose)
 
     def _drag(self, event: Any) -> None:
         w, x, y, z = event.target.wxyz
@@ -98,9 +100,11 @@ class Replanner:
             self._goals[self._chosen], self._is_dragged = pose, True
             put(self._marks[self._chosen], pose)
             return
-        self._obstacles[k] = self._obstacles[k].at(pose * self._obstacles[k].pose.inverse())
+        obstacles = self.scene.named
+        obstacles[k] = obstacles[k].at(pose * obstacles[k].pose.inverse())
+        self.scene = Scene(obstacles, allowed=self.scene.allowed)
         for figure in self._stage.around.obstacles:
-            figure.place(k, self._obstacles[k].pose)
+            figure.place(k, pose)
 
     def plan(self) -> None:
         """Ask for the motion among the obstacles as they are now."""
@@ -136,7 +140,7 @@ class Replanner:
                 made.robot,
                 made.trajectory.q[0],
                 goal,
-                Scene(self._obstacles, allowed=made.scene.allowed),
+                self.scene,
                 constraints=made.constraints,
                 objective=PathObjective(
                     power=result.power, task=result.task, measure=result.measure, metric=result.metric, floor=result.floor
@@ -153,7 +157,7 @@ class Replanner:
             self._say(str(error), failed=True)
         else:
             self.text = f"{found.status.value[0].upper()}{found.status.value[1:]}."
-            self._show(ShownMotion.of(found))
+            self._show(ShownMotion.of(found))  # which fills the panel again
             return
         self._button.visible, self._stop.visible, self._bar.visible = True, False, False
 
@@ -164,5 +168,6 @@ class Replanner:
         self._say(f"{text[0].upper()}{text[1:]} ...")
 
     def _say(self, text: str, *, failed: bool = False) -> None:
+        self.text = text
         kind = ' class="error"' if failed else ""
         self._line.content = f'<div class="figures"><p role="status"{kind}>{escape(text)}</p></div>'

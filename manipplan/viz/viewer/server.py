@@ -48,7 +48,8 @@ def guarded(address: str, title: str) -> Iterator[None]:
             refused = refusal(headers.get_all("Host"), headers.get_all("Origin"), address)
             if refused:
                 return connection.respond(HTTPStatus.FORBIDDEN, f"{refused}\n")
-            del request.headers["Accept-Encoding"]  # the page is changed below
+            if "Accept-Encoding" in headers:  # the page is changed below
+                del headers["Accept-Encoding"]
             response = process_request(connection, request)
             if response is not None and "html" in response.headers.get("Content-Type", ""):
                 response.body = furnished(response.body.decode(), title).encode()

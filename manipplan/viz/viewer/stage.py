@@ -389,7 +389,7 @@ LINE, ELLIPSOIDS = 3.0, 7
 #: The frame of the second motion, and in it that of what is shown only where it stands beside the first.
 BESIDE, APART_ONLY = "/beside", "/beside/apart"
 #: Distance of two motions that are drawn beside each other, as a share of the width of one.
-APART = 0.8
+APART = 1.02
 
 
 class MotionFigure:
@@ -449,7 +449,7 @@ class Stage:
         roots = (("", ""), (BESIDE, APART_ONLY))
         self.figures = [MotionFigure(scene, *each, motion, one) for one, each in zip(motion.motions, roots, strict=False)]
         ours, names = self.figures[0], [each.samples.name for each in self.figures]
-        self.layers: dict[str, Any] = {"beside each other": Apart(self)} if self._beside else {}
+        self.layers: dict[str, Any] = {"side by side": Apart(self)} if self._beside else {}
         self.layers |= {name: each.robot.root for name, each in zip(names, self.figures, strict=True)}
         self.layers |= {f"path, {name}": each.path for name, each in zip(names, self.figures, strict=True)}
         self.layers["ellipsoid, tool"] = Layer(*(each.moving for each in self.figures))
