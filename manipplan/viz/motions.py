@@ -355,7 +355,8 @@ def nearest_now(model: CollisionModel, q: Array) -> list[tuple[str, str]]:
     apart = model.pair_distances(np.broadcast_to(q, (len(chosen), len(q))), chosen)
     first, second = (model.links[k] for k in model.pairs[chosen[apart.argmin()]])
     distance = 1e3 * float(apart.min())
-    words = f"{distance:.3g} mm from" if distance > 0 else f"{-distance:.3g} mm inside"
+    size = f"{abs(distance):.{1 if abs(distance) < 100 else 0}f}"
+    words = f"{size} mm from" if distance > 0 else f"{size} mm inside"
     return [("nearest obstacle" if is_outside.any() else "nearest links", f"{first} {words} {second}")]
 
 

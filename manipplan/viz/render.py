@@ -95,7 +95,7 @@ class Renderer:
             self._screen.make_current()
             self._buffers = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100)
         except Exception as error:  # each of the libraries that can be used has errors of its own
-            raise ManipplanError(f"MuJoCo cannot render here: {error}. {REMEDY}") from error
+            raise ManipplanError(f"MuJoCo cannot render here: {str(error).rstrip('.')}. {REMEDY}") from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._buffers)
 
     def _world(self, mujoco: Any, dark: bool) -> Any:
