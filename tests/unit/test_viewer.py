@@ -377,7 +377,7 @@ def test_it_plans_again_among_moved_obstacles(plan, open_page):
         wait_until(lambda: not again.planning)
         np.testing.assert_array_equal(live.motion.plan.scene.obstacles[0].position, moved_to)
         assert live.motion.plan.result.power == plan.result.power == 2.0
-        page.get_by_text("every check passed").wait_for()
+        page.get_by_role("status").get_by_text("every check passed").wait_for()
         np.testing.assert_allclose(client.camera.position, camera, atol=1e-6)
         box = page.get_by_role("textbox").first
         box.fill("0.4")
@@ -726,6 +726,15 @@ def test_shapes_are_drawn_in_their_size(shape, volume, size):
     np.testing.assert_allclose(vertices.min(axis=0), np.array(shape.aabb_local.min_), atol=3e-3)
 
 
+def test_the_chart_numbers_the_steps_of_a_program():
+    """Steps that begin together share a place, and the number of the first is written."""
+    t = np.linspace(0.0, 10.0, 5)
+    marks = [(0.0, "1 MoveTo"), (5.0, "2 Attach"), (5.1, "3 MoveAlong"), (8.0, "4 MoveTo <b>")]
+    svg = Chart(t=t, curves=[ChartLine(name="m", colour="#000000", values=t)], label="m", marks=marks, seeks=True).svg(0.0)
+    assert re.findall(r'text-anchor="middle">(\d)</text></g>', svg) == ["1", "2", "4"]
+    assert svg.count('class="mark"') == 4 and "<b>" not in svg and 'data-time="[' in svg
+
+
 def test_the_chart_marks_the_place():
     chart = Chart(
         t=np.linspace(0, 2, 5), curves=[ChartLine(name="a<b", colour="#123456", values=np.array([0, 1, 2, 1, 0.0]))], label="m"
@@ -904,6 +913,18 @@ def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
         process.kill()
     assert (process.returncode, out) == (0, "")
     assert all(line.startswith("... ") for line in error.splitlines())  # the progress
+
+
+def test_a_port_in_use_is_one_line_in_a_shell(plan, tmp_path, capsys):
+    plan.save(tmp_path)
+    capsys.readouterr()
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        assert main(["view", str(tmp_path), "--port", port, "--no-browser"]) == 2
+    [error] = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert error.startswith(f"manipplan: port: got {port}") and "0 for any free one" in error
 
 
 def test_a_broken_result_is_told(tmp_path, capsys):

@@ -239,6 +239,11 @@ class PlanViewer(Page):
             self._playing.clear()
         self._button.label, self._button.icon = "Play", "player-play"
 
+    def show_worst(self) -> None:
+        """Show the time at which the manipulability is smallest."""
+        self.pause()
+        self._show(self.motion.worst)
+
     def stop(self) -> None:
         self._playing.clear()
         super().stop()
@@ -252,7 +257,8 @@ class PlanViewer(Page):
             self._take(motion)
 
     def _take(self, motion: ShownMotion) -> None:
-        self.motion, self._time, self._by_hand = motion, 0.0, None
+        self.motion, self._time = motion, 0.0
+        self._by_hand: Array | None = None
         self._chart = chart_of(motion)
         self.stage = Stage(self.server, motion)
         self._fill_panel()
@@ -295,7 +301,7 @@ class PlanViewer(Page):
         for joint in self._joints:
             joint.on_update(move)
         self._button.on_click(lambda _: self.pause() if self.playing else self.play())
-        worst.on_click(lambda _: (self.pause(), self._show(self.motion.worst)))
+        worst.on_click(lambda _: self.show_worst())
         speed.on_update(lambda _: setattr(self, "speed", SPEEDS[speed.value]))
         repeats.on_update(lambda _: setattr(self, "repeats", repeats.value))
 
