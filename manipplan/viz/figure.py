@@ -158,6 +158,7 @@ def _draw_part(ax: Any, shown: ShownMotion, part: MovedPart) -> None:
 def _write_png(figure: Any, stream: IO[bytes], dpi: int) -> None:
     """Write a figure; one line of the log tells which characters of names no font has."""
     with warnings.catch_warnings(record=True) as caught:
+        warnings.filterwarnings("always", message=GLYPH.pattern)
         figure.savefig(stream, format="png", dpi=dpi)
     missing = [int(found[1]) for each in caught if (found := GLYPH.match(str(each.message)))]
     if missing:
