@@ -4,10 +4,13 @@ Exit codes: 0 done, 1 no result, or a trajectory that does not pass `check`, 2 i
 checked motion that does not meet the request (its status says why), 4 a pose out of reach, 130 interrupted.
 """
 
+import io
 import logging
 import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stderr
+from functools import partial, wraps
 from importlib.metadata import version
 
 import tyro
@@ -21,6 +24,10 @@ from manipplan.support.untrusted import printable
 
 NAMES = ("demo", "plan", "run", "follow", "improve", "check", "view", "study", "robots")
 COMMANDS: dict[str, Callable[..., int | None]] = {name: getattr(commands, name) for name in NAMES} | {"doctor": doctor}
+DESCRIPTION = (
+    "Robot-arm motion that stays away from singularities. --version prints the version; --tyro-print-completion bash, zsh or "
+    "tcsh prints the completion for that shell."
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -35,13 +42,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given == ["--version"]:
         show_line(Console(), f"manipplan {version('manipplan')}")
         return 0
+    boxes = io.StringIO()
     try:
-        code = tyro.extras.subcommand_cli_from_dict(
-            COMMANDS,
-            prog="manipplan",
-            description="Robot-arm motion that stays away from singularities. --version prints the version.",
-            args=arguments,
-        )
+        with redirect_stderr(boxes):
+            work = tyro.extras.subcommand_cli_from_dict(
+                {name: _later(command) for name, command in COMMANDS.items()},
+                prog="manipplan",
+                description=DESCRIPTION,
+                args=arguments,
+            )
+        code = work()
+    except SystemExit as end:
+        if not end.code:  # a help text was printed
+            raise
+        show_line(errors, f"manipplan: {unboxed(boxes.getvalue())}", style="red")
+        return 2
     except ManipplanError as error:
         show_line(errors, f"manipplan: {error}", style="red")
         if isinstance(error, OutOfReachError):
@@ -53,6 +68,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code or 0
 
 
+def _later(command: Callable[..., int | None]) -> Callable[..., Callable[[], int | None]]:
+    """The command with its arguments, which is run when these have been read."""
+
+    @wraps(command)
+    def with_arguments(*values: object, **options: object) -> Callable[[], int | None]:
+        return partial(command, *values, **options)
+
+    return with_arguments
+
+
+def unboxed(text: str) -> str:
+    """The sentences in a box of tyro on one line, without the title of the box."""
+    lines = [line.strip("╭╮╰╯│─ ") for line in text.splitlines()[1:]]
+    parts = [" ".join(part.split()) for part in "\n".join(lines).strip().split("\n\n")]
+    return "; ".join(part.rstrip(".") for part in parts)
+
+
 class _Printable(logging.Formatter):
     """Formats the message alone, without control characters from names in it."""
 
@@ -62,6 +94,9 @@ class _Printable(logging.Formatter):
 
 def run() -> None:
     """Entry point of the console script."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal without, say, superscripts shows question marks
+            stream.reconfigure(errors="replace")
     try:
         sys.exit(main())
     except BrokenPipeError:  # what reads the output has ended, such as `head`

@@ -65,6 +65,7 @@ from manipplan.support.json_data import json_ready
 from manipplan.support.progress import part
 from manipplan.support.untrusted import terminal_text
 from manipplan.timing.constant_speed import STEADY
+from manipplan.viz import viewer
 
 
 def plan(
@@ -454,13 +455,21 @@ def view(
         record: Write this HTML file, which plays anywhere, instead of showing the page.
     """
     console = Console()
-    is_program = result.name == PROGRAM or (result / PROGRAM).is_file()
-    shown = Program.load(result) if is_program else Plan.load(result)
-    if record is not None:
-        file = shown.record(record)
+    with terminal.progress() as notify:
+        notify(0.0, "loading the result")
+        is_program = result.name == PROGRAM or (result / PROGRAM).is_file()
+        shown = Program.load(result) if is_program else Plan.load(result)
+        notify(0.3, "preparing the page")
+        if record is not None:
+            file = viewer.record(shown, record, progress=part(notify, 0.3, 1.0))
+            page = None
+        else:
+            page = viewer.show(shown, port=port, host=host, open_browser=False)
+        notify(1.0, "done")
+    if page is None:
         terminal.show_line(console, f"wrote {file}; open it in a browser")
         return
-    with shown.show(port=port, host=host, open_browser=False) as page, suppress(KeyboardInterrupt):
+    with page, suppress(KeyboardInterrupt):
         terminal.show_line(console, f"{shown.robot.name} at {page.url}; press Ctrl-C to stop")
         if browser:
             page.open()
@@ -513,7 +522,10 @@ def robots(name: Positional[OptionalRobot] = None, /, *, names: bool = False) ->
     """
     console = Console()
     if name is not None:
-        terminal.show_line(console, str(load_robot(name)))
+        with terminal.progress() as notify:
+            notify(0.0, "loading the robot")
+            text = str(load_robot(name))
+        terminal.show_line(console, text)
         return
     table = Table(Column("name", no_wrap=True), "joints", Column("tool frame", overflow="fold"), "IK", "source", box=None)
     for each, entry in CATALOG.items():

@@ -10,7 +10,7 @@ from importlib.util import find_spec
 
 from rich.console import Console
 
-from manipplan.cli.terminal import show_line
+from manipplan.cli.terminal import progress, show_line
 from manipplan.jobs.demo import panda_among_boxes, planar_path
 from manipplan.jobs.follow import follow
 from manipplan.jobs.plan import plan
@@ -58,7 +58,13 @@ def doctor() -> int:
         show(
             "extra", f"{extra}: " + (f"pip install 'manipplan[{extra}]'" if missing else "installed"), "dim" if missing else ""
         )
-    passed = [_passes(console, name, test) for name, test in TESTS.items()]
+    passed = []
+    for k, (name, test) in enumerate(TESTS.items()):
+        with progress() as notify:
+            notify(k / len(TESTS), name)
+            line, style = _run(name, test)
+        show("test", line, style)
+        passed.append(not style)
     return int(not all(passed))
 
 
@@ -70,17 +76,16 @@ def _describe_cache() -> str:
     return f"{folder}, {sum(sizes) / 1e6:.0f} MB{trouble}"
 
 
-def _passes(console: Console, name: str, test: Callable[[], str]) -> bool:
-    """Run a test and print what it found; whether it did not fail."""
+def _run(name: str, test: Callable[[], str]) -> tuple[str, str]:
+    """What a test found, and the style of that line: "" if it did not fail."""
     began = time.perf_counter()
     try:
-        found, passed = test(), True
+        found, style = test(), ""
     except MissingExtraError as error:
-        found, passed = f"left out: {error}", True
+        found, style = f"left out: {error}", ""
     except ManipplanError as error:
-        found, passed = f"failed: {error}", False
-    show_line(console, f"{'test':<10} {name}: {found} ({time.perf_counter() - began:.1f} s)", style="" if passed else "red")
-    return passed
+        found, style = f"failed: {error}", "red"
+    return f"{name}: {found} ({time.perf_counter() - began:.1f} s)", style
 
 
 def _plan_planar() -> str:

@@ -4,11 +4,14 @@ The pictures of other values in notebooks, as HTML with an embedded PNG.
 """
 
 import base64
+import logging
+import re
+import warnings
 from html import escape
 from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -36,6 +39,10 @@ from manipplan.viz.curves import POINTS, draw_least, draw_measure, plot_joints, 
 from manipplan.viz.motions import MovedPart, ShownMotion, skeleton
 from manipplan.viz.shapes import arm_surfaces, evenly_chosen, joined, surface_of
 
+log = logging.getLogger("manipplan")
+
+#: What Matplotlib says of a character that no font has.
+GLYPH = re.compile(r"Glyph (\d+) .* missing from font")
 #: Number of postures of the arm that are drawn of a program, and of places of a part while it is carried.
 PROGRAM_POSTURES, CARRIED = 9, 4
 #: Steps that begin within this share of the duration share a label.
@@ -48,7 +55,7 @@ def save_figure(plan: Plan | Program, file: str | Path) -> None:
     """Write the picture of a plan or program as PNG; see `draw_figure`."""
     with uninterrupted():  # drawing the first figure imports Matplotlib and builds its formula parser
         figure = draw_figure(plan)
-        write_bytes(file, lambda stream: figure.savefig(stream, format="png", dpi=110))
+        write_bytes(file, lambda stream: _write_png(figure, stream, 110))
 
 
 def draw_figure(plan: Plan | Program, figure: Any = None) -> Any:
@@ -148,6 +155,21 @@ def _draw_part(ax: Any, shown: ShownMotion, part: MovedPart) -> None:
                 write(ax, np.append((low + high)[:2] / 2, high[2]), f"{part.name}, put down", style.OPTIMUM)
 
 
+def _write_png(figure: Any, stream: IO[bytes], dpi: int) -> None:
+    """Write a figure; one line of the log tells which characters of names no font has."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.filterwarnings("always", message=GLYPH.pattern)
+        figure.savefig(stream, format="png", dpi=dpi)
+    missing = [int(found[1]) for each in caught if (found := GLYPH.match(str(each.message)))]
+    if missing:
+        characters = "".join(map(chr, dict.fromkeys(missing)))
+        remedy = "install one that has, such as fonts-noto-cjk, and put its name into matplotlib.rcParams['font.family']"
+        log.warning("the font of the pictures has no %s: %s", characters, remedy)
+    for each in caught:
+        if not GLYPH.match(str(each.message)):
+            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
+
+
 def html_of(value: object) -> str:
     """A value's text and its picture; only the text where there is nothing to draw."""
     text = f"<pre>{escape(_text(value))}</pre>"
@@ -155,7 +177,7 @@ def html_of(value: object) -> str:
     if figure is None:
         return text
     stream = BytesIO()
-    figure.savefig(stream, format="png", dpi=RESOLUTION)
+    _write_png(figure, stream, RESOLUTION)
     data = base64.b64encode(stream.getvalue()).decode("ascii")
     return f'{text}<img alt="{escape(repr(value))}" src="data:image/png;base64,{data}">'
 

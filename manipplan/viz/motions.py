@@ -6,10 +6,12 @@ puts down, with where it is over time.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pinocchio as pin
 
+from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath
@@ -120,17 +122,26 @@ def skeleton(robot: Robot, q: Array) -> Array:
     return np.array(line)
 
 
+#: Since when [s], and the arm with what it carries and the scene from then on.
+State = tuple[float, Robot, Scene]
+
+
+def state_at(states: Sequence[State], t: float) -> int:
+    """The index of the state at time t [s]."""
+    return max(k for k, (since, _, _) in enumerate(states) if since <= t)
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MovedPart:
     """A part that a program takes up or puts down.
 
     Attributes:
         name: of the part.
-        states: since when [s], from 0 on, and the arm with what it carries and the scene from then on.
+        states: as in `ShownMotion`.
     """
 
     name: str
-    states: tuple[tuple[float, Robot, Scene], ...]
+    states: tuple[State, ...]
 
     def at(self, t: float, robot: Robot, q: Array) -> Solid | None:
         """The part at time t [s], posed in the world, with the arm at q (n,); None where it is nowhere."""
@@ -149,7 +160,7 @@ class MovedPart:
         return next(each for each in found if each is not None)
 
     def _state(self, t: float) -> tuple[Robot, Scene]:
-        return [(arm, scene) for since, arm, scene in self.states if since <= t][-1]
+        return self.states[state_at(self.states, t)][1:]
 
     def _solid(self, arm: Robot, scene: Scene) -> Solid | None:
         if self.name in arm.carried:
@@ -161,10 +172,10 @@ def find_moved_parts(program: Program) -> tuple[MovedPart, ...]:
     """The parts that a program takes up or puts down, or carries at the start."""
     states = _states(program)
     names = dict.fromkeys(name for _, robot, _ in states for name in robot.carried)
-    return tuple(MovedPart(name=name, states=tuple(states)) for name in names)
+    return tuple(MovedPart(name=name, states=states) for name in names)
 
 
-def _states(program: Program) -> list[tuple[float, Robot, Scene]]:
+def _states(program: Program) -> tuple[State, ...]:
     """Arm and scene, and since when they are so: parts change hands at the marks between two motions."""
     changes = [mark.begin for mark in program.marks if mark.name in ("Attach", "Detach")]
     states = [(0.0, program.robot, program.scene)]
@@ -176,7 +187,7 @@ def _states(program: Program) -> list[tuple[float, Robot, Scene]]:
         at = [each for each in changes if before - 1e-9 <= each <= begin + 1e-9]
         if at:
             states.append((min(at), robot, scene))
-    return states
+    return tuple(states)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -209,6 +220,7 @@ class ShownMotion:
         plan: the plan or program.
         robot: the arm; for a program without what it carries.
         scene: the obstacles that stay where they are.
+        states: arm and scene, and since when they are so, from 0 on; of a plan one.
         moved: the parts that a program moves.
         marks: when the steps of a program begin.
         status: what the motion is.
@@ -223,6 +235,7 @@ class ShownMotion:
     plan: Plan | Program
     robot: Robot
     scene: Scene
+    states: tuple[State, ...]
     moved: tuple[MovedPart, ...]
     marks: tuple[Mark, ...]
     status: str
@@ -239,6 +252,7 @@ class ShownMotion:
         paths: dict[str, Motion]
         if isinstance(plan, Program):
             robot, moved, marks, result = plan.robot, find_moved_parts(plan), plan.marks, plan.parts[0].result
+            states = moved[0].states if moved else ((0.0, plan.robot, plan.scene),)
             for name in robot.carried:
                 robot = robot.detach(name)
             names = {each.name for each in moved}
@@ -249,6 +263,7 @@ class ShownMotion:
             if not isinstance(plan, Plan):
                 raise PlanningError(f"there is no trajectory to show: {plan.message or plan.status.value}", plan)
             robot, moved, marks, result, scene = plan.robot, (), (), plan.result, plan.scene
+            states = ((0.0, robot, scene),)
             paths, status = {**name_paths(plan)}, plan.status.value[0].upper() + plan.status.value[1:]
         trajectory, tools = plan.trajectory, drawn_tools(robot)
         if trajectory.n != robot.n:
@@ -266,6 +281,7 @@ class ShownMotion:
             plan=plan,
             robot=robot,
             scene=scene,
+            states=states,
             moved=moved,
             marks=marks,
             status=status,
@@ -287,20 +303,35 @@ class ShownMotion:
         """The initial path; None where there is no other path."""
         return self.motions[1] if len(self.motions) > 1 else None
 
-    def least(self) -> list[tuple[str, str]]:
-        """Names and values of the minimum manipulability of the motion and of the seed."""
-        k = int(self.ours.manipulability.argmin())
-        rows = [("minimum m", f"{self._with_unit(self.ours.manipulability[k])} at {self.t[k]:.2f} s")]
-        if self.seed is not None:
-            rows.append((f"minimum m, {self.seed.name}", self._with_unit(self.seed.manipulability.min())))
-        return rows
+    @property
+    def worst(self) -> float:
+        """The time at which the motion's manipulability is smallest [s]."""
+        return float(self.t[self.ours.manipulability.argmin()])
 
-    def values(self, t: float) -> list[tuple[str, str]]:
-        """Names and values of the panel at time t [s]."""
-        q, qd = self.trajectory(t), self.trajectory(t, order=1)
+    def minimum(self, samples: MotionSamples, digits: int = 4) -> str:
+        """The minimum manipulability of the motion or of the seed, with its unit."""
+        return self._with_unit(float(samples.manipulability.min()), digits)
+
+    def values(self, t: float, by_hand: Array | None = None) -> list[tuple[str, str]]:
+        """Names and values of the panel at time t [s], or of a posture (n,) to which the arm is moved by hand."""
+        q = self.trajectory(t) if by_hand is None else by_hand
         now = self._with_unit(float(self.kinematics.manipulability(q)))
-        rows = [("time", f"{t:.2f} of {self.trajectory.duration:.2f} s"), *self._step(t), ("measure now", now)]
-        return rows + self.least() + limits_now(self.robot, q, qd)
+        time = f"{t:.2f} of {self.trajectory.duration:.2f} s" if by_hand is None else "moved by hand"
+        rows = [
+            ("time", time),
+            *self._step(t),
+            ("m now", now),
+            ("minimum m", f"{self.minimum(self.ours)} at {self.worst:.2f} s"),
+        ]
+        if self.seed is not None:
+            rows.append((f"minimum m, {self.seed.name}", self.minimum(self.seed)))
+        rows += nearest_now(self._models[state_at(self.states, t)], q)
+        return rows + limits_now(self.robot, q, self.trajectory(t, order=1) if by_hand is None else None)
+
+    @cached_property
+    def _models(self) -> tuple[CollisionModel, ...]:
+        """Collision models of all states, which no other thread uses."""
+        return tuple(scene.collision_model(robot).copy() for _, robot, scene in self.states)
 
     def _step(self, t: float) -> list[tuple[str, str]]:
         """The step of a program and what is carried at time t [s]."""
@@ -310,20 +341,35 @@ class ShownMotion:
         carried = [part.name for part in self.moved if part.is_held(t)]
         return [("step", f"{mark.step} {mark.name}"), ("carries", ", ".join(carried) or "nothing")]
 
-    def _with_unit(self, value: float) -> str:
+    def _with_unit(self, value: float, digits: int = 4) -> str:
         unit = style.raised(self.kinematics.measure.unit(self.kinematics.task))
-        return f"{value:.4g} {unit}".rstrip()
+        return f"{value:.{digits}g} {unit}".rstrip()
 
 
-def limits_now(robot: Robot, q: Array, qd: Array) -> list[tuple[str, str]]:
+def nearest_now(model: CollisionModel, q: Array) -> list[tuple[str, str]]:
+    """The nearest obstacle at q (n,) and the link or carried part that is near it; without obstacles, the nearest two links."""
+    if not len(model.pairs):
+        return []
+    is_outside = (model.pairs >= model.bodies).any(axis=1)
+    chosen = np.flatnonzero(is_outside if is_outside.any() else ~is_outside)
+    apart = model.pair_distances(np.broadcast_to(q, (len(chosen), len(q))), chosen)
+    first, second = (model.links[k] for k in model.pairs[chosen[apart.argmin()]])
+    distance = 1e3 * float(apart.min())
+    size = f"{abs(distance):.{1 if abs(distance) < 100 else 0}f}"
+    words = f"{size} mm from" if distance > 0 else f"{size} mm inside"
+    return [("nearest obstacle" if is_outside.any() else "nearest links", f"{first} {words} {second}")]
+
+
+def limits_now(robot: Robot, q: Array, qd: Array | None) -> list[tuple[str, str]]:
     """The joint nearest to a position limit, and the joint with the largest share of its velocity limit, at q and qd (n,)."""
     rows = []
-    room = np.minimum(q - robot.limits.lower, robot.limits.upper - q)
+    room = np.array([q - robot.limits.lower, robot.limits.upper - q])
     if np.isfinite(room).any():
-        i = int(room.argmin())
+        side, i = divmod(int(room.argmin()), robot.n)
         unit = "m" if robot.joint_types[i] == "prismatic" else "rad"
-        rows.append(("nearest joint limit", f"{robot.joint_names[i]}, {room[i]:.3f} {unit} away"))
-    if np.isfinite(robot.limits.velocity).any():
+        limit = "upper" if side else "lower"
+        rows.append(("nearest limit", f"{robot.joint_names[i]} at {room[side, i]:.3f} {unit} from its {limit} limit"))
+    if qd is not None and np.isfinite(robot.limits.velocity).any():
         use = np.abs(qd) / robot.limits.velocity
         i = int(use.argmax())
         rows.append(("fastest joint", f"{robot.joint_names[i]}, {100 * use[i]:.0f} % of its limit"))

@@ -19,7 +19,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import ManipplanError
 from manipplan.viz import style
 from manipplan.viz.motions import arm_length
-from manipplan.viz.shapes import Faces, faces_of, obstacle_surfaces, triangles_of
+from manipplan.viz.shapes import Faces, faces_of, fit_camera, obstacle_surfaces, triangles_of
 from manipplan.viz.viewer.bodies import appearance_of
 
 Picture = NDArray[np.uint8]
@@ -105,7 +105,7 @@ class Renderer:
             self._screen.make_current()
             self._buffers = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100)
         except Exception as error:  # each of the libraries that can be used has errors of its own
-            raise ManipplanError(f"MuJoCo cannot render here: {error}. {REMEDY}") from error
+            raise ManipplanError(f"MuJoCo cannot render here: {str(error).rstrip('.')}. {REMEDY}") from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._buffers)
 
     def _world(self, mujoco: Any, dark: bool) -> Any:
@@ -223,14 +223,6 @@ def _fit(points: Array, wide: float, direction: tuple[float, float] = (AZIMUTH, 
     """Where the camera looks, (3,), and its distance [m], so that points (k, 3) fill a picture `wide` times as wide as high."""
     azimuth, elevation = np.deg2rad(direction)
     ahead = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
-    right = np.cross(ahead, [0.0, 0.0, 1.0])
-    right /= np.linalg.norm(right)
-    axes = np.stack([right, np.cross(right, ahead), ahead])
-    slopes = FILLED * np.tan(np.deg2rad(FIELD) / 2) * np.array([wide, 1.0])
-    x, y, depth = (points @ axes.T).T
-    # a point is inside where |x - x₀| ≤ (depth - d₀) · slope: of the camera x₀, y₀, d₀, with the largest d₀
-    sides = [((v + slope * depth).min(), (v - slope * depth).max(), slope) for v, slope in zip((x, y), slopes, strict=True)]
-    begin = min(depth.min() - NEAREST, *((low - high) / (2 * slope) for low, high, slope in sides))
-    across = [(low + high) / 2 for low, high, _ in sides]
-    distance = float(np.median(depth) - begin)
-    return np.array([*across, begin + distance]) @ axes, distance
+    across, up = FILLED * np.tan(np.deg2rad(FIELD) / 2) * np.array([wide, 1.0])
+    target, camera = fit_camera(points, ahead, (-across, across), (-up, up), nearest=NEAREST)
+    return target, float(np.linalg.norm(target - camera))

@@ -232,6 +232,29 @@ def _drawn_bodies(robot: Robot) -> list[tuple[int, Surface]]:
     return [(each.parentJoint, surface_of(each.geometry).placed(each.placement)) for each in objects]
 
 
+def fit_camera(
+    points: Array, ahead: Array, across: tuple[float, float], up: tuple[float, float], *, nearest: float
+) -> tuple[Array, Array]:
+    """Where a camera looks and where it is, (3,) each, so that points (k, 3) fill a part of its picture; z is up.
+
+    Args:
+        points: (k, 3) [m].
+        ahead: (3,) direction in which the camera looks, of length 1, not upright.
+        across, up: lower and upper end of the part, as tangents of the angle from the middle of the picture.
+        nearest: minimum distance of the points from the camera [m].
+    """
+    right = np.cross(ahead, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    axes = np.stack([right, np.cross(right, ahead), ahead])
+    x, y, depth = (points @ axes.T).T
+    # a point is inside where low ≤ (x - x₀) / (depth - d₀) ≤ high: of the camera x₀, y₀, d₀, with the largest d₀
+    ends = [((v - low * depth).min(), (v - high * depth).max(), low, high) for v, (low, high) in ((x, across), (y, up))]
+    begin = min(depth.min() - nearest, *((least - most) / (high - low) for least, most, low, high in ends))
+    camera = np.array([*((least + most + (low + high) * begin) / 2 for least, most, low, high in ends), begin])
+    target = np.array([*camera[:2], np.median(depth)])
+    return target @ axes, camera @ axes
+
+
 def _revolve(radius: Array, height: Array, around: int, *, rings: tuple[int, ...]) -> Surface:
     """The surface that points (radius, height) sweep about z, with edges along the circles of the points `rings`."""
     turn = np.linspace(0.0, 2 * np.pi, around + 1)

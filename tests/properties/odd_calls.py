@@ -16,6 +16,7 @@ import numpy as np
 
 import manipplan as mp
 from manipplan import formulations, planar, viz
+from manipplan.viz import viewer
 
 LONGEST = 5.0
 
@@ -789,6 +790,7 @@ def calls(folder: Path) -> dict[str, Call]:
             },
             heavy=True,
         ),
+        "viz.viewer.embed": C(viewer.embed, {"plan": plan, "height": 480, "rate": 2.0}, heavy=True),
         "viz.plot_arm": C(viz.plot_arm, {"robot": arm, "path": path, "scene": scene, "places": 3}, heavy=True),
         "viz.plot_joints": C(
             viz.plot_joints, {"trajectory": motion, "limits": arm.limits, "order": 1, "share": False}, heavy=True

@@ -420,3 +420,59 @@ def test_output_that_is_not_read_to_its_end_is_no_error():
     line = f"{shlex.quote(sys.executable)} -c {shlex.quote(code)} | true"
     made = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
     assert "Traceback" not in made.stderr
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ([], "Expected one of {demo, plan,"),
+        (["plna"], "Unrecognized options: plna"),
+        (["plan", "panda", "--bogus"], "--start Q [Q ...]"),
+        (["view", "plan", "--port", "abc"], "--port"),
+    ],
+)
+def test_options_that_cannot_be_read_are_one_line_too(given, message, capsys):
+    assert main(given) == 2
+    out, error = capsys.readouterr()
+    assert out == "" and error.startswith("manipplan: ") and error.count("\n") == 1
+    assert message in error and "--help" in error and not set("╭│─╯") & set(error)
+
+
+@pytest.mark.slow
+def test_bash_completes_commands_and_options(tmp_path):
+    """As the help and docs/howto/shell.md say it is switched on."""
+    file = tmp_path / "completion"
+    python = [sys.executable, "-m", "manipplan"]
+    file.write_text(
+        subprocess.run([*python, "--tyro-print-completion", "bash"], capture_output=True, text=True, check=True).stdout
+    )
+    assert "--tyro-print-completion" in " ".join(
+        subprocess.run([*python, "--help"], capture_output=True, text=True, check=True).stdout.split()
+    )
+    for words, expected in (("manipplan pl", "plan"), ("manipplan view --rec", "--record")):
+        script = f"""source {file}
+        COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); COMP_LINE='{words}'; COMP_POINT=${{#COMP_LINE}}
+        $(complete -p manipplan | sed -E 's/.*-F ([^ ]+).*/\\1/'); printf '%s\\n' "${{COMPREPLY[@]}}" """
+        found = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
+        assert expected in found.stdout.split(), (words, found)
+
+
+@pytest.mark.slow
+def test_output_that_goes_to_no_terminal_is_plain(tmp_path):
+    """Also where the encoding has no superscripts."""
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii", "TERM": "xterm-256color"}
+    for given in (["robots", "panda"], ["--help"], ["view", str(tmp_path)], ["plan"]):
+        process = subprocess.run([sys.executable, "-m", "manipplan", *given], capture_output=True, env=environment, check=False)
+        assert process.returncode in (0, 2)
+        assert b"\x1b" not in process.stdout + process.stderr and b"Traceback" not in process.stderr
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b'{"a": 1}', b"[1, 2]", b"\x89PNG\r\n\x1a\n\x00", b'{"format": "manipplan-plan"}', b"null"]
+)
+@pytest.mark.parametrize("name", ["plan.json", "program.json"])
+def test_a_result_of_something_else_is_told_in_one_line(tmp_path, capsys, name, content):
+    (tmp_path / name).write_bytes(content)
+    assert main(["view", str(tmp_path), "--no-browser"]) == 2
+    [error] = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert error.startswith("manipplan: ") and name in error

@@ -1,5 +1,9 @@
 """Films of plans, the renderer behind them, and the colours of meshes."""
 
+import os
+import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -189,3 +193,18 @@ def test_a_colour_that_cannot_be_read_is_none_and_costs_no_triangle(tmp_path: Pa
     triangles, unit, _ = read_collada("file", file)
     assert sum(len(part) for _, part in parts) == len(triangles) == 2
     np.testing.assert_allclose(np.concatenate([part for _, part in parts]), unit * triangles)
+
+
+def test_without_egl_the_remedy_is_told(reach_plan, tmp_path):
+    """In a process that finds no driver of EGL, as on a machine without its packages."""
+    reach_plan.save(tmp_path)
+    code = "import sys; from manipplan import viz, Plan; viz.film(Plan.load(sys.argv[1]), sys.argv[1] + '/film.png')"
+    environment = {**os.environ, "__EGL_VENDOR_LIBRARY_DIRS": str(tmp_path / "none")}
+    environment.pop("MUJOCO_GL", None)
+    process = subprocess.run(
+        [sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, env=environment, check=False
+    )
+    assert process.returncode == 1 and not (tmp_path / "film.png").exists()
+    assert re.search(
+        r"ManipplanError: MuJoCo cannot render here: .*[^.]\. On Linux it needs EGL: sudo apt-get install", process.stderr
+    )

@@ -595,3 +595,12 @@ def test_a_planar_arm_in_space(planar_plan, space):
     """With its ellipsoids, which are flat."""
     axes = mp.viz.plot_arm(planar_plan.robot, planar_plan.path, planar_plan.scene, ax=space)
     assert axes is space and len(space.collections) > 3
+
+
+def test_characters_that_no_font_has_are_told_once(caplog):
+    """The names of obstacles come from files; the picture shows boxes for such characters."""
+    scene = mp.Scene([mp.Box(size=(0.1, 0.1, 0.1), position=(0.5, 0.0, 0.0), name="箱子箱")])
+    with caplog.at_level("WARNING", logger="manipplan"):
+        assert "<img" in scene._repr_html_()
+    [record] = [each for each in caplog.records if "font" in each.message]
+    assert "has no 箱子: install one" in record.message and "fonts-noto-cjk" in record.message

@@ -67,7 +67,7 @@ def test_the_viewer_shows_all_tools(plan):
 def test_the_ellipsoids_of_the_viewer_are_at_their_tools(plan):
     with plan.show(port=0, open_browser=False) as viewer:
         viewer.time = plan.trajectory.duration
-        for figure, place in zip(viewer.stage.ellipsoids, places(plan.robot, plan.path.goal), strict=True):
+        for figure, place in zip(viewer.stage.figures[0].ellipsoids, places(plan.robot, plan.path.goal), strict=True):
             np.testing.assert_allclose(figure.mesh.position, place, atol=1e-9)
 
 

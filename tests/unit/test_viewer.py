@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 import urllib.request
 from dataclasses import replace
@@ -19,18 +20,20 @@ import pinocchio as pin
 import pytest
 import trimesh
 import viser
+from axe_playwright_python.sync_playwright import Axe
 from PIL import Image
 
 import manipplan as mp
 from manipplan.cli import main
 from manipplan.support.status import Status
 from manipplan.viz import viewer
-from manipplan.viz.motions import ShownMotion
+from manipplan.viz.motions import ShownMotion, nearest_now
 from manipplan.viz.shapes import MOST, triangles_of
-from manipplan.viz.viewer import plan_viewer
+from manipplan.viz.viewer import plan_viewer, replanner
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
-from manipplan.viz.viewer.plan_viewer import Chart, ChartLine, chart_of
+from manipplan.viz.viewer.plan_viewer import HEIGHT, LEFT, RIGHT, WIDTH, Chart, ChartLine, chart_of
+from manipplan.viz.viewer.stage import GHOST, corners, right_of
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -125,6 +128,19 @@ def drawn(page, *, differs_from=None, seconds=120.0):
     pytest.fail("the picture stayed empty, or the same")
 
 
+def click_in_chart(page, share):
+    """Click where a share of the duration is on the axis of time."""
+    place, middle = page.locator("svg[data-time]").bounding_box(), HEIGHT / 2
+    scale = place["width"] / WIDTH
+    page.mouse.click(place["x"] + scale * (LEFT + share * (WIDTH - LEFT - RIGHT)), place["y"] + scale * middle)
+
+
+def no_serious_fault(page):
+    """Nothing that is ours breaks a rule of accessibility."""
+    found = Axe().run(page, context=".figures", options={"rules": {"color-contrast": {"enabled": False}}})
+    assert [each["id"] for each in found.response["violations"] if each["impact"] in ("serious", "critical")] == []
+
+
 def wait_until(true, seconds=60.0):
     end = time.monotonic() + seconds
     while not true():
@@ -155,14 +171,18 @@ def test_the_slider_moves_the_robot(shown, page):
         wait_until(lambda t=t: abs(shown.time - t) < 1e-9)
         wait_until(
             lambda t=t: (
-                abs(tool_of(shown.stage.robot) - last_joint(shown.motion.robot, shown.motion.trajectory(t))).max() < 1e-9
+                abs(tool_of(shown.stage.figures[0].robot) - last_joint(shown.motion.robot, shown.motion.trajectory(t))).max()
+                < 1e-9
             )
         )
         before = drawn(page, differs_from=before)
     assert f"{shown.time:.2f} of {shown.motion.trajectory.duration:.2f} s" in page.content()
     value = float(shown.motion.kinematics.manipulability(shown.motion.trajectory(1.13)))
     assert f"{value:.4g} m²" in page.content()
-    ellipsoid, jacobian = shown.stage.ellipsoids[0].mesh, shown.motion.tools[0].jacobian(shown.motion.trajectory(1.13))
+    ellipsoid, jacobian = (
+        shown.stage.figures[0].ellipsoids[0].mesh,
+        shown.motion.tools[0].jacobian(shown.motion.trajectory(1.13)),
+    )
     np.testing.assert_allclose(ellipsoid.scale[:2], shown.motion.scale * np.linalg.svd(jacobian)[1], rtol=1e-9)
     np.testing.assert_allclose(ellipsoid.position, shown.motion.tools[0].pose(shown.motion.trajectory(1.13))[:3, 3], atol=1e-9)
 
@@ -181,7 +201,7 @@ def test_it_plays_at_real_speed_and_stops(shown, page):
     still = shown.time
     time.sleep(0.2)
     assert shown.time == still
-    shown.time, shown.speed = shown.motion.trajectory.duration - 0.05, 0.25
+    shown.time, shown.speed, shown.repeats = shown.motion.trajectory.duration - 0.05, 0.25, False
     began = time.monotonic()
     shown.play()
     wait_until(lambda: not shown.playing)
@@ -189,21 +209,24 @@ def test_it_plays_at_real_speed_and_stops(shown, page):
     assert 0.15 < time.monotonic() - began < 0.6
     shown.play()  # from the start again
     assert shown.time < 0.1
+    shown.repeats, shown.speed, shown.time = True, 1.0, shown.motion.trajectory.duration - 0.1
+    shown.play()
+    wait_until(lambda: 0.1 < shown.time < 0.5)  # once more, after a pause
+    assert shown.playing
     shown.pause()
-    shown.speed = 1.0
 
 
 def test_switches_hide_what_they_name(shown, page):
     before = drawn(page)
     labels = list(shown.stage.layers)
-    assert labels[:4] == ["optimised", "seed", "path, optimised", "path, seed"]
+    assert labels[:5] == ["side by side", "optimised", "seed", "path, optimised", "path, seed"]
     boxes = page.get_by_role("checkbox")
-    assert boxes.count() == len(labels)
-    for k, name in enumerate(labels[:4]):
+    assert boxes.count() == 1 + len(labels)
+    for k, name in enumerate(labels[:5], start=1):  # the first one repeats the motion
         boxes.nth(k).click(force=True)
         wait_until(lambda name=name: not shown.stage.layers[name].visible)
     drawn(page, differs_from=before)
-    for name in labels[:4]:
+    for name in labels[:5]:
         shown.stage.layers[name].visible = True
 
 
@@ -224,16 +247,16 @@ def test_what_is_checked_replaces_the_links(plan):
         pin.updateGeometryPlacements(robot.model, data, model.geometry, placed, plan.trajectory(page.time))
         for k, name in enumerate(names):
             handle, item = page.server.scene.get_handle_by_name(name), model.geometry.geometryObjects[k]
-            frame = page.stage.robot.frames[item.parentJoint]
+            frame = page.stage.figures[0].robot.frames[item.parentJoint]
             turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
             ours = np.asarray(handle.vertices) @ turn.T + frame.position
             theirs = triangles_of(item.geometry)[0] @ placed.oMg[k].rotation.T + placed.oMg[k].translation
             np.testing.assert_allclose(ours, theirs, atol=1e-6)
             assert handle.visible
-        assert not any(link.visible for link in page.stage.robot.meshes)
+        assert not any(link.visible for link in page.stage.figures[0].robot.meshes)
         around.visible = True
         checked.visible = False
-        assert all(link.visible for link in page.stage.robot.meshes)
+        assert all(link.visible for link in page.stage.figures[0].robot.meshes)
         assert not any(page.server.scene.get_handle_by_name(name).visible for name in names)
         assert page.server.scene.get_handle_by_name("/robot/1/capsule0").visible
 
@@ -257,6 +280,191 @@ def test_there_is_nothing_to_check_without_collision_geometry(plan, tmp_path):
         assert "what is checked" not in page.stage.layers
 
 
+def test_the_two_motions_stand_beside_each_other_or_at_one_place(shown):
+    """Also at the start, where both arms are the same."""
+    shown.time, stage = 0.0, shown.stage
+    node = shown.server.scene.get_handle_by_name
+    assert stage.apart and node("/beside/apart").visible
+    ours, seeds = (
+        np.concatenate([corners(stage.motion.robot, q, moving=True) for q in each.q[::20]]) for each in stage.motion.motions
+    )
+    right = right_of(stage.motion.robot)
+    assert (ours @ right).min() > ((seeds + stage.around.aside) @ right).max()
+    np.testing.assert_allclose(node("/beside").position, stage.around.aside)
+    assert node("/beside/apart/obstacles").visible and all(mesh.visible for mesh in stage.figures[1].robot.meshes)
+    stage.layers["side by side"].visible = False
+    np.testing.assert_allclose(node("/beside").position, 0.0)
+    assert not node("/beside/apart").visible and not stage.figures[0].title.visible
+    assert {mesh.opacity for mesh in stage.figures[1].robot.meshes if mesh.visible} == {GHOST}
+    stage.layers["side by side"].visible = True
+
+
+def test_a_click_in_the_chart_and_a_button_choose_the_time(shown, page):
+    for share in (0.3, 0.8):
+        click_in_chart(page, share)
+        wait_until(lambda share=share: abs(shown.time - share * shown.motion.trajectory.duration) < 0.02)
+    page.get_by_role("button", name="Worst moment").click()
+    wait_until(lambda: shown.time == shown.motion.worst)
+    t = np.linspace(0.0, shown.motion.trajectory.duration, 2000)
+    m = shown.motion.kinematics.manipulability(shown.motion.trajectory(t))
+    assert shown.motion.kinematics.manipulability(shown.q) == pytest.approx(m.min(), rel=1e-3)
+    no_serious_fault(page)
+
+
+def test_the_arm_is_moved_by_hand(shown, page):
+    shown.time = 0.5
+    page.get_by_text("Move by hand").click()
+    q = shown.q
+    page.get_by_role("slider").nth(1).press("End")  # after the time: the first joint
+    wait_until(lambda: shown.q[0] > q[0] + 1.0)
+    np.testing.assert_allclose(shown.q[1:], q[1:], atol=1e-3)
+    wait_until(lambda: abs(tool_of(shown.stage.figures[0].robot) - last_joint(shown.motion.robot, shown.q)).max() < 1e-9)
+    page.get_by_text("moved by hand").wait_for()
+    m = float(shown.motion.kinematics.manipulability(shown.q))
+    page.get_by_text(f"{m:.4g} m²").first.wait_for()
+    shown.play()
+    wait_until(lambda: shown.time > 0.6)
+    assert abs(shown.q[0] - shown.motion.trajectory(shown.time)[0]) < 0.1
+    shown.pause()
+    for wrong in ([0.0, 0.0], [0.0, 0.0, np.nan]):
+        with pytest.raises(mp.errors.InvalidInputError, match="q"):
+            shown.q = wrong
+
+
+@pytest.mark.slow
+def test_the_nearest_obstacle_is_said_in_words():
+    """Among boxes, at moments spread over a motion, and with a part in the hand: as the scene measures it."""
+    job = mp.demo.panda_among_boxes()
+    model = job.scene.collision_model(job.robot)
+    for q in (job.start, job.goal):
+        [(name, words)] = nearest_now(model, q)
+        apart = job.scene.distances(job.robot, q)
+        outside = [k for k, (_, second) in enumerate(model.pair_names) if second in job.scene.names]
+        nearest = outside[int(apart[outside].argmin())]
+        link, obstacle = model.pair_names[nearest]
+        assert name == "nearest obstacle"
+        assert words == f"{link.rpartition('_')[0]} {1e3 * apart[nearest]:.1f} mm from {obstacle}"
+    alone = mp.Scene().collision_model(job.robot)
+    [(name, words)] = nearest_now(alone, job.start)
+    assert name == "nearest links" and f"{1e3 * mp.Scene().distances(job.robot, job.start).min():.1f} mm" in words
+
+
+def test_it_plans_again_among_moved_obstacles(plan, open_page):
+    """In the browser: the block is dragged into the way, and the new motion keeps clear of it."""
+    with plan.show(port=0, open_browser=False) as live:
+        page = open_page(live.url)
+        drawn(page)
+        page.get_by_text("Plan again").first.click()
+        page.get_by_role("combobox", name="drag").click()
+        page.get_by_role("option", name="block").click()
+        again = live.replanner
+        wait_until(lambda: again.arrows.visible)
+        np.testing.assert_allclose(again.arrows.position, [0.0, -2.0, 0.0])
+        page.evaluate("document.querySelectorAll('.mantine-Notification-closeButton').forEach(each => each.click())")
+        [client] = live.server.get_clients().values()
+        size, at = again.arrows.scale, np.array(again.arrows.position)
+        page.mouse.move(*project(client.camera, page, at + [0.0, 0.6 * size, 0.0]))
+        page.wait_for_timeout(500)  # until the arrow under the pointer has noticed
+        page.mouse.down()
+        page.mouse.move(*project(client.camera, page, at + [0.0, 0.6 * size + 0.4, 0.0]), steps=6)
+        wait_until(lambda: again.scene.obstacles[0].position[1] > -1.7)
+        page.mouse.up()
+        moved_to = again.scene.obstacles[0].position
+        np.testing.assert_allclose(moved_to[[0, 2]], 0.0, atol=1e-6)
+        camera = np.array(client.camera.position)
+        page.get_by_role("button", name="Plan again").last.click()
+        wait_until(lambda: live.motion.plan is not plan)
+        wait_until(lambda: not again.planning)
+        np.testing.assert_array_equal(live.motion.plan.scene.obstacles[0].position, moved_to)
+        assert live.motion.plan.result.power == plan.result.power == 2.0
+        page.get_by_role("status").get_by_text("every check passed").wait_for()
+        np.testing.assert_allclose(client.camera.position, camera, atol=1e-6)
+        box = page.get_by_role("textbox").first
+        box.fill("0.4")
+        box.press("Enter")
+        wait_until(lambda: abs(live.time - 0.4) < 1e-9)
+
+
+def test_planning_again_fails_in_words_and_can_be_stopped(plan, monkeypatch):
+    with plan.show(port=0, open_browser=False) as live:
+        again = live.replanner
+        again.choose(1)
+        far = pin.SE3(np.eye(3), np.array([9.0, 0.0, 0.0]))
+        again.move(far)
+        again.plan()
+        wait_until(lambda: not again.planning)
+        assert "out of reach" in again.text and live.motion.plan is plan
+        again.move(pin.SE3(np.eye(3), np.array([1.5, 1.0, 0.0])))
+        again.plan()
+        wait_until(lambda: live.motion.plan is not plan)
+        wait_until(lambda: not again.planning)
+        np.testing.assert_allclose(plan.robot.kinematics().pose(live.motion.plan.path.goal)[:2, 3], [1.5, 1.0], atol=1e-6)
+        made = live.motion.plan
+        reported = threading.Event()
+
+        def endless(*_, progress, **__):
+            while True:
+                progress(0.5, "looking for a first path")
+                reported.set()
+                time.sleep(0.01)
+
+        monkeypatch.setattr(replanner, "plan", endless)
+        again.plan()
+        assert reported.wait(10)
+        assert "Looking for a first path" in again.text
+        again.stop()
+        wait_until(lambda: not again.planning)
+        assert "Stopped" in again.text and live.motion.plan is made
+        again.plan()
+        assert reported.wait(10)
+    assert not live.running  # a page that plans can be closed
+
+
+def test_only_a_plan_to_a_goal_can_be_planned_again(plan):
+    followed = replace(plan, workspace_path=mp.CartesianPath.line(np.eye(4), pin.SE3(np.eye(3), np.array([0.1, 0, 0]))))
+    with followed.show(port=0, open_browser=False) as live:
+        assert live.replanner is None
+
+
+@pytest.mark.parametrize(("width", "height"), [(760, 600), (390, 800)])
+@pytest.mark.parametrize("kind", ["live", "recorded"])
+def test_the_panel_stands_beside_the_scene_or_below_it(plan, shown, browser, tmp_path, kind, width, height):
+    url = shown.url if kind == "live" else plan.record(tmp_path / "motion.html").as_uri()
+    context = browser.new_context(viewport={"width": width, "height": height}, color_scheme="dark")
+    try:
+        page = context.new_page()
+        page.goto(url)
+        chart, canvas = page.locator("svg[data-time]"), page.locator("canvas").first
+        chart.wait_for(timeout=120_000)
+        settled(page)
+        scene, own = canvas.bounding_box(), chart.bounding_box()
+        if width > 576:
+            assert scene["x"] + scene["width"] <= own["x"] + 1 and scene["width"] > 0.5 * width
+        else:
+            assert scene["y"] + scene["height"] <= own["y"] + 1 and scene["height"] > 0.3 * height
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.evaluate("document.documentElement.dataset.mantineColorScheme") == "dark"
+        assert page.title() == plan.robot.name
+    finally:
+        context.close()
+
+
+def test_a_notebook_shows_a_recording_without_a_server(plan, open_page, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "IPython", None)
+    cell = viewer.embed(plan, height=300)
+    assert len(cell.html) < 1_500_000 and "MB" in repr(cell)
+    file = tmp_path / "cell.html"
+    file.write_text(f"<body><canvas width=1 height=1></canvas>{cell._repr_html_()}</body>")
+    page = open_page(file.as_uri())
+    frame = page.frame_locator("iframe")
+    frame.locator("#recorded svg polyline").first.wait_for()
+    before = frame.locator(".now").get_attribute("x1")
+    wait_until(lambda: frame.locator(".now").get_attribute("x1") != before)
+    for wrong in (0, 1e9, "tall"):
+        with pytest.raises(mp.errors.InvalidInputError, match="height"):
+            viewer.embed(plan, height=wrong)
+
+
 def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, plan):
     t = 0.4 * plan.trajectory.duration
     shown.time = t
@@ -266,7 +474,9 @@ def test_the_seed_is_where_it_has_covered_the_same_share_of_its_length(shown, pl
     steps = np.linalg.norm(np.diff(plan.result.seed(s), axis=0), axis=1)
     there = np.interp(share, np.append(0, np.cumsum(steps)) / steps.sum(), s)
     np.testing.assert_allclose(shown.motion.seed.at(t), plan.result.seed(there), atol=2e-3)
-    np.testing.assert_allclose(tool_of(shown.stage.seed), last_joint(plan.robot, shown.motion.seed.at(t)), atol=1e-9)
+    np.testing.assert_allclose(
+        tool_of(shown.stage.figures[1].robot), last_joint(plan.robot, shown.motion.seed.at(t)), atol=1e-9
+    )
 
 
 def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
@@ -281,8 +491,9 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
         """Time of viser's player, that of the panel, the mark's place and the height of the last dot, our curve's."""
         return page.evaluate(
             """() => [Number(document.querySelector('[role=slider]').getAttribute('aria-valuenow')),
-            parseFloat(document.getElementById('now').textContent), Number(document.querySelector('.now').getAttribute('x1')),
-            Number([...document.querySelectorAll('#figures circle')].at(-1).getAttribute('cy'))]"""
+            parseFloat(document.querySelector('#recorded td:last-child').textContent),
+            Number(document.querySelector('.now').getAttribute('x1')),
+            Number([...document.querySelectorAll('#recorded circle')].at(-1).getAttribute('cy'))]"""
         )
 
     def follows():
@@ -296,8 +507,19 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
     before = shown_now()[2]
     wait_until(lambda: abs(shown_now()[2] - before) > 10)
     page.keyboard.press("Space")
-    assert page.locator("#figures svg polyline").count() == 2
-    assert f"{plan.trajectory.duration:.2f} s" in page.text_content("#figures")
+    assert page.locator("#recorded svg polyline").count() == 2
+    motion = ShownMotion.of(plan)
+    page.get_by_role("button", name="Worst moment").click()
+    wait_until(lambda: abs(shown_now()[0] - motion.worst) < 0.02)
+    wait_until(
+        lambda: (
+            page.locator("#recorded td:last-child").all_text_contents()[1:3]
+            == [value for _, value in motion.values(motion.worst)[1:3]]
+        )
+    )
+    click_in_chart(page, 0.25)
+    wait_until(lambda: abs(shown_now()[0] - 0.25 * plan.trajectory.duration) < 0.05)
+    no_serious_fault(page)
     with pytest.raises(mp.errors.InvalidInputError, match="rate"):
         viewer.record(plan, tmp_path / "motion.html", rate=0)
     with pytest.raises(mp.errors.InvalidInputError, match="file"):
@@ -393,7 +615,7 @@ def test_visual_meshes_stand_where_pinocchio_puts_them(plan):
         pin.updateGeometryPlacements(whole, data, geometry, placed, posture)
         assert list(by_name) == [item.name for item in geometry.geometryObjects]
         for parts, item, placement in zip(by_name.values(), geometry.geometryObjects, placed.oMg, strict=True):
-            frame = page.stage.robot.frames[parts[0].joint]
+            frame = page.stage.figures[0].robot.frames[parts[0].joint]
             turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
             ours = np.concatenate([body.vertices for body in parts]) @ turn.T + frame.position
             theirs = np.array(item.geometry.vertices()) @ placement.rotation.T + placement.translation
@@ -432,7 +654,7 @@ def test_what_cannot_be_read_is_replaced_and_told(plan, tmp_path, caplog, visual
         assert origin in told
         assert origin == "visual meshes" or told in caplog.text
         assert any(told in str(message) for message in page.server._websock_server._broadcast_buffer.message_from_id.values())
-        assert ("nearest joint limit", "out, 0.100 m away") in page.motion.values(0.0)
+        assert ("nearest limit", "out at 0.100 m from its lower limit") in page.motion.values(0.0)
 
 
 def test_every_kind_of_obstacle_is_drawn(plan, tmp_path):
@@ -448,38 +670,39 @@ def test_every_kind_of_obstacle_is_drawn(plan, tmp_path):
     )
     plan = moved(plan, mp.planar_arm([0.4, 0.4]), scene=scene)
     with plan.show(port=0, open_browser=False) as page:
-        lower, upper = surface(page, "/obstacles/3/0")
+        lower, upper = surface(page, "/obstacles/3", "/obstacles/3/0")
         size = 0.2 * (np.cos(0.5) + np.sin(0.5))
         np.testing.assert_allclose(upper - lower, [size, size, 0.2], atol=1e-6)
         np.testing.assert_allclose((upper + lower) / 2, [0.9, -0.9, 0.1], atol=1e-6)
-        names = [page.server.scene.get_handle_by_name(f"/names/{k}") for k in range(5)]
+        names = [page.server.scene.get_handle_by_name(f"/obstacles/names/{k}") for k in range(5)]
         assert [name.text for name in names] == ["sphere0", "capsule1", "cylinder2", "<part>", "ground"]
         assert names[0].position[2] > 0.2  # above the sphere
         assert page.stage.layers["grid"].position[2] < -0.02
 
 
 def test_clouds_are_drawn_as_points():
-    from manipplan.viz.viewer.stage import POINTS, draw_obstacles
+    from manipplan.viz.viewer.stage import POINTS, ObstaclesFigure
 
     server = viser.ViserServer(port=0, verbose=False)
     try:
         points = np.random.default_rng(0).random((9000, 3))
         scene = mp.Scene([mp.PointCloud(points=points, radius=0.01, position=(2, 0, 0), name="scan")])
-        _, _, seen = draw_obstacles(server.scene, scene)
-        node = server.scene.get_handle_by_name("/obstacles/0")
-        assert len(node.points) == POINTS and node.point_size == pytest.approx(0.02) and node.position[0] == 2.0
-        np.testing.assert_allclose(seen, [points.min(axis=0) + [2, 0, 0], points.max(axis=0) + [2, 0, 0]])
-        label = server.scene.get_handle_by_name("/names/0").position  # above the points, not above the camera
+        figure = ObstaclesFigure(server.scene, "/obstacles", scene)
+        node = server.scene.get_handle_by_name("/obstacles/0/0")
+        assert len(node.points) == POINTS and node.point_size == pytest.approx(0.02) and figure.frames[0].position[0] == 2.0
+        seen = points.min(axis=0) + [2, 0, 0], points.max(axis=0) + [2, 0, 0]
+        np.testing.assert_allclose([figure.points.min(axis=0), figure.points.max(axis=0)], seen)
+        label = server.scene.get_handle_by_name("/obstacles/names/0").position  # above the points, not above the camera
         np.testing.assert_allclose(label, [*((seen[0] + seen[1])[:2] / 2), seen[1][2] + 0.02], rtol=1e-6)
     finally:
         server.stop()
 
 
-def surface(page, name):
-    """Corners of a node of the scene in the world."""
-    node = page.server.scene.get_handle_by_name(name)
-    turn = pin.Quaternion(*(float(c) for c in node.wxyz)).toRotationMatrix()
-    placed = np.asarray(node.vertices) @ turn.T + node.position
+def surface(page, frame, name):
+    """Corners of a node of the scene in the world, and the frame in which it is drawn."""
+    frame, node = (page.server.scene.get_handle_by_name(each) for each in (frame, name))
+    turn = pin.Quaternion(*(float(c) for c in frame.wxyz)).toRotationMatrix()
+    placed = np.asarray(node.vertices) @ turn.T + frame.position
     return placed.min(axis=0), placed.max(axis=0)
 
 
@@ -501,6 +724,15 @@ def test_shapes_are_drawn_in_their_size(shape, volume, size):
     np.testing.assert_allclose(np.ptp(vertices, axis=0), size, rtol=5e-3)
     shape.computeLocalAABB()
     np.testing.assert_allclose(vertices.min(axis=0), np.array(shape.aabb_local.min_), atol=3e-3)
+
+
+def test_the_chart_numbers_the_steps_of_a_program():
+    """Steps that begin together share a place, and the number of the first is written."""
+    t = np.linspace(0.0, 10.0, 5)
+    marks = [(0.0, "1 MoveTo"), (5.0, "2 Attach"), (5.1, "3 MoveAlong"), (8.0, "4 MoveTo <b>")]
+    svg = Chart(t=t, curves=[ChartLine(name="m", colour="#000000", values=t)], label="m", marks=marks, seeks=True).svg(0.0)
+    assert re.findall(r'text-anchor="middle">(\d)</text></g>', svg) == ["1", "2", "4"]
+    assert svg.count('class="mark"') == 4 and "<b>" not in svg and 'data-time="[' in svg
 
 
 def test_the_chart_marks_the_place():
@@ -679,7 +911,20 @@ def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
         out, error = process.communicate(timeout=20)
     finally:
         process.kill()
-    assert (process.returncode, out, error) == (0, "", "")
+    assert (process.returncode, out) == (0, "")
+    assert all(line.startswith("... ") for line in error.splitlines())  # the progress
+
+
+def test_a_port_in_use_is_one_line_in_a_shell(plan, tmp_path, capsys):
+    plan.save(tmp_path)
+    capsys.readouterr()
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        assert main(["view", str(tmp_path), "--port", port, "--no-browser"]) == 2
+    [error] = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("...")]
+    assert error.startswith(f"manipplan: port: got {port}") and "0 for any free one" in error
 
 
 def test_a_broken_result_is_told(tmp_path, capsys):

@@ -4,6 +4,6 @@ It needs the extra `viewer`, whose packages are imported only when something is 
 """
 
 from manipplan.viz.viewer.live import LiveViewer, follow_target
-from manipplan.viz.viewer.plan_viewer import PlanViewer, record, show
+from manipplan.viz.viewer.plan_viewer import Embedded, PlanViewer, embed, record, show
 
-__all__ = ["LiveViewer", "PlanViewer", "follow_target", "record", "show"]
+__all__ = ["Embedded", "LiveViewer", "PlanViewer", "embed", "follow_target", "record", "show"]

@@ -1,12 +1,14 @@
 """The server of the page that a browser shows: its port, its address and its shutdown.
 
 Who may connect to the page: only browsers that opened the page itself, so that no other page reads or controls it.
+What is added to viser's page, also in recordings: style and script of page.html.
 """
 
 import contextlib
 import errno
 import importlib
 import ipaddress
+import json
 import logging
 import os
 import socket
@@ -17,20 +19,22 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from html import escape
 from http import HTTPStatus
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 from urllib.parse import urlsplit
 
 from manipplan.support.checks import whole_number
 from manipplan.support.errors import InvalidInputError, MissingExtraError
+from manipplan.viz.viewer.stage import VIEW, WIDE
 
 #: One server starts at a time, since viser takes what starts it from a module.
 _starting = threading.Lock()
 
 
 @contextmanager
-def guarded(address: str) -> Iterator[None]:
-    """Servers that viser starts in this block answer only requests that `refusal` allows.
+def guarded(address: str, title: str) -> Iterator[None]:
+    """Servers that viser starts in this block answer only requests that `refusal` allows, and furnish the page.
 
     viser passes no options to the server of websockets, so that its function is replaced in the block.
     """
@@ -44,7 +48,14 @@ def guarded(address: str) -> Iterator[None]:
             refused = refusal(headers.get_all("Host"), headers.get_all("Origin"), address)
             if refused:
                 return connection.respond(HTTPStatus.FORBIDDEN, f"{refused}\n")
-            return process_request(connection, request)
+            if "Accept-Encoding" in headers:  # the page is changed below
+                del headers["Accept-Encoding"]
+            response = process_request(connection, request)
+            if response is not None and "html" in response.headers.get("Content-Type", ""):
+                response.body = furnished(response.body.decode(), title).encode()
+                del response.headers["Content-Length"]
+                response.headers["Content-Length"] = str(len(response.body))
+            return response
 
         return serve(*arguments, process_request=answer, logger=_logger(), **options)
 
@@ -118,6 +129,19 @@ def _one_line(record: logging.LogRecord) -> bool:
 
 log = logging.getLogger("manipplan")
 
+#: Width of the panel beside the scene [px].
+PANEL = 320
+
+
+def furnished(html: str, title: str, panel: str = "") -> str:
+    """viser's page with a title, with style and script of page.html, and with a panel as HTML beside the scene."""
+    added = Path(__file__).with_name("page.html").read_text(encoding="utf-8")
+    added = added.replace("CAMERA", json.dumps([VIEW, WIDE, PANEL]), 1)
+    html = html.replace("<title>Viser</title>", f"<title>{escape(title)}</title>", 1)
+    head, body = html.rindex("</head>"), html.rindex("</body>")
+    return html[:head] + added + html[head:body] + panel + html[body:]
+
+
 #: Default address: the page is visible to this machine only.
 HOST = "localhost"
 PORT = 8080
@@ -151,7 +175,7 @@ class Page:
             raise InvalidInputError("host", host, "'localhost', or '0.0.0.0' for access from other machines")
         address = "127.0.0.1" if host == HOST else host  # the name also resolves to ::1, which not every machine has
         port = _free_port(port, address)
-        with _quiet(), guarded(address):
+        with _quiet(), guarded(address, title):
             self.server: Any = viser.ViserServer(host=address, port=port, verbose=False)
         self.server.gui.set_panel_label(title)
         self.server.gui.configure_theme(show_logo=False, show_share_button=False, control_width="medium")

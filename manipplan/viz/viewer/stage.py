@@ -13,14 +13,14 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
-from manipplan.collision.shapes import PointCloud
+from manipplan.collision.shapes import Obstacle, PointCloud
 from manipplan.measures.ellipsoid import velocity_ellipsoid
 from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.viz import style
-from manipplan.viz.motions import DrawnTool, ShownMotion
-from manipplan.viz.shapes import PLANE, Faces, evenly_chosen, triangles_of
+from manipplan.viz.motions import DrawnTool, MotionSamples, ShownMotion
+from manipplan.viz.shapes import PLANE, Faces, evenly_chosen, fit_camera, triangles_of
 from manipplan.viz.viewer.bodies import DrawnBody, appearance_of, capsules, convex_bodies
 
 #: Opacity of the ghost robot shown for comparison.
@@ -30,7 +30,7 @@ THIN = 0.02
 
 
 class RobotFigure:
-    """A robot in the scene under `root`; with a `ghost` colour, only its moving parts, translucent in that colour.
+    """A robot in the scene under `root`.
 
     Attributes:
         root: viser's handle of the whole robot; its `visible` shows and hides it.
@@ -38,18 +38,24 @@ class RobotFigure:
         meshes: viser's handles of the drawn bodies.
     """
 
-    def __init__(self, scene: Any, root: str, robot: Robot, *, ghost: str | None = None) -> None:
+    def __init__(self, scene: Any, root: str, robot: Robot) -> None:
         self.robot = robot
         self._data = robot.model.createData()
         self.root: Any = scene.add_frame(root, show_axes=False)
         self.frames: list[Any] = [scene.add_frame(f"{root}/{i}", show_axes=False) for i in range(robot.model.njoints)]
-        self.meshes: list[Any] = []
-        for k, body in enumerate(appearance_of(robot).bodies):
-            if ghost is not None and not body.joint:
-                continue  # it would coincide with that of the other robot
-            colour = body.colour if ghost is None else (*style.rgb(ghost), GHOST)
-            self.meshes.append(draw_body(scene, f"{root}/{body.joint}/{k}", body, colour, casts=ghost is None))
+        self._bodies = appearance_of(robot).bodies
+        self.meshes: list[Any] = [
+            draw_body(scene, f"{root}/{body.joint}/{k}", body, body.colour, casts=True) for k, body in enumerate(self._bodies)
+        ]
         self.place(robot.neutral)
+
+    def paint(self, ghost: str | None) -> None:
+        """Draw the robot in its own colours, or translucent in one colour, without what does not move."""
+        for mesh, body in zip(self.meshes, self._bodies, strict=True):
+            red, green, blue, opacity = body.colour if ghost is None else (*style.rgb(ghost), GHOST)
+            mesh.color = tuple(round(255 * each) for each in (red, green, blue))
+            mesh.opacity = opacity if opacity < 1 else None
+            mesh.cast_shadow, mesh.visible = ghost is None, ghost is None or body.joint > 0
 
     def place(self, q: Array) -> None:
         """Move the robot to q (n,)."""
@@ -100,12 +106,14 @@ class EllipsoidFigure:
     `scale`: metres drawn per unit of its radii.
     """
 
-    def __init__(self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float) -> None:
+    def __init__(
+        self, scene: Any, name: str, tool: DrawnTool, scale: float, *, opacity: float, colour: str = style.ELLIPSOID
+    ) -> None:
         self._tool, self._scale = tool, scale
         self.mesh: Any = scene.add_mesh_simple(
             name,
             *_ball(),
-            color=style.rgb(style.ELLIPSOID),
+            color=style.rgb(colour),
             opacity=opacity,
             cast_shadow=False,
             receive_shadow=False,
@@ -194,10 +202,11 @@ def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFig
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
-#: Vertical field of view of the camera [rad].
-VIEW = np.deg2rad(45.0)
-#: Factor on the camera's distance: the bounding sphere slightly exceeds the picture, as its outermost parts are empty.
-FILL = 0.92
+#: Vertical field of view of the camera [rad], in a picture so many times as wide as high; the script of the page widens it in
+#: a narrower one.
+VIEW, WIDE = np.deg2rad(45.0), 1.5
+#: Share of the picture that is filled, and minimum distance of what is shown from the camera [m].
+FILLED, NEAREST = 0.94, 0.1
 #: Distance beyond the arm up to which obstacles and static parts of the robot are in the view, as a share of the diagonal of
 #: the arm's workspace box.
 NEAR = 0.2
@@ -205,46 +214,69 @@ NEAR = 0.2
 POINTS = 5000
 
 
-def draw_obstacles(scene: Any, obstacles: Scene) -> tuple[Any, Any, Array]:
-    """Draw obstacles; returns viser's handles of bodies and of names, and the box corners of all but planes (k, 3) [m]."""
-    bodies = scene.add_frame("/obstacles", show_axes=False)
-    names = scene.add_frame("/names", show_axes=False)
+class ObstaclesFigure:
+    """The obstacles in the scene under `root`, with their names where these are wanted.
+
+    Attributes:
+        root: viser's handle of all of them.
+        frames: viser's handles of each, at its pose.
+        names: viser's handle of the names; None without them.
+        points: the corners of the boxes around all but planes (k, 3) [m].
+    """
+
+    def __init__(self, scene: Any, root: str, obstacles: Scene, *, named: bool = True) -> None:
+        self.root: Any = scene.add_frame(root, show_axes=False)
+        self.frames: list[Any] = []
+        self.names: Any = scene.add_frame(f"{root}/names", show_axes=False) if named else None
+        self._labels: list[tuple[Any, Array]] = []
+        seen = [np.empty((0, 3))]
+        for k, (name, obstacle) in enumerate(zip(obstacles.names, obstacles.obstacles, strict=True)):
+            self.frames.append(scene.add_frame(f"{root}/{k}", show_axes=False))
+            points = _draw_obstacle(scene, f"{root}/{k}", obstacle)
+            placed = points @ obstacle.pose.rotation.T + obstacle.pose.translation
+            if len(points):
+                seen.append(_corners_of(placed))
+                above = np.append(seen[-1][:, :2].mean(axis=0), placed[:, 2].max() + 0.02)
+            else:  # a plane: its name beside the arm in the initial view
+                turn = obstacle.pose.rotation
+                above = obstacle.pose.translation - 0.1 * PLANE * (turn[:, 0] + turn[:, 1]) + [0.0, 0.0, 0.02]
+            if named:
+                options = {"anchor": "bottom-center", "font_screen_scale": 0.8, "depth_test": False}
+                label = scene.add_label(f"{root}/names/{k}", name, **options)
+                self._labels.append((label, above - obstacle.pose.translation))
+            self.place(k, obstacle.pose)
+        self.points = np.concatenate(seen)
+
+    def place(self, k: int, pose: pin.SE3) -> None:
+        """Move an obstacle."""
+        put(self.frames[k], pose)
+        if self._labels:
+            label, above = self._labels[k]
+            label.position = pose.translation + above
+
+
+def _draw_obstacle(scene: Any, name: str, obstacle: Obstacle) -> Array:
+    """Draw an obstacle in the frame `name`; returns its points (k, 3) there [m], none of a plane."""
+    if isinstance(obstacle, PointCloud):
+        points = evenly_chosen(obstacle.kept, POINTS).astype(np.float32)
+        options = {"point_size": 2 * obstacle.parts()[0].radius, "point_shape": "circle", "precision": "float32"}
+        scene.add_point_cloud(f"{name}/0", points, style.rgb(style.OBSTACLE), **options)
+        return obstacle.kept
     seen = [np.empty((0, 3))]
-    for k, (name, obstacle) in enumerate(zip(obstacles.names, obstacles.obstacles, strict=True)):
-        top, above = -np.inf, obstacle.pose.translation.copy()
-        if isinstance(obstacle, PointCloud):
-            points = evenly_chosen(obstacle.kept, POINTS).astype(np.float32)
-            size = 2 * obstacle.parts()[0].radius
-            cloud = scene.add_point_cloud(
-                f"/obstacles/{k}", points, style.rgb(style.OBSTACLE), point_size=size, point_shape="circle", precision="float32"
-            )
-            put(cloud, obstacle.pose)
-            placed = obstacle.kept @ obstacle.pose.rotation.T + obstacle.pose.translation
-            top = placed[:, 2].max()
-            above = (placed.min(axis=0) + placed.max(axis=0)) / 2  # its frame is often that of the camera
-            seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
-        for i, shape in enumerate(() if isinstance(obstacle, PointCloud) else obstacle.shapes()):
-            vertices, faces = triangles_of(shape)
-            endless = isinstance(shape, coal.Halfspace)
-            mesh = scene.add_mesh_simple(
-                f"/obstacles/{k}/{i}",
-                vertices,
-                faces,
-                color=style.rgb(style.OBSTACLE),
-                opacity=0.18 if endless else 0.55,
-                side="double",
-                cast_shadow=not endless,
-            )
-            put(mesh, obstacle.pose)
-            placed = vertices @ obstacle.pose.rotation.T + obstacle.pose.translation
-            top = max(top, placed[:, 2].max()) if not endless else top
-            if not endless:
-                seen.append(np.array([placed.min(axis=0), placed.max(axis=0)]))
-        above[2] = max(above[2], top) + 0.02
-        if not np.isfinite(top):  # a plane: its name beside the arm in the initial view
-            above -= 0.1 * PLANE * (obstacle.pose.rotation[:, 0] + obstacle.pose.rotation[:, 1])
-        scene.add_label(f"/names/{k}", name, position=above, anchor="bottom-center", font_screen_scale=0.8, depth_test=False)
-    return bodies, names, np.concatenate(seen)
+    for i, shape in enumerate(obstacle.shapes()):
+        vertices, faces = triangles_of(shape)
+        endless = isinstance(shape, coal.Halfspace)
+        scene.add_mesh_simple(
+            f"{name}/{i}",
+            vertices,
+            faces,
+            color=style.rgb(style.OBSTACLE),
+            opacity=0.18 if endless else 0.55,
+            side="double",
+            cast_shadow=not endless,
+        )
+        seen += [] if endless else [vertices]
+    return np.concatenate(seen)
 
 
 def draw_floor(scene: Any, height: float, size: float) -> Any:
@@ -265,49 +297,135 @@ def draw_floor(scene: Any, height: float, size: float) -> Any:
     return grid
 
 
-def fit_view(server: Any, box: Array, *, planar: bool) -> None:
-    """Place the camera so that the box (2, 3) [m] fills the picture on a screen of any aspect ratio; z is up."""
-    middle, reach = box.mean(axis=0), max(float(np.linalg.norm(box[1] - box[0])) / 2, 0.05)
-    direction = np.array(FROM[planar]) / np.linalg.norm(FROM[planar])
-    upward = np.eye(3)[2] - direction[2] * direction
-
-    def place(camera: Any, aspect: float) -> None:
-        angle = np.arctan(np.tan(VIEW / 2) * min(aspect, 1.0))
-        target = middle if aspect >= 1.0 else middle - 0.7 * reach * upward / np.linalg.norm(upward)  # the panel is below
-        camera.fov = VIEW
-        camera.near = reach / 100
-        camera.position = target + FILL * reach / np.sin(angle) * direction
-        camera.fit_view = target  # last: moving the camera also moves the point it looks at
-
-    server.initial_camera.up = (0.0, 0.0, 1.0)
-    place(server.initial_camera, 1.0)
-
-    def fit(client: Any) -> None:
-        if client.camera.aspect < 1.0:
-            place(client.camera, client.camera.aspect)
-
-    server.on_client_connect(fit)
+def right_of(robot: Robot) -> Array:
+    """The direction (3,) that points to the right in the initial view."""
+    right = np.cross([0.0, 0.0, 1.0], FROM[robot.planar])
+    return np.asarray(right / np.linalg.norm(right))
 
 
-def surround(server: Any, robot: Robot, q: Array, obstacles: Scene, box: Array) -> dict[str, Any]:
-    """Obstacles, floor and camera around an arm that starts at q (n,) and moves within the box (2, 3) [m].
+class Layer:
+    """Nodes of the scene that are shown and hidden together."""
 
-    Returns viser's handles by the names of their switches.
+    def __init__(self, *nodes: Any) -> None:
+        self.nodes = nodes
+
+    @property
+    def visible(self) -> bool:
+        """Whether they are shown."""
+        return bool(self.nodes[0].visible)
+
+    @visible.setter
+    def visible(self, value: bool) -> None:
+        for node in self.nodes:
+            node.visible = value
+
+
+class Apart:
+    """The switch by which the seed stands beside the motion, or at the same place."""
+
+    def __init__(self, stage: "Stage") -> None:
+        self._stage = stage
+
+    @property
+    def visible(self) -> bool:
+        """Whether it stands beside the motion."""
+        return self._stage.apart
+
+    @visible.setter
+    def visible(self, value: bool) -> None:
+        self._stage.apart = value
+
+
+class Surroundings:
+    """Obstacles, floor and camera around an arm that starts at q (n,) and moves among points (k, 3) [m].
+
+    Attributes:
+        obstacles: figures of the obstacles: first those with names.
+        layers: what can be shown and hidden, by the names of their switches.
+        aside: where the second of two motions stands [m], to the left of the first; zero where there is one.
+        size: the diagonal of the box around the points [m].
     """
-    scene, size = server.scene, float(np.linalg.norm(box[1] - box[0]))
-    layers, around = {}, np.empty((0, 3))
-    if obstacles.obstacles:
-        layers["obstacles"], layers["names"], around = draw_obstacles(scene, obstacles)
-    whole = corners(robot, q, moving=False)
-    layers["grid"] = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size)
-    near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
-    seen = np.concatenate([box, near])
-    fit_view(server, np.array([seen.min(axis=0), seen.max(axis=0)]), planar=robot.planar)
-    return layers
+
+    def __init__(
+        self, server: Any, robot: Robot, q: Array, obstacles: Scene, points: Array, *, beside: str = "", wide: float = WIDE
+    ) -> None:
+        """`beside`: name of the frame of a second motion, among obstacles of its own; `wide`: as for `Stage`."""
+        box = np.array([points.min(axis=0), points.max(axis=0)])
+        scene, size = server.scene, float(np.linalg.norm(box[1] - box[0]))
+        self.size = size
+        self.obstacles = [ObstaclesFigure(scene, "/obstacles", obstacles)]
+        if beside:
+            self.obstacles.append(ObstaclesFigure(scene, f"{beside}/obstacles", obstacles, named=False))
+        around, whole = self.obstacles[0].points, _corners_of(corners(robot, q, moving=False))
+        near = np.clip(np.concatenate([around, whole]), box[0] - NEAR * size, box[1] + NEAR * size)
+        seen, right = np.concatenate([points, near]), right_of(robot)
+        self.aside = -APART * float(np.ptp(seen @ right)) * right if beside else np.zeros(3)
+        grid = draw_floor(scene, float(min(whole[0, 2], *around[:, 2], box[0, 2])), size + float(np.linalg.norm(self.aside)))
+        self.layers: dict[str, Any] = {}
+        if obstacles.obstacles:
+            self.layers["obstacles"] = Layer(*(each.root for each in self.obstacles))
+            self.layers["names"] = self.obstacles[0].names
+        self.layers["grid"] = grid
+        _fit_view(server, np.concatenate([seen, seen + self.aside]), wide, planar=robot.planar)
+
+
+def _corners_of(points: Array) -> Array:
+    """The corners (8, 3) of the box around points (k, 3)."""
+    return np.array(np.meshgrid(*np.array([points.min(axis=0), points.max(axis=0)]).T)).reshape(3, -1).T
+
+
+def _fit_view(server: Any, points: Array, wide: float, *, planar: bool) -> None:
+    """Place the camera so that points (k, 3) [m] fill the picture; z is up."""
+    ahead = -np.array(FROM[planar]) / np.linalg.norm(FROM[planar])
+    up = FILLED * np.tan(VIEW / 2)
+    target, place = fit_camera(points, ahead, (-wide * up, wide * up), (-up, up), nearest=NEAREST)
+    camera = server.initial_camera
+    camera.up, camera.fov, camera.near = (0.0, 0.0, 1.0), VIEW, 0.01 * float(np.linalg.norm(target - place))
+    camera.position, camera.look_at = place, target
 
 
 #: Thickness of a drawn path [px], and number of places along it at which ellipsoids are drawn.
 LINE, ELLIPSOIDS = 3.0, 7
+#: The frame of the second motion, and in it that of what is shown only where it stands beside the first.
+BESIDE, APART_ONLY = "/beside", "/beside/apart"
+#: Distance of two motions that are drawn beside each other, as a share of the width of one.
+APART = 1.02
+
+
+class MotionFigure:
+    """One motion: the arm on it, the ways of its tools, ellipsoids and a title.
+
+    Attributes:
+        samples: the motion.
+        robot: figure of the arm.
+        ellipsoids: the ellipsoid at each tool.
+        path, moving, fixed, title: viser's handles of ways, ellipsoids at the tool, ellipsoids on the way, and the title.
+    """
+
+    def __init__(self, scene: Any, root: str, own: str, motion: ShownMotion, samples: MotionSamples) -> None:
+        """`root`, `own`: names of the frame of arm and way, and of that of ellipsoids and title."""
+        self.samples = samples
+        self.robot = RobotFigure(scene, f"{root}/robot", motion.robot)
+        pieces = np.concatenate([np.stack([way[:-1], way[1:]], axis=1) for way in samples.tools])
+        colour = style.rgb(samples.colour)
+        self.path = scene.add_line_segments(f"{root}/path", pieces, colour, thickness=LINE, thickness_units="screen")
+        self.moving, self.fixed = (scene.add_frame(f"{own}/{each}", show_axes=False) for each in ("ellipsoid", "ellipsoids"))
+        self.ellipsoids: list[EllipsoidFigure] = []
+        paint = style.ELLIPSOID if samples is motion.ours else samples.colour
+        for i, tool in enumerate(motion.tools):
+            moving = EllipsoidFigure(scene, f"{own}/ellipsoid/{i}", tool, motion.scale, opacity=0.5, colour=paint)
+            self.ellipsoids.append(moving)
+            for k, q in enumerate(evenly_chosen(samples.q, ELLIPSOIDS)):
+                name = f"{own}/ellipsoids/{i}_{k}"
+                EllipsoidFigure(scene, name, tool, motion.scale, opacity=0.18, colour=paint).place(q)
+        title = f"{samples.name}: m ≥ {motion.minimum(samples, digits=3)}"
+        self.title = scene.add_label(f"{own}/title", title, anchor="bottom-center", depth_test=False)
+
+    def place(self, q: Array) -> None:
+        """Move arm and ellipsoids to q (n,)."""
+        self.robot.place(q)
+        for ellipsoid in self.ellipsoids:
+            ellipsoid.place(q)
 
 
 class Stage:
@@ -315,49 +433,62 @@ class Stage:
 
     Attributes:
         motion: the motion that is shown.
-        robot, seed: figures of the arm on its motion and on the seed; seed is None without a seed.
-        ellipsoids: the ellipsoid at each tool.
+        figures: the figure of each of its motions, first that of the motion itself.
+        around: obstacles, floor and camera.
         parts: figures of the parts that a program moves.
-        layers: viser's handles, or a CheckedFigure, by the name of a switch; their `visible` shows and hides them.
+        layers: what can be shown and hidden, by the name of its switch: each has the attribute `visible`.
     """
 
-    def __init__(self, server: Any, motion: ShownMotion) -> None:
+    def __init__(self, server: Any, motion: ShownMotion, wide: float = WIDE) -> None:
+        """`wide`: width of the picture over its height."""
         scene = server.scene
         self.motion = motion
-        self.robot = RobotFigure(scene, "/robot", motion.robot)
-        self.seed = RobotFigure(scene, "/seed", motion.robot, ghost=style.SEED) if motion.seed is not None else None
-        moving, fixed = (scene.add_frame(name, show_axes=False) for name in ("/ellipsoid", "/ellipsoids"))
-        self.ellipsoids: list[EllipsoidFigure] = []
-        for i, tool in enumerate(motion.tools):
-            self.ellipsoids.append(EllipsoidFigure(scene, f"/ellipsoid/{i}", tool, motion.scale, opacity=0.5))
-            for k, q in enumerate(evenly_chosen(motion.ours.q, ELLIPSOIDS)):
-                EllipsoidFigure(scene, f"/ellipsoids/{i}_{k}", tool, motion.scale, opacity=0.18).place(q)
-        self.layers: dict[str, Any] = {motion.ours.name: self.robot.root}
-        if self.seed is not None and motion.seed is not None:
-            self.layers[motion.seed.name] = self.seed.root
-        for each, node in zip(motion.motions, ("/path", "/seed_path"), strict=False):
-            pieces = np.concatenate([np.stack([way[:-1], way[1:]], axis=1) for way in each.tools])
-            lines = scene.add_line_segments(node, pieces, style.rgb(each.colour), thickness=LINE, thickness_units="screen")
-            self.layers[f"path, {each.name}"] = lines
-        self.layers["ellipsoid, tool"] = moving
-        self.layers["ellipsoids, path"] = fixed
+        self._beside: tuple[Any, ...] = ()
+        if motion.seed is not None:
+            self._beside = tuple(scene.add_frame(name, show_axes=False) for name in (BESIDE, APART_ONLY))
+        roots = (("", ""), (BESIDE, APART_ONLY))
+        self.figures = [MotionFigure(scene, *each, motion, one) for one, each in zip(motion.motions, roots, strict=False)]
+        ours, names = self.figures[0], [each.samples.name for each in self.figures]
+        self.layers: dict[str, Any] = {"side by side": Apart(self)} if self._beside else {}
+        self.layers |= {name: each.robot.root for name, each in zip(names, self.figures, strict=True)}
+        self.layers |= {f"path, {name}": each.path for name, each in zip(names, self.figures, strict=True)}
+        self.layers["ellipsoid, tool"] = Layer(*(each.moving for each in self.figures))
+        self.layers["ellipsoids, path"] = Layer(*(each.fixed for each in self.figures))
         some = (q for each in motion.motions for q in each.q[:: len(motion.motions) * len(motion.t) // 12])
-        boxes = np.array([corners(motion.robot, q, moving=True) for q in some])
-        box = np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
-        self.layers |= surround(server, motion.robot, motion.ours.q[0], motion.scene, box)
-        self.layers |= draw_checked_layers(scene, self.robot)
+        points = np.concatenate([_corners_of(corners(motion.robot, q, moving=True)) for q in some])
+        beside = APART_ONLY if self._beside else ""
+        self.around = Surroundings(server, motion.robot, ours.samples.q[0], motion.scene, points, beside=beside, wide=wide)
+        self.layers |= self.around.layers
+        self.layers |= draw_checked_layers(scene, ours.robot)
         if motion.moved:
             self.layers["parts"] = scene.add_frame("/parts", show_axes=False)
         self.parts = [PartFigure(scene, f"/parts/{k}", part.solid) for k, part in enumerate(motion.moved)]
+        for each in self.figures:
+            low, high = points.min(axis=0), points.max(axis=0)
+            each.title.position = np.append((low + high)[:2] / 2, high[2] + 0.04 * (high - low)[2])
+        self.apart = bool(self._beside)
         self.place(0.0)
 
-    def place(self, t: float) -> None:
-        """Move all moving parts to their poses at time t [s]."""
-        q = self.motion.trajectory(t)
-        self.robot.place(q)
-        for ellipsoid in self.ellipsoids:
-            ellipsoid.place(q)
+    @property
+    def apart(self) -> bool:
+        """Whether the seed stands beside the motion, in the colours of the arm, instead of translucent at the same place."""
+        return self._apart
+
+    @apart.setter
+    def apart(self, value: bool) -> None:
+        self._apart = value
+        self.figures[0].title.visible = value
+        if self._beside:
+            root, only = self._beside
+            root.position = self.around.aside if value else np.zeros(3)
+            only.visible = value
+            self.figures[1].robot.paint(None if value else style.SEED)
+
+    def place(self, t: float, q: Array | None = None) -> None:
+        """Move all moving parts to their poses at time t [s], the arm to q (n,) where it is given."""
+        q = self.motion.trajectory(t) if q is None else q
+        self.figures[0].place(q)
         for part, figure in zip(self.motion.moved, self.parts, strict=True):
             figure.place(part.at(t, self.motion.robot, q))
-        if self.seed is not None and self.motion.seed is not None:
-            self.seed.place(self.motion.seed.at(t))
+        for each in self.figures[1:]:
+            each.place(each.samples.at(t))
