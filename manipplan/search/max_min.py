@@ -15,6 +15,7 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.kinematics.batch import all_cores
 from manipplan.search.layers import Layers
 from manipplan.search.search import CandidatePath, ThresholdSearch
 from manipplan.search.sweep import (
@@ -226,8 +227,6 @@ def max_min_search(
     one_of("prefer", prefer, [each.value for each in Prefer])
     notify = as_callback(progress)
     if threads is None:
-        from manipplan.kinematics.batch import all_cores
-
         threads = all_cores()
     whole_number("threads", threads, least=1, most=MOST_THREADS)
     results = _results(layers, steps, bool(strict), Prefer(prefer), explain, notify, threads if layers.count >= THREADED else 1)
@@ -238,13 +237,37 @@ def max_min_search(
     return last
 
 
+#: Step between labels that no path may take.
+SAME = 0.5
+
+
+def search_within(
+    layers: Layers,
+    labels: Sequence[NDArray[np.int64]] | None,
+    epsilon: ArrayLike,
+    *,
+    prefer: str = "shortest",
+    strict: bool = True,
+) -> SearchResult:
+    """`max_min_search` for paths of candidates with one label, those of each layer (k_i,); None: any. It does not throw."""
+    if labels is None:
+        return max_min_search(layers, epsilon, strict=strict, prefer=prefer, explain=False, throw=False)
+    found = max_min_search(
+        layers.labelled(labels),
+        np.append(check_epsilon(epsilon, layers.continuous), SAME),
+        strict=strict,
+        prefer=prefer,
+        explain=False,
+        throw=False,
+    )
+    return replace(found, q=found.q[:, :-1], epsilon=found.epsilon[:-1])
+
+
 def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
     """For each candidate of the last layer (k,), the largest minimum manipulability of a continuous path that ends there.
 
     At most `cap`; -inf where no path leads there from the first layer. One pass. The paths need not close.
     """
-    from manipplan.kinematics.batch import all_cores
-
     reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=strict)
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
         return ThresholdSearch(replace(layers, closed=False), pool, silent, work=layers.count).last_values(
@@ -252,11 +275,39 @@ def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, 
         )
 
 
-def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
-    """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer."""
+def minimum_from_each(
+    layers: Layers,
+    epsilon: ArrayLike,
+    *,
+    labels: Sequence[NDArray[np.int64]] | None = None,
+    strict: bool = True,
+    cap: float = np.inf,
+) -> Array:
+    """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer.
+
+    `labels` as in `search_within`.
+    """
+    if labels is not None:
+        layers, epsilon = layers.labelled(labels), np.append(check_epsilon(epsilon, layers.continuous), SAME)
     s = None if layers.s is None else layers.s[::-1]
     backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], s=s, closed=False)
     return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)
+
+
+def path_above(layers: Layers, reach: Array, least: float) -> Array | None:
+    """The shortest of the paths (L, n) with the largest minimum manipulability, if that is at least `least`; None for none.
+
+    Each step is below its own row of `reach`, (L - 1, n) or, for closed layers, (L, n).
+    """
+    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
+        search = ThresholdSearch(layers, pool, silent, work=layers.count)
+        if search.best(Widest(), Subset(threshold=least, cap=least), reach, "a better path") is None:  # told sooner
+            return None
+        best = search.best(Widest(), Subset(threshold=least), reach, "a better path")
+        assert best is not None
+        path = search.best(Shortest(), Subset(threshold=search.minimum_manipulability(best)), reach, "a better path")
+        assert path is not None
+        return search.configurations(path)
 
 
 def _results(

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.ik.newton import MovingArm
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.max_min import SearchResult, max_min_search, search_within
 from manipplan.search.program import PoseRows, joint_path
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
@@ -219,6 +220,15 @@ class ToolPathPlanner:
             pace = demand.joint_pace(self.robot) / slower
         return replace(self, demand=demand, layers=replace(self.layers, joint_pace=pace))
 
+    @property
+    def aspects(self) -> tuple[NDArray[np.int64], ...] | None:
+        """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
+        signs = singularity_signs(self._sampler.kinematics)
+        if signs is None:
+            return None
+        powers = 2 ** np.arange(len(signs.names))
+        return tuple((signs.values(q) >= 0) @ powers for q in self.layers.q)
+
     def at_any_pace(self) -> "ToolPathPlanner":
         """The same with all steps, also those on which joints are too fast for the tool speed."""
         return replace(self, layers=replace(self.layers, joint_pace=None))
@@ -226,6 +236,10 @@ class ToolPathPlanner:
     def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
         return among[self._halvings[among] < halvings]
+
+    def pieces(self, halvings: int) -> NDArray[np.int64]:
+        """Into how many pieces each interval between positions (k,) can be divided, halved so often in all."""
+        return 2 ** np.maximum(halvings - self._halvings, 0)
 
     @property
     def _halvings(self) -> NDArray[np.int64]:
@@ -235,16 +249,24 @@ class ToolPathPlanner:
 
     def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
+        pieces = np.ones_like(self._halvings)
+        pieces[intervals] = 2
+        return self.divided(pieces, progress)
+
+    def divided(self, pieces: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
+        """The same with each interval between positions divided into a number of equal pieces (k,), powers of 2."""
         assert self.layers.s is not None
-        return self.with_positions((self.layers.s[intervals] + np.append(self.layers.s[1:], 1.0)[intervals]) / 2, progress)
+        s = np.append(self.layers.s, 1.0)
+        between = [np.linspace(s[k], s[k + 1], count + 1)[1:-1] for k, count in enumerate(pieces)]
+        return self.with_positions(np.concatenate(between), progress)
 
     def with_positions(self, s: Array, progress: Progress) -> "ToolPathPlanner":
         """The same with positions at s (k,), ascending, too, which are between those there are."""
         assert self.layers.sampling is not None and self.layers.s is not None
         intervals = np.searchsorted(self.layers.s, s) - 1
         layers = self.layers.sampling.with_positions(self.layers, s, progress)
-        halvings = self._halvings.copy()
-        halvings[intervals] += 1
+        added = np.bincount(intervals, minlength=len(self._halvings))
+        halvings = self._halvings + np.ceil(np.log2(added + 1)).astype(np.int64)
         halvings = np.insert(halvings, intervals + 1, halvings[intervals])
         return replace(self, layers=layers.inside(self._sampler.spec.robot.limits), halvings=halvings)
 
@@ -323,12 +345,16 @@ class ToolPathPlanner:
         pace, layers = None if demand is None else self.at_speed(demand).layers.joint_pace, self.layers
         if demand is None or pace is None or made.keeps_speed:
             return made
+        aspects = self.aspects
+        if aspects is not None and len({int(each[k]) for each, k in zip(aspects, found.indices, strict=True)}) > 1:
+            aspects = None
         if hold_start:
             layers = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
+            aspects = None if aspects is None else (aspects[0][first], *aspects[1:])
 
         def search(slower: float, prefer: Literal["shortest", "first"] = "shortest") -> SearchResult:
             slow = replace(layers, joint_pace=pace / slower)
-            return max_min_search(slow, found.epsilon, prefer=prefer, strict=found.strict, explain=False, throw=False)
+            return search_within(slow, aspects, found.epsilon, prefer=prefer, strict=found.strict)
 
         low, high = 0.0, _largest(lambda slower: search(slower, "first").connected)
         for k in range(1 + BETWEEN_PACES):
