@@ -15,6 +15,7 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from manipplan.kinematics.batch import all_cores
 from manipplan.search.layers import Layers
 from manipplan.search.search import CandidatePath, ThresholdSearch
 from manipplan.search.sweep import (
@@ -226,8 +227,6 @@ def max_min_search(
     one_of("prefer", prefer, [each.value for each in Prefer])
     notify = as_callback(progress)
     if threads is None:
-        from manipplan.kinematics.batch import all_cores
-
         threads = all_cores()
     whole_number("threads", threads, least=1, most=MOST_THREADS)
     results = _results(layers, steps, bool(strict), Prefer(prefer), explain, notify, threads if layers.count >= THREADED else 1)
@@ -243,8 +242,6 @@ def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, 
 
     At most `cap`; -inf where no path leads there from the first layer. One pass. The paths need not close.
     """
-    from manipplan.kinematics.batch import all_cores
-
     reach = exclusive(check_epsilon(epsilon, layers.continuous), strict=strict)
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
         return ThresholdSearch(replace(layers, closed=False), pool, silent, work=layers.count).last_values(
@@ -257,6 +254,22 @@ def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True
     s = None if layers.s is None else layers.s[::-1]
     backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], s=s, closed=False)
     return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)
+
+
+def path_above(layers: Layers, reach: Array, least: float) -> Array | None:
+    """The shortest of the paths (L, n) with the largest minimum manipulability, if that is at least `least`; None for none.
+
+    Each step is below its own row of `reach`, (L - 1, n) or, for closed layers, (L, n).
+    """
+    with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
+        search = ThresholdSearch(layers, pool, silent, work=layers.count)
+        if search.best(Widest(), Subset(threshold=least, cap=least), reach, "a better path") is None:  # told sooner
+            return None
+        best = search.best(Widest(), Subset(threshold=least), reach, "a better path")
+        assert best is not None
+        path = search.best(Shortest(), Subset(threshold=search.minimum_manipulability(best)), reach, "a better path")
+        assert path is not None
+        return search.configurations(path)
 
 
 def _results(

@@ -227,6 +227,10 @@ class ToolPathPlanner:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
         return among[self._halvings[among] < halvings]
 
+    def pieces(self, halvings: int) -> NDArray[np.int64]:
+        """Into how many pieces each interval between positions (k,) can be divided, halved so often in all."""
+        return 2 ** np.maximum(halvings - self._halvings, 0)
+
     @property
     def _halvings(self) -> NDArray[np.int64]:
         if self.halvings is not None:
@@ -235,16 +239,24 @@ class ToolPathPlanner:
 
     def halved(self, intervals: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with a position half-way in each of the intervals, which begin at positions `intervals` (k,)."""
+        pieces = np.ones_like(self._halvings)
+        pieces[intervals] = 2
+        return self.divided(pieces, progress)
+
+    def divided(self, pieces: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
+        """The same with each interval between positions divided into a number of equal pieces (k,), powers of 2."""
         assert self.layers.s is not None
-        return self.with_positions((self.layers.s[intervals] + np.append(self.layers.s[1:], 1.0)[intervals]) / 2, progress)
+        s = np.append(self.layers.s, 1.0)
+        between = [np.linspace(s[k], s[k + 1], count + 1)[1:-1] for k, count in enumerate(pieces)]
+        return self.with_positions(np.concatenate(between), progress)
 
     def with_positions(self, s: Array, progress: Progress) -> "ToolPathPlanner":
         """The same with positions at s (k,), ascending, too, which are between those there are."""
         assert self.layers.sampling is not None and self.layers.s is not None
         intervals = np.searchsorted(self.layers.s, s) - 1
         layers = self.layers.sampling.with_positions(self.layers, s, progress)
-        halvings = self._halvings.copy()
-        halvings[intervals] += 1
+        added = np.bincount(intervals, minlength=len(self._halvings))
+        halvings = self._halvings + np.ceil(np.log2(added + 1)).astype(np.int64)
         halvings = np.insert(halvings, intervals + 1, halvings[intervals])
         return replace(self, layers=layers.inside(self._sampler.spec.robot.limits), halvings=halvings)
 

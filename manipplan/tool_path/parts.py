@@ -10,6 +10,7 @@ from functools import cached_property, partial
 from itertools import chain, pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
@@ -20,7 +21,8 @@ from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
-from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.max_min import SearchResult, max_min_search, path_above
+from manipplan.search.sweep import check_epsilon, path_steps
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
@@ -119,6 +121,9 @@ class NotConnected(Failure):
 
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
 HALVED, HALVED_STEP = 3, 6
+#: Relative gain in the minimum manipulability for which positions are added, how often at most, and largest step of a continuous
+#: joint that is considered there [rad].
+GAIN, RAISED, LONGEST = 0.01, 8, 3.0
 #: Maximum number of candidates up to which positions are added.
 MOST = 20_000_000
 
@@ -145,6 +150,51 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
             return planner
         notify(0.0, f"positions half-way in {len(intervals)} intervals")
         planner = planner.halved(intervals, notify)
+
+
+def raise_minimum(
+    planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
+) -> ToolPathPlanner:
+    """The planner with more positions where joints have to be faster for a larger minimum manipulability.
+
+    A search in which steps may be longer tells where a better motion needs that. Positions are put there, and beside, where
+    such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
+    a minimum larger by GAIN, even with the longest steps that positions can be put between.
+    """
+    best, least = planner, -np.inf
+    for _ in range(RAISED):
+        begun = planner if start is None else planner.starting_at(start)
+        found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False)
+        if best is planner or found.minimum > least + GAIN * abs(least):
+            best, least = planner, found.minimum
+        needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least)) if found.connected else np.ones(0)
+        if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST or planner.deadline.passed:
+            break
+        notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
+        try:
+            planner = planner.divided(needed, silent)
+        except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
+            break
+    return best
+
+
+def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float) -> NDArray[np.int64]:
+    """Into how many pieces each interval between positions (k,) has to be divided for a minimum manipulability of `least`.
+
+    All 1 where none is possible with the longest steps.
+    """
+    layers, most = planner.layers, planner.pieces(HALVED)
+    steps = check_epsilon(epsilon, layers.continuous)
+    for faster in 2 ** np.arange(1, HALVED + 1):
+        reach = steps * np.minimum(faster, most)[:, None]
+        reach[:, layers.continuous] = np.minimum(reach[:, layers.continuous], LONGEST)
+        q = path_above(layers, reach, least)
+        if q is not None:
+            needed = np.abs(path_steps(q, layers.continuous, closed=layers.closed) / steps).max(axis=1)
+            pieces = 2 ** (np.floor(np.log2(np.maximum(needed, 0.5))).astype(np.int64) + 1)
+            wide = np.pad(pieces > 1, 1, mode="wrap" if layers.closed else "constant")
+            return np.minimum(np.where(wide[:-2] | wide[2:], np.maximum(pieces, 2), pieces), most)
+    return np.ones_like(most)
 
 
 def find_whole(
@@ -235,7 +285,9 @@ def _closely(
         share = part(notify, 1 - 0.5**k, 1 - 0.5 ** (k + 1))
         try:
             if connects:
-                planner = connect(planner, epsilon, part(share, 0.0, 0.3), start=start)
+                planner = connect(planner, epsilon, part(share, 0.0, 0.2), start=start)
+                if not k and planner.demand is None and not planner.has_several_parameters:
+                    planner = raise_minimum(planner, epsilon, part(share, 0.2, 0.3), start=start)
             options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
         except OutOfTimeError:
             if found is None:
