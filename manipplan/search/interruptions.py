@@ -82,16 +82,18 @@ def fewest_interruptions(
         edges = _edges(first, closed=layers.closed)
         if not edges:
             raise PlanningError(_gap(search.first_positions(Subset(), reach, "gaps"), len(layers.q)), None)
-        # values[low] allows so few parts, values[high] does not
-        low, high, stride = 0, len(values), FIRST
+        # values[low] allows so few parts, values[high] does not; more and more values from above, then in turns the value next
+        # to what the best paths of the parts reach, and half-way
+        low, high, stride, next_to = 0, len(values), FIRST, False
         while high - low > 1:
-            k = (low + high) // 2 if low else max(high - stride, high // 2)
+            k = max(high - stride, high // 2) if not low else low + 1 if next_to else (low + high) // 2
             higher = first_above(k)
             found = _edges(higher, closed=layers.closed)
             if len(found) == len(edges):
-                first, edges, low = higher, found, k
+                first, edges, next_to = higher, found, not next_to
+                low = int(np.searchsorted(values, search.minimum_between(_between(first, edges, SHARES[0]), values[k], reach)))
             else:
-                high, stride = k, GROWTH * stride
+                high, stride, next_to = k, GROWTH * stride, True
     middle, *others = dict.fromkeys(_between(first, edges, share) for share in SHARES)
     return Interruptions(edges=middle, minimum=float(values[low]), others=tuple(others))
 

@@ -2,9 +2,9 @@
 
 import heapq
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain, count
+from itertools import chain, count, pairwise
 from typing import Any
 
 import numpy as np
@@ -143,6 +143,20 @@ class ThresholdSearch:
             self._tick(len(cells.ids), text)
         self.rounds += 1
         return np.arange(len(stages)) - lengths
+
+    def minimum_between(self, edges: Sequence[int], least: float, reach: Array) -> float:
+        """The largest minimum manipulability of paths from each of `edges`, positions, to the next, if that is at least `least`.
+
+        Positions of a cycle count on beyond its last. -inf where there is none.
+        """
+        part = Subset(threshold=least)
+        stages = self._stages(reach) * (2 if self.layers.closed else 1)
+        grid = self._grid(reach, sum(int(np.count_nonzero(m >= least)) for m in self.layers.m))
+        best = np.inf
+        for first, last in pairwise(edges):
+            some = self._sort(stages[first : last + 1], part, grid)
+            best = min(best, self._sweep(some, grid, Widest(), "parts").value)
+        return best
 
     def last_values(self, part: Subset, reach: Array) -> Array:
         """The largest minimum manipulability of a path to each candidate of the last layer (k,); -inf where none leads."""
