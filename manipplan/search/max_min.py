@@ -237,6 +237,32 @@ def max_min_search(
     return last
 
 
+#: Step between labels that no path may take.
+SAME = 0.5
+
+
+def search_within(
+    layers: Layers,
+    labels: Sequence[NDArray[np.int64]] | None,
+    epsilon: ArrayLike,
+    *,
+    prefer: str = "shortest",
+    strict: bool = True,
+) -> SearchResult:
+    """`max_min_search` for paths of candidates with one label, those of each layer (k_i,); None: any. It does not throw."""
+    if labels is None:
+        return max_min_search(layers, epsilon, strict=strict, prefer=prefer, explain=False, throw=False)
+    found = max_min_search(
+        layers.labelled(labels),
+        np.append(check_epsilon(epsilon, layers.continuous), SAME),
+        strict=strict,
+        prefer=prefer,
+        explain=False,
+        throw=False,
+    )
+    return replace(found, q=found.q[:, :-1], epsilon=found.epsilon[:-1])
+
+
 def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
     """For each candidate of the last layer (k,), the largest minimum manipulability of a continuous path that ends there.
 
@@ -249,8 +275,20 @@ def minimum_to_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, 
         )
 
 
-def minimum_from_each(layers: Layers, epsilon: ArrayLike, *, strict: bool = True, cap: float = np.inf) -> Array:
-    """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer."""
+def minimum_from_each(
+    layers: Layers,
+    epsilon: ArrayLike,
+    *,
+    labels: Sequence[NDArray[np.int64]] | None = None,
+    strict: bool = True,
+    cap: float = np.inf,
+) -> Array:
+    """The same for each candidate of the first layer (k,), of the paths that begin there and lead to the last layer.
+
+    `labels` as in `search_within`.
+    """
+    if labels is not None:
+        layers, epsilon = layers.labelled(labels), np.append(check_epsilon(epsilon, layers.continuous), SAME)
     s = None if layers.s is None else layers.s[::-1]
     backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], s=s, closed=False)
     return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)

@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.ik.newton import MovingArm
+from manipplan.kinematics.factors import singularity_signs
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchResult, max_min_search
+from manipplan.search.max_min import SearchResult, max_min_search, search_within
 from manipplan.search.program import PoseRows, joint_path
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
@@ -219,6 +220,15 @@ class ToolPathPlanner:
             pace = demand.joint_pace(self.robot) / slower
         return replace(self, demand=demand, layers=replace(self.layers, joint_pace=pace))
 
+    @property
+    def aspects(self) -> tuple[NDArray[np.int64], ...] | None:
+        """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
+        signs = singularity_signs(self._sampler.kinematics)
+        if signs is None:
+            return None
+        powers = 2 ** np.arange(len(signs.names))
+        return tuple((signs.values(q) >= 0) @ powers for q in self.layers.q)
+
     def at_any_pace(self) -> "ToolPathPlanner":
         """The same with all steps, also those on which joints are too fast for the tool speed."""
         return replace(self, layers=replace(self.layers, joint_pace=None))
@@ -335,12 +345,16 @@ class ToolPathPlanner:
         pace, layers = None if demand is None else self.at_speed(demand).layers.joint_pace, self.layers
         if demand is None or pace is None or made.keeps_speed:
             return made
+        aspects = self.aspects
+        if aspects is not None and len({int(each[k]) for each, k in zip(aspects, found.indices, strict=True)}) > 1:
+            aspects = None
         if hold_start:
             layers = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
+            aspects = None if aspects is None else (aspects[0][first], *aspects[1:])
 
         def search(slower: float, prefer: Literal["shortest", "first"] = "shortest") -> SearchResult:
             slow = replace(layers, joint_pace=pace / slower)
-            return max_min_search(slow, found.epsilon, prefer=prefer, strict=found.strict, explain=False, throw=False)
+            return search_within(slow, aspects, found.epsilon, prefer=prefer, strict=found.strict)
 
         low, high = 0.0, _largest(lambda slower: search(slower, "first").connected)
         for k in range(1 + BETWEEN_PACES):

@@ -16,10 +16,8 @@ from numpy.typing import NDArray
 
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import APART, GoalCandidate, rate_candidates, straight_lines
-from manipplan.kinematics.factors import singularity_signs
 from manipplan.robots.robot import Robot
-from manipplan.search.layers import Layers
-from manipplan.search.max_min import SearchResult, max_min_search, minimum_from_each
+from manipplan.search.max_min import SearchResult, minimum_from_each, search_within
 from manipplan.support.checks import Array
 from manipplan.support.deadline import Deadline, work_time
 from manipplan.support.progress import Progress, part
@@ -63,52 +61,25 @@ class FirstConfigurations:
     @cached_property
     def _found(self) -> tuple[Array, tuple[NDArray[np.int64], ...] | None]:
         """The minima, and the aspects of all candidates of each layer; None where motions do not stay in one."""
-        layers = self.planner.layers
-        aspects = self._aspects()
-        if aspects is None:
-            return self._minima(layers), None
-        minimum = np.full(len(layers.q[0]), -np.inf)
-        for aspect in np.unique(aspects[0]):
-            some = _of_aspect(layers, aspects, aspect)
-            if some is not None:
-                minimum[aspects[0] == aspect] = self._minima(some)
-        if (minimum > -np.inf).any():
+        aspects = self.planner.aspects
+        if aspects is not None and ((minimum := self._minima(aspects)) > -np.inf).any():
             return minimum, aspects
-        return self._minima(layers), None
+        return self._minima(None), None
 
-    def _minima(self, layers: Layers) -> Array:
-        return minimum_from_each(layers, self.best.epsilon, strict=self.best.strict, cap=self.cap)
-
-    def _aspects(self) -> tuple[NDArray[np.int64], ...] | None:
-        """A number for the signs of the factors of det J at all candidates of each layer; None where J is not square."""
-        assert self.planner.layers.sampler is not None
-        signs = singularity_signs(self.planner.layers.sampler.kinematics)
-        if signs is None:
-            return None
-        powers = 2 ** np.arange(len(signs.names))
-        return tuple((signs.values(q) >= 0) @ powers for q in self.planner.layers.q)
+    def _minima(self, labels: tuple[NDArray[np.int64], ...] | None) -> Array:
+        strict = self.best.strict
+        return minimum_from_each(self.planner.layers, self.best.epsilon, labels=labels, strict=strict, cap=self.cap)
 
     def motion(self, k: int) -> SearchResult:
         """The best motion along the path from the k-th configuration; not connected where none returns to it."""
         layers, aspects = self.planner.layers, self._found[1]
         index = np.full(1, k)
-        if aspects is not None:
-            some = _of_aspect(layers, aspects, int(aspects[0][k]))
-            assert some is not None
-            inside = [np.flatnonzero(each == aspects[0][k]) for each in aspects]
-            layers = some
         first = replace(
-            layers,
-            q=(np.ascontiguousarray(self.planner.layers.q[0][index]), *layers.q[1:]),
-            m=(self.planner.layers.m[0][index], *layers.m[1:]),
+            layers, q=(np.ascontiguousarray(layers.q[0][index]), *layers.q[1:]), m=(layers.m[0][index], *layers.m[1:])
         )
-        found = max_min_search(first, self.best.epsilon, strict=self.best.strict, explain=False, throw=False)
-        if not found.connected:
-            return found
-        rest = found.indices[1:]
-        if aspects is not None:
-            rest = np.array([which[i] for which, i in zip(inside[1:], rest, strict=True)], dtype=np.int64)
-        return replace(found, indices=np.concatenate([index, rest]))
+        labels = None if aspects is None else (aspects[0][index], *aspects[1:])
+        found = search_within(first, labels, self.best.epsilon, strict=self.best.strict)
+        return replace(found, indices=np.concatenate([index, found.indices[1:]])) if found.connected else found
 
     def ranked(self, start: Array, integral: PathIntegral) -> Iterator[tuple[GoalCandidate, int]]:
         """The configurations and their indices, the best for a motion from start (n,) first, each farther than APART from those
@@ -193,15 +164,6 @@ def _steps(minima: Array) -> Array:
         return np.zeros(len(minima))
     with np.errstate(divide="ignore"):
         return np.asarray(np.floor(np.log(most / np.maximum(minima, 0.0)) / np.log1p(GAIN)))
-
-
-def _of_aspect(layers: Layers, aspects: tuple[NDArray[np.int64], ...], aspect: int) -> Layers | None:
-    """The candidates of one aspect; None where a layer has none."""
-    members = [each == aspect for each in aspects]
-    if not all(each.any() for each in members):
-        return None
-    q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(layers.q, members, strict=True))
-    return replace(layers, q=q, m=tuple(m[each] for m, each in zip(layers.m, members, strict=True)))
 
 
 #: Maximum number of motions that are planned, of first configurations to which a lead-in is tried, and of those listed.

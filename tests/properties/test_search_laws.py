@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from manipplan.search import max_min, sweep
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.layers import Layers
-from manipplan.search.max_min import max_min_search, minimum_from_each
+from manipplan.search.max_min import max_min_search, minimum_from_each, path_above, search_within
 from manipplan.support.errors import PlanningError
 from manipplan.support.status import Status
 
@@ -289,3 +289,48 @@ def test_gaps_are_where_the_way_from_the_start_ends_and_the_way_to_the_next_posi
         assert found.ranges[0] == (max(begin - 1, 0), last + 1)
         seen += begin < last + 1
     assert seen > 10
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_paths_within_one_label_are_the_best_of_each_label_alone(closed):
+    rng = np.random.default_rng(7 + closed)
+    found = 0
+    for _ in range(60):
+        layers, epsilon = layered.random_layers(rng, closed=closed)
+        labels = tuple(rng.integers(0, 2, len(m)) for m in layers.m)
+        alone = [-np.inf]
+        for label in (0, 1):
+            members = [each == label for each in labels]
+            if all(each.any() for each in members):
+                q = [q[each] for q, each in zip(layers.q, members, strict=True)]
+                m = [m[each] for m, each in zip(layers.m, members, strict=True)]
+                some = Layers.from_arrays(q, m, continuous=layers.continuous, closed=closed)
+                alone.append(layered.widest(some, epsilon, True))
+        result = search_within(layers, labels, epsilon)
+        assert result.minimum == max(alone)
+        found += result.connected
+        if result.connected:
+            check_path(layers, epsilon, True, result)
+            assert len({int(each[k]) for each, k in zip(labels, result.indices, strict=True)}) == 1
+            if not closed:
+                assert minimum_from_each(layers, result.epsilon, labels=labels).max() == result.minimum
+    assert 5 < found < 55
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_path_above_a_minimum_is_the_best_one_or_none(closed):
+    rng = np.random.default_rng(9 + closed)
+    connected = 0
+    for _ in range(60):
+        layers, epsilon = layered.random_layers(rng, closed=closed)
+        reach = np.tile(epsilon, (len(layers.q) - (not closed), 1))
+        best = layered.widest(layers, epsilon, True)
+        if best == -np.inf:
+            assert path_above(layers, reach, float(min(m.min() for m in layers.m))) is None
+            continue
+        connected += 1
+        q = path_above(layers, reach, best)
+        indices = tuple(int(np.abs(rows - each).max(axis=1).argmin()) for rows, each in zip(layers.q, q, strict=True))
+        assert (np.abs(layered.path_steps(layers, indices)) < epsilon).all()
+        assert path_above(layers, reach, np.nextafter(best, np.inf)) is None
+    assert 5 < connected < 60
