@@ -145,9 +145,9 @@ class ThresholdSearch:
         return np.arange(len(stages)) - lengths
 
     def minimum_between(self, edges: Sequence[int], least: float, reach: Array) -> float:
-        """The largest minimum manipulability of paths from each of `edges`, positions, to the next, if that is at least `least`.
+        """The largest minimum manipulability of paths from each of `edges`, positions, to the next; -inf if below `least`.
 
-        Positions of a cycle count on beyond its last. -inf where there is none.
+        Positions of a cycle count on beyond its last.
         """
         part = Subset(threshold=least)
         stages = self._stages(reach) * (2 if self.layers.closed else 1)

@@ -121,8 +121,8 @@ class NotConnected(Failure):
 
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
 HALVED, HALVED_STEP = 3, 6
-#: Relative gain in the minimum manipulability for which positions are added, how often at most, and largest step of a continuous
-#: joint that is considered there [rad].
+#: Relative gain in the minimum manipulability for which positions are added, how often at most, and largest step of a
+#: continuous joint that is considered there [rad].
 GAIN, RAISED, LONGEST = 0.01, 8, 3.0
 #: Maximum number of candidates up to which positions are added.
 MOST = 20_000_000
