@@ -269,7 +269,7 @@ def test_corners_and_gaps_that_need_more_interruptions_than_allowed_are_refused(
     poses = path(path.knots)
     for k, angle in enumerate(11.0 * s):
         poses[k, :3, :3] = poses[k, :3, :3] @ pin.exp3(np.array([0.0, 0.0, angle]))
-    path, asked = mp.CartesianPath.through(poses), {"tool_speed": 0.02, "retreat": 0.0}
+    path, asked = mp.CartesianPath.through(poses), {"tool_speed": 0.02, "retreat": 0.0, "positions": 40, **FEW}
     with pytest.raises(mp.errors.InvalidInputError, match="interruptions: got 1; allowed: at least 2, at corners and where no"):
         mp.follow(panda, path, interruptions=1, **asked)
     plan = mp.follow(panda, path, interruptions=2, **asked)
