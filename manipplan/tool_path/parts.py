@@ -167,7 +167,7 @@ def raise_minimum(
         found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False)
         if best is planner or found.minimum > least + GAIN * abs(least):
             best, least = planner, found.minimum
-        needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least)) if found.connected else np.ones(0)
+        needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least)) if found.connected else np.ones(0, dtype=np.int64)
         if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST or planner.deadline.passed:
             break
         notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
@@ -193,7 +193,7 @@ def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float) -
             needed = np.abs(path_steps(q, layers.continuous, closed=layers.closed) / steps).max(axis=1)
             pieces = 2 ** (np.floor(np.log2(np.maximum(needed, 0.5))).astype(np.int64) + 1)
             wide = np.pad(pieces > 1, 1, mode="wrap" if layers.closed else "constant")
-            return np.minimum(np.where(wide[:-2] | wide[2:], np.maximum(pieces, 2), pieces), most)
+            return np.asarray(np.minimum(np.where(wide[:-2] | wide[2:], np.maximum(pieces, 2), pieces), most))
     return np.ones_like(most)
 
 
