@@ -32,7 +32,7 @@ import pinocchio as pin
 from rich.progress import track
 from servo_judge import DT, LENGTH, Arm, Array, Law, arms, judge, leaving_bound, simulate
 from servo_laws import LAWS, Ours, robot_of
-from servo_streams import POSTURES, designed, steady, touching
+from servo_streams import POSTURES, designed, is_walk, steady, touching
 
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "servo.md"
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
@@ -146,19 +146,19 @@ def main() -> None:
     lines += [head.rpartition("| leaving")[0] + "|", "|" + "---|" * 8]
     laws = {name: Ours(arm) for name, arm in models.items()}
     by_arm: dict[str, list[Figures]] = {name: [] for name in NAMES}
-    halts, odd = 0, {name: list[bool]() for name in NAMES}
+    halts, walking = 0, {name: list[bool]() for name in NAMES}
     for k in track(range(count), description="random streams"):
         arm = models[NAMES[k % len(NAMES)]]
         stream = touching(arm, k)
         figures = judge(arm, simulate(laws[arm.name], arm, stream.start, stream.twist, stream.seconds))
         by_arm[arm.name].append(figures)
-        odd[arm.name].append(k % 2 == 1)
+        walking[arm.name].append(is_walk(k))
         halts += int(figures["halts"] + figures["errors"])
         if figures["stalled"] or figures["backward"] or figures["halts"]:
             print(k, arm.name, {k: round(v, 3) for k, v in figures.items()}, flush=True)
     for name, each in by_arm.items():
         if each:
-            lines.append(row(name, each, [True] * len(each), []).rpartition("| 0 of 0")[0] + "|")
+            lines.append(row(name, each, walking[name], []).rpartition("| 0 of 0")[0] + "|")
     every = [each for part in by_arm.values() for each in part]
     lines += [
         "",

@@ -200,15 +200,20 @@ def singular_postures(arm: Arm, count: int, seed: int) -> list[Array]:
     return found
 
 
+def is_walk(number: int) -> bool:
+    """Whether the random stream of this number is a walk; six arms take turns."""
+    return number // 6 % 2 == 1
+
+
 def touching(arm: Arm, number: int, seconds: float = 20.0) -> Stream:
     """The stream of this number that begins at or near a singular posture: a walk, or lines and turns along what is lost."""
     start = singular_postures(arm, 1, number)[0]
     rng = np.random.default_rng(10_000 + number)
     u = lost(arm, start)
-    if number % 3:  # every third begins exactly there
+    if number // 12 % 3:  # a third begins exactly there
         offset = rng.uniform(-0.2, 0.2, arm.n)
         start = np.clip(start + offset, np.maximum(arm.lower, -10), np.minimum(arm.upper, 10))
-    if number % 2:
+    if is_walk(number):
         return Stream(arm=arm.name, start=start, twist=walk(number, seconds), seconds=seconds)
     parts = []
     for i in range(round(seconds / 2.5)):
