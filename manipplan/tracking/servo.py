@@ -113,7 +113,7 @@ class ServoGauge(NamedTuple):
 
 
 class Servo:
-    """Follows streams of twists, poses or joint velocities, and neither stops at a singularity nor runs away there.
+    """Joint velocities that follow streams of twists, poses or joint velocities, through singularities and out of them.
 
     Every step keeps the position, velocity and acceleration limits exactly, from any state from which the arm can stop in time,
     and jerk limits where they are finite and time steps equal `dt`. Values from sensors or operators never raise an error: a

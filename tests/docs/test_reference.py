@@ -7,6 +7,7 @@ from collections import Counter
 from pathlib import Path
 
 import manipplan
+from manipplan.results import ServoStatus, StepStatus
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -66,10 +67,10 @@ def test_every_work_that_is_cited_is_in_the_literature():
 def test_every_status_has_its_remedy_on_the_page():
     page = (DOCS / "howto" / "status.md").read_text(encoding="utf-8")
     tables = re.findall(r"\| (.*?) \| what .*\n\|[-|]+\n((?:\|.*\n)+)", page)
-    steps = "{py:class}`~manipplan.results.StepStatus`"
+    steps = {kind: f"{{py:class}}`~manipplan.results.{kind.__name__}`" for kind in (StepStatus, ServoStatus)}
     for kind, wanted in (
-        (manipplan.Status, lambda head: head != steps),
-        (manipplan.results.StepStatus, lambda head: head == steps),
+        (manipplan.Status, lambda head: head not in steps.values()),
+        *((kind, lambda head, name=name: head == name) for kind, name in steps.items()),
     ):
         rows = [row.split("|")[1:-1] for head, table in tables if wanted(head) for row in table.splitlines()]
         assert [row[0].strip(" `") for row in rows] == [each.name for each in kind]
