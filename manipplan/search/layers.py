@@ -237,12 +237,6 @@ class Layers:
         q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, inside, strict=True))
         return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, inside, strict=True)))
 
-    def labelled(self, labels: Sequence[NDArray[np.int64]]) -> Self:
-        """The same with the label of each candidate (k_i,) as one more joint, so that steps below 1 keep it."""
-        pace = None if self.joint_pace is None else np.append(self.joint_pace, np.inf)
-        q = tuple(np.column_stack([q, each]).astype(np.float64) for q, each in zip(self.q, labels, strict=True))
-        return replace(self, q=q, continuous=np.append(self.continuous, False), joint_pace=pace)
-
     def part(self, first: int, last: int) -> Self:
         """The open layers from one position to another one of these, both included."""
         own = slice(first, last + 1)

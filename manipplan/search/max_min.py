@@ -241,6 +241,14 @@ def max_min_search(
 SAME = 0.5
 
 
+def _labelled(layers: Layers, labels: Sequence[NDArray[np.int64]], epsilon: ArrayLike) -> tuple[Layers, Array]:
+    """The layers with the label of each candidate (k_i,) as one more joint, and steps (n + 1,) that keep it."""
+    pace = None if layers.joint_pace is None else np.append(layers.joint_pace, np.inf)
+    q = tuple(np.column_stack([q, each]).astype(np.float64) for q, each in zip(layers.q, labels, strict=True))
+    made = replace(layers, q=q, continuous=np.append(layers.continuous, False), joint_pace=pace)
+    return made, np.append(check_epsilon(epsilon, layers.continuous), SAME)
+
+
 def search_within(
     layers: Layers,
     labels: Sequence[NDArray[np.int64]] | None,
@@ -252,14 +260,8 @@ def search_within(
     """`max_min_search` for paths of candidates with one label, those of each layer (k_i,); None: any. It does not throw."""
     if labels is None:
         return max_min_search(layers, epsilon, strict=strict, prefer=prefer, explain=False, throw=False)
-    found = max_min_search(
-        layers.labelled(labels),
-        np.append(check_epsilon(epsilon, layers.continuous), SAME),
-        strict=strict,
-        prefer=prefer,
-        explain=False,
-        throw=False,
-    )
+    labelled, steps = _labelled(layers, labels, epsilon)
+    found = max_min_search(labelled, steps, strict=strict, prefer=prefer, explain=False, throw=False)
     return replace(found, q=found.q[:, :-1], epsilon=found.epsilon[:-1])
 
 
@@ -288,7 +290,7 @@ def minimum_from_each(
     `labels` as in `search_within`.
     """
     if labels is not None:
-        layers, epsilon = layers.labelled(labels), np.append(check_epsilon(epsilon, layers.continuous), SAME)
+        layers, epsilon = _labelled(layers, labels, epsilon)
     s = None if layers.s is None else layers.s[::-1]
     backwards = replace(layers, q=layers.q[::-1], m=layers.m[::-1], s=s, closed=False)
     return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)

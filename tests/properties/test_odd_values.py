@@ -46,6 +46,7 @@ MADE = [
     "Robot",
     "Rollout",
     "SearchResult",
+    "ServoGauge",
     "SolutionSet",
     "SteadySpeed",
     "StepReport",
