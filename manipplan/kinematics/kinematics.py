@@ -30,7 +30,7 @@ from manipplan.support.memo import once_per_owner, source_of
 from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
-from manipplan.symbolic.machine_code import as_asked, compiled, do_without, wants_machine_code
+from manipplan.symbolic.machine_code import as_asked, check_compiled, compiled, do_without, wants_machine_code
 from manipplan.symbolic.motion import LedMotion, Motion
 from manipplan.symbolic.relative import Seen, task_rows
 from manipplan.symbolic.spanned import usual_task
@@ -444,8 +444,7 @@ def kinematics_of(
     """The kinematics of a robot, built once for each set of arguments; see `Robot.kinematics`."""
     task = instance("task", task if task is not None else robot.default_task, Task)
     chosen = measure_for(robot, task, measure_of(measure))
-    if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
-        raise InvalidInputError("compiled", compiled, "'auto', True or False")
+    check_compiled(compiled)
     threads = all_cores() if threads is None else whole_number("threads", threads, least=1, most=MOST_THREADS)
     if not isinstance(backend, str):
         raise InvalidInputError("backend", backend, "the name of a backend")

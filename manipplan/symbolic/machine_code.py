@@ -16,7 +16,7 @@ import numpy as np
 
 from manipplan.support.checks import Array
 from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library, load_stored
-from manipplan.support.errors import CompilerError, CompilerWarning, ManipplanError
+from manipplan.support.errors import CompilerError, CompilerWarning, InvalidInputError, ManipplanError
 from manipplan.support.files import cache_folder
 from manipplan.support.untrusted import is_identifier, printable
 
@@ -65,6 +65,12 @@ def generate_source(functions: Sequence[ca.Function]) -> str:
         generator.add(function)
     source: str = generator.dump()
     return source
+
+
+def check_compiled(compiled: bool | str) -> None:
+    """Raise InvalidInputError for anything but True, False and "auto"."""
+    if not (isinstance(compiled, bool) or (isinstance(compiled, str) and compiled == "auto")):
+        raise InvalidInputError("compiled", compiled, "'auto', True or False")
 
 
 def wants_machine_code(compiled: bool | str) -> bool:

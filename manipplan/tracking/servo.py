@@ -23,7 +23,7 @@ from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.support.expressions import making_expressions
 from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import SymbolicChain
-from manipplan.symbolic.machine_code import do_without, generate_source, native_flags, wants_machine_code
+from manipplan.symbolic.machine_code import check_compiled, do_without, generate_source, native_flags, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, avoidance_rows, set_moving
 from manipplan.tracking.bounds import velocity_bounds
@@ -163,6 +163,7 @@ class Servo:
         one_tool(instance("robot", robot, Robot), "a servo")
         self.robot, self.dt = robot, number("dt", dt, above=0.0)
         self.side = one_of("side", side, WAYS)
+        check_compiled(compiled)
         if task is None:
             task = Task.pose(LENGTH) if robot.default_task.name == "pose" else robot.default_task
         self.task = _usable(task)
@@ -365,6 +366,8 @@ class Servo:
     def _put(self, argument: str, into: Any, value: Any) -> None:
         """Write an argument; memoryviews take exactly as many doubles as they hold."""
         try:
+            if type(value) is not np.ndarray:
+                raise TypeError
             into[:] = value
         except (TypeError, ValueError, NotImplementedError):
             np.asarray(into)[...] = array_of_shape(argument, value, tuple(into.shape))
