@@ -132,7 +132,7 @@ def main() -> None:
     head += (
         "| over limits: velocity, acceleration (shares), position (rad) | leaving: cases; time over its bound: median, worst |"
     )
-    lines = ["### Designed streams", "", head, "|" + "---|" * 9]
+    lines = ["## Designed streams", "", head, "|" + "---|" * 9]
     walks = ["walk" in name for name in streams]
     for name, make in LAWS.items():
         found = []
@@ -142,7 +142,7 @@ def main() -> None:
             print(name, key, {k: round(v, 3) for k, v in found[-1].items()}, flush=True)
         lines.append(row(name, found, walks, leave(make, models, bounds)))
         print(lines[-1], flush=True)
-    lines += ["", f"### {count} random streams from singular postures", ""]
+    lines += ["", f"## {count} random streams from singular postures", ""]
     lines += [head.rpartition("| leaving")[0] + "|", "|" + "---|" * 8]
     laws = {name: Ours(arm) for name, arm in models.items()}
     by_arm: dict[str, list[Figures]] = {name: [] for name in NAMES}
@@ -165,7 +165,7 @@ def main() -> None:
         f"Of {len(every)} streams of 20 s, {sum(each['stalled'] > 0 for each in every)} have a stall, "
         f"{sum(each['backward'] > 0 for each in every)} a sample that moves backward, and {halts} steps halted or raised.",
         "",
-        "### Time of a step",
+        "## Time of a step",
         "",
         *steps_from_python(models),
         "",
