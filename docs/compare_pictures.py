@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[1]
 FOLDERS = ("docs/_static", "docs/pictures")
 #: Width at which pictures are compared [pixels], and the largest mean difference, of 255, of pictures that look the same.
 WIDTH, SAME = 120, 4.0
-#: Every so many frames of a film are compared.
+#: Of a film, one frame out of this number is compared.
 FRAMES = 10
 #: Largest difference of a coordinate of a drawing.
 APART = 1.0

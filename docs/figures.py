@@ -49,7 +49,7 @@ def number(name: str, row: str, column: str, place: int = 0, *, nth: int = 0) ->
 
 
 def shown(digits: int, name: str, row: str, column: str, place: int = 0, *, nth: int = 0) -> str:
-    """The number at a place of a cell, with so many digits after the point."""
+    """The number at a place of a cell, with `digits` digits after the point."""
     exact = Decimal(str(number(name, row, column, place, nth=nth)))
     return str(exact.quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP))
 
@@ -61,7 +61,7 @@ def text(name: str, pattern: str) -> tuple[str, ...]:
 
 
 def rounded(exact: float, digits: int = 2) -> str:
-    """A number with so many significant digits, without an exponent."""
+    """A number with `digits` significant digits, without an exponent."""
     size = float(f"{exact:.{digits - 1}e}")
     return f"{size:,.{max(digits - 1 - int(f'{size:e}'.split('e')[1]), 0)}f}"
 

@@ -897,7 +897,7 @@ static long read_command(Servo *servo) {
         if (!toward_pose(servo, servo->held)) return BAD_COMMAND;
     } else if (servo->fresh) {
         const double *axes = servo->frame == TOOL ? servo->rotation : servo->axes; /* both stored by columns */
-        if (!all_finite(6, servo->command)) return BAD_COMMAND;
+        if (!all_finite(6, servo->command) || (servo->frame == OTHER_AXES && !is_rotation(servo->axes, 3))) return BAD_COMMAND;
         for (int half = 0; half < 6; half += 3)
             for (int a = 0; a < 3; a++) {
                 servo->held[half + a] = servo->command[half + a];

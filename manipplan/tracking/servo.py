@@ -15,13 +15,12 @@ import numpy as np
 
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, array_of_shape, finite_array, instance, number, one_of, texts
+from manipplan.support.checks import Array, ArrayLike, array_of_shape, instance, number, one_of, texts
 from manipplan.support.compiling.compiler import load_library
 from manipplan.support.compiling.declarations import struct
 from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.support.expressions import making_expressions
-from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.machine_code import check_compiled, do_without, generate_source, native_flags, wants_machine_code
 from manipplan.symbolic.task import Task
@@ -52,7 +51,7 @@ class ServoStatus(IntEnum):
     NOT_SOLVED = 1
     #: There was no new command for longer than `timeout`: the arm brakes.
     STALE = 2
-    #: The command or an obstacle is not finite, or the target is no pose: the arm brakes.
+    #: The command or an obstacle is not finite, the target is no pose, or the axes are no rotation: the arm brakes.
     BAD_COMMAND = 3
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 4
@@ -391,7 +390,7 @@ class Servo:
             s.frame = {"world": _WORLD, "tool": _TOOL, "base": _OTHER_AXES}[one_of("frame", frame, FRAMES)]
             axes = self.robot.base[:3, :3]
         else:
-            s.frame, axes = _OTHER_AXES, _rotation("frame", frame)
+            s.frame, axes = _OTHER_AXES, array_of_shape("frame", frame, (3, 3))
         self._axes[:] = axes.ravel(order="F")
         world, tool = self.task.matrices
         if free is not None:
@@ -428,13 +427,6 @@ def _directions(free: Collection[str]) -> Collection[str]:
     if len(set(names)) == len(DIRECTIONS):
         raise InvalidInputError("free", names, "at most five of the six directions")
     return names
-
-
-def _rotation(argument: str, value: ArrayLike) -> Array:
-    matrix = finite_array(argument, value, (3, 3))
-    if np.abs(matrix @ matrix.T - np.eye(3)).max() > POSE or np.linalg.det(matrix) < 0:
-        raise InvalidInputError(argument, value, 'a rotation (3, 3), or "world", "base" or "tool"')
-    return matrix
 
 
 @making_expressions()

@@ -311,6 +311,18 @@ def test_wrong_commands_brake(servos, mode, value):
     assert np.abs(again).max() > 0
 
 
+@pytest.mark.parametrize("axes", [np.zeros((3, 3)), 2 * np.eye(3), np.diag([1.0, 1.0, -1.0]), np.full((3, 3), np.nan)])
+@pytest.mark.parametrize("free", [None, ("rz",)])
+def test_axes_that_are_no_rotation_brake(servos, axes, free):
+    servo = servos("ur5")
+    q, qd = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.full(6, 0.1)
+    braked = servo.step(q, qd, np.full(6, 0.01), axes, free=free)
+    assert servo.status is ServoStatus.BAD_COMMAND
+    assert np.allclose(braked, np.maximum(qd - servo.robot.limits.acceleration * DT, 0.0))
+    servo.step(q, qd, np.full(6, 0.01), "tool")
+    assert servo.status is ServoStatus.FOLLOWING
+
+
 def test_wrong_states_and_time_steps(servos):
     servo = servos("ur5")
     q, twist = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.array([0.01, 0, 0, 0, 0, 0])
@@ -426,8 +438,8 @@ def test_what_is_refused(servos):
         servo.step(q, np.zeros(6), np.zeros(3))
     with pytest.raises(mp.errors.InvalidInputError, match="tool"):
         servo.step(q, np.zeros(6), np.zeros(6), "tol")
-    with pytest.raises(mp.errors.InvalidInputError, match="rotation"):
-        servo.step(q, np.zeros(6), np.zeros(6), 2 * np.eye(3))
+    with pytest.raises(mp.errors.InvalidInputError, match="frame"):
+        servo.step(q, np.zeros(6), np.zeros(6), np.eye(4))
     with pytest.raises(mp.errors.InvalidInputError, match="free"):
         servo.step(q, np.zeros(6), np.zeros(6), free=("roll",))
     with pytest.raises(mp.errors.InvalidInputError, match="five"):

@@ -20,7 +20,7 @@ from manipplan.viz import style
 from manipplan.viz.motions import drawn_tools, ellipsoid_scale, limits_now
 from manipplan.viz.viewer.plan_viewer import Chart, ChartLine, switches, table
 from manipplan.viz.viewer.server import HOST, PORT, Page, require_extra
-from manipplan.viz.viewer.stage import EllipsoidFigure, RobotFigure, Surroundings, corners, draw_checked_layers, put
+from manipplan.viz.viewer.stage import Backdrop, EllipsoidFigure, RobotFigure, corners, draw_checked_layers, put
 
 #: Pictures per second, and number of pictures per update of the chart and the values.
 RATE, EVERY = 25.0, 3
@@ -156,7 +156,7 @@ class LiveViewer(Page):
         )
         self.target = self._target
         self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
-        self._layers |= Surroundings(self.server, robot, self._first, scene, box).layers
+        self._layers |= Backdrop(self.server, robot, self._first, scene, box).layers
         self._layers |= draw_checked_layers(self.server.scene, self.robot)
         self.handle.on_update(self._drag)
 

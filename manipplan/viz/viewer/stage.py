@@ -202,8 +202,8 @@ def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFig
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
-#: Vertical field of view of the camera [rad], in a picture so many times as wide as high; the script of the page widens it in
-#: a narrower one.
+#: Vertical field of view of the camera [rad], and the ratio of width to height of the pictures that it holds for; the page's script
+#: widens it in narrower ones.
 VIEW, WIDE = np.deg2rad(45.0), 1.5
 #: Share of the picture that is filled, and minimum distance of what is shown from the camera [m].
 FILLED, NEAREST = 0.94, 0.1
@@ -336,7 +336,7 @@ class Apart:
         self._stage.apart = value
 
 
-class Surroundings:
+class Backdrop:
     """Obstacles, floor and camera around an arm that starts at q (n,) and moves among points (k, 3) [m].
 
     Attributes:
@@ -457,7 +457,7 @@ class Stage:
         some = (q for each in motion.motions for q in each.q[:: len(motion.motions) * len(motion.t) // 12])
         points = np.concatenate([_corners_of(corners(motion.robot, q, moving=True)) for q in some])
         beside = APART_ONLY if self._beside else ""
-        self.around = Surroundings(server, motion.robot, ours.samples.q[0], motion.scene, points, beside=beside, wide=wide)
+        self.around = Backdrop(server, motion.robot, ours.samples.q[0], motion.scene, points, beside=beside, wide=wide)
         self.layers |= self.around.layers
         self.layers |= draw_checked_layers(scene, ours.robot)
         if motion.moved:
