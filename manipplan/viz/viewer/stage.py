@@ -202,8 +202,8 @@ def draw_checked_layers(scene: Any, figure: RobotFigure) -> dict[str, CheckedFig
 
 #: Directions from the contents of the view to the camera: for arms in space, and for planar arms, which are seen from above.
 FROM = {False: (1.0, -1.25, 0.6), True: (0.0, -0.55, 1.0)}
-#: Vertical field of view of the camera [rad], and the ratio of width to height of the pictures that it holds for; the page's script
-#: widens it in narrower ones.
+#: Vertical field of view of the camera [rad], and the ratio of width to height of the pictures that it holds for; the script of
+#: the page widens it in narrower ones.
 VIEW, WIDE = np.deg2rad(45.0), 1.5
 #: Share of the picture that is filled, and minimum distance of what is shown from the camera [m].
 FILLED, NEAREST = 0.94, 0.1
