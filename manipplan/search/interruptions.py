@@ -94,6 +94,9 @@ def fewest_interruptions(
                 low = int(np.searchsorted(values, search.minimum_between(_between(first, edges, SHARES[0]), values[k], reach)))
             else:
                 high, stride, next_to = k, GROWTH * stride, True
+        if low:
+            first = first_above(low)
+            edges = _edges(first, closed=layers.closed)
     middle, *others = dict.fromkeys(_between(first, edges, share) for share in SHARES)
     return Interruptions(edges=middle, minimum=float(values[low]), others=tuple(others))
 
