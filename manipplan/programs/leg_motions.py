@@ -31,7 +31,7 @@ from manipplan.timing.constant_speed import STEADY, SpeedDemand
 from manipplan.tool_path.engine import SPACING, ToolPathPlanner, outside_limits
 from manipplan.tool_path.entry import FirstConfigurations
 from manipplan.tool_path.gap import explain_gap
-from manipplan.tool_path.parts import NotConnected, connect, find_whole
+from manipplan.tool_path.parts import NotConnected, connect, find_whole, raise_minimum
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 #: Maximum step of a joint between neighbouring positions of a path [rad or m].
@@ -414,9 +414,10 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
     try:
         planner = planners.made(along, along.path, state)
         planner, first = planner.search(EPSILON, explain=along.positions is not None)
-        if not first.connected and along.positions is None:
-            planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
-            planner, first = planner.search(EPSILON)
+        if along.positions is None:
+            if not first.connected:
+                planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
+            planner, first = raise_minimum(planner, EPSILON, planners.check).search(EPSILON)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected:

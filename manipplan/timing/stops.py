@@ -12,6 +12,7 @@ import pinocchio as pin
 
 from manipplan.paths.joint import JointPath
 from manipplan.robots.limits import JointLimits
+from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
 from manipplan.support.display import one_line
@@ -220,7 +221,7 @@ class ToolSpeed:
     def __init__(self, robot: Robot) -> None:
         self.model = robot.model
         self.data = robot.model.createData()
-        self.frame = robot.model.getFrameId(robot.tool)
+        self.frame = frame_index(robot.model, robot.tool)
 
     def __call__(self, q: Array, qd: Array) -> Array:
         """Speeds [m/s] (k,) at q, qd (k, n)."""

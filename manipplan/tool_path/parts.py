@@ -157,11 +157,15 @@ def raise_minimum(
 ) -> ToolPathPlanner:
     """The planner with more positions where joints have to be faster for a larger minimum manipulability.
 
+    The same one for a tool speed, which the joints may not keep there, and for arms with several parameters.
+
     A search in which steps may be longer tells where a better motion needs that. Positions are put there, and beside, where
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
     a minimum larger by GAIN, even with the longest steps that positions can be put between.
     """
     best, least = planner, -np.inf
+    if planner.demand is not None or planner.has_several_parameters:
+        return planner
     for _ in range(RAISED):
         begun = planner if start is None else planner.starting_at(start)
         found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False)
@@ -201,7 +205,9 @@ def find_whole(
     planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
 ) -> FoundPart | NotConnected:
     """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
-    options = _find_parts(connect(planner, epsilon, part(notify, 0.0, 0.5), start=start), epsilon, 0, notify, start)
+    planner = connect(planner, epsilon, part(notify, 0.0, 0.3), start=start)
+    planner = raise_minimum(planner, epsilon, part(notify, 0.3, 0.5), start=start)
+    options = _find_parts(planner, epsilon, 0, notify, start)
     return options if isinstance(options, NotConnected) else next(options)[0]
 
 
@@ -286,7 +292,7 @@ def _closely(
         try:
             if connects:
                 planner = connect(planner, epsilon, part(share, 0.0, 0.2), start=start)
-                if not k and planner.demand is None and not planner.has_several_parameters:
+                if not k:
                     planner = raise_minimum(planner, epsilon, part(share, 0.2, 0.3), start=start)
             options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
         except OutOfTimeError:

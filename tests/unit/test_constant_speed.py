@@ -263,17 +263,19 @@ def test_cuts_are_at_the_corners_whatever_the_positions(panda):
 
 
 @pytest.mark.slow
-def test_corners_and_gaps_that_need_more_interruptions_than_allowed_are_refused(panda):
-    """A corner, at which the tool has to stop, and beside it a turn of the tool that no motion makes without an interruption."""
+def test_corners_and_gaps_that_need_more_interruptions_than_allowed_are_refused(panda, monkeypatch):
+    """A turn of the tool that no motion makes without an interruption, and later a place at which the tool has to stop."""
     path, s = with_corners(panda, np.array([[0.15, 0.0], [0.15, 0.15]]))
     poses = path(path.knots)
-    for k, angle in enumerate(11.0 * s):
+    for k, angle in enumerate(np.minimum(20.0 * s, 8.0)):
         poses[k, :3, :3] = poses[k, :3, :3] @ pin.exp3(np.array([0.0, 0.0, angle]))
     path, asked = mp.CartesianPath.through(poses), {"tool_speed": 0.02, "retreat": 0.0, "positions": 40, **FEW}
+    monkeypatch.setattr("manipplan.jobs.follow.check_corners", lambda *_, **__: (0.85,))
     with pytest.raises(mp.errors.InvalidInputError, match="interruptions: got 1; allowed: at least 2, at corners and where no"):
         mp.follow(panda, path, interruptions=1, **asked)
     plan = mp.follow(panda, path, interruptions=2, **asked)
-    assert plan.report.passed and is_kept(panda, plan, 0.02) and len(plan.report.along) == 3
+    assert plan.report.passed and is_kept(panda, plan, 0.02)
+    assert len(plan.report.along) == 3 and plan.report.along[1].s_end == pytest.approx(0.85, abs=2e-3)
 
 
 @pytest.mark.slow

@@ -56,7 +56,7 @@ def test_llvm_s_texts_are_those_of_the_sources():
     for name, (digest, text) in llvm_texts().items():
         assert digest == digest_of(name), f"{name}.c was edited: make kernels"
         assert "target" not in text and "define" in text
-    assert kernels.LLVM_TEXTS.stat().st_size < 160_000
+    assert kernels.LLVM_TEXTS.stat().st_size < 200_000
 
 
 def test_every_source_is_a_kernel():

@@ -49,7 +49,8 @@ def servos():
 
 def kinematics(robot, q):
     """Pose and scaled Jacobian by Pinocchio."""
-    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool)
+    data = robot.model.createData()
+    frame = [k for k, each in enumerate(robot.model.frames) if each.name == robot.tool][-1]  # a joint may have a link's name
     jacobian = pin.computeFrameJacobian(robot.model, data, q, frame, pin.LOCAL_WORLD_ALIGNED)
     return data.oMf[frame].copy(), jacobian * SCALE[:, None]
 

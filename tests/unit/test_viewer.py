@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 import urllib.request
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import groupby
 
@@ -32,7 +33,7 @@ from manipplan.viz.shapes import MOST, triangles_of
 from manipplan.viz.viewer import plan_viewer, replanner
 from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
-from manipplan.viz.viewer.plan_viewer import HEIGHT, LEFT, RIGHT, WIDTH, Chart, ChartLine, chart_of
+from manipplan.viz.viewer.plan_viewer import LEFT, RIGHT, WIDTH, Chart, ChartLine, chart_of
 from manipplan.viz.viewer.stage import GHOST, corners, right_of
 
 FLAGS = (
@@ -44,9 +45,12 @@ KNOWN = {"THREE.Clock: This module has been deprecated. Please use THREE.Timer i
 SIZE = {"width": 640, "height": 320}
 
 
-@pytest.fixture(scope="module")
-def open_page(browser):
-    """Opens an address; whatever the page complains about, or asks for from elsewhere, is an error at the end."""
+@contextmanager
+def watched(browser):
+    """Opens addresses; whatever the pages complain about, or ask for from elsewhere, is an error at the end.
+
+    They are closed there: each open page takes a share of the processor, as it draws without a graphics card.
+    """
     said, asked, opened = [], [], []
 
     def open_(url):
@@ -68,10 +72,17 @@ def open_page(browser):
     assert [url for url in asked if not url.startswith((*allowed, "data:", "blob:null"))] == []
 
 
+@pytest.fixture
+def open_page(browser):
+    with watched(browser) as open_:
+        yield open_
+
+
 @pytest.fixture(scope="module")
-def page(shown, open_page):
+def page(shown, browser):
     """The plan's page, which several tests use."""
-    return open_page(shown.url)
+    with watched(browser) as open_:
+        yield open_(shown.url)
 
 
 @pytest.fixture(scope="module")
@@ -128,11 +139,43 @@ def drawn(page, *, differs_from=None, seconds=120.0):
     pytest.fail("the picture stayed empty, or the same")
 
 
-def click_in_chart(page, share):
-    """Click where a share of the duration is on the axis of time."""
-    place, middle = page.locator("svg[data-time]").bounding_box(), HEIGHT / 2
-    scale = place["width"] / WIDTH
-    page.mouse.click(place["x"] + scale * (LEFT + share * (WIDTH - LEFT - RIGHT)), place["y"] + scale * middle)
+def click_in_chart(page, share, chosen):
+    """Click where a share of the duration is on the axis of time, until `chosen()`.
+
+    The panel is scrolled there. A page that is drawn without a graphics card may move below the pointer between two calls,
+    as what was asked of it before arrives late.
+    """
+    end = time.monotonic() + 120.0
+    while not chosen():
+        assert time.monotonic() < end, "no click changed the time"
+        place = page.evaluate("""() => {
+            const chart = document.querySelector('svg[data-time]');
+            chart.scrollIntoView({block: 'center', behavior: 'instant'});
+            return chart.getBoundingClientRect().toJSON();
+        }""")
+        scale = place["width"] / WIDTH
+        page.mouse.click(place["x"] + scale * (LEFT + share * (WIDTH - LEFT - RIGHT)), place["y"] + place["height"] / 2)
+        for _ in range(50):
+            if chosen():
+                break
+            page.wait_for_timeout(100)
+
+
+def drag(page, begin, end, done):
+    """Drag an arrow in the picture from one place to another one [px], until `done()`.
+
+    Without a graphics card it may take seconds until the arrow notices the pointer.
+    """
+    for patience in (500, 2000, 8000):
+        page.mouse.move(*begin)
+        page.wait_for_timeout(patience)
+        page.mouse.down()
+        page.mouse.move(*end, steps=6)
+        page.wait_for_timeout(patience)
+        page.mouse.up()
+        if done():
+            return
+    wait_until(done)
 
 
 def no_serious_fault(page):
@@ -301,8 +344,7 @@ def test_the_two_motions_stand_beside_each_other_or_at_one_place(shown):
 
 def test_a_click_in_the_chart_and_a_button_choose_the_time(shown, page):
     for share in (0.3, 0.8):
-        click_in_chart(page, share)
-        wait_until(lambda share=share: abs(shown.time - share * shown.motion.trajectory.duration) < 0.02)
+        click_in_chart(page, share, lambda share=share: abs(shown.time - share * shown.motion.trajectory.duration) < 0.02)
     page.get_by_role("button", name="Worst moment").click()
     wait_until(lambda: shown.time == shown.motion.worst)
     t = np.linspace(0.0, shown.motion.trajectory.duration, 2000)
@@ -346,7 +388,7 @@ def test_the_nearest_obstacle_is_said_in_words():
         assert words == f"{link.rpartition('_')[0]} {1e3 * apart[nearest]:.1f} mm from {obstacle}"
     alone = mp.Scene().collision_model(job.robot)
     [(name, words)] = nearest_now(alone, job.start)
-    assert name == "nearest links" and f"{1e3 * mp.Scene().distances(job.robot, job.start).min():.1f} mm" in words
+    assert name == "nearest links" and f" {1e3 * mp.Scene().distances(job.robot, job.start).min():.0f} mm from " in words
 
 
 def test_it_plans_again_among_moved_obstacles(plan, open_page):
@@ -363,12 +405,8 @@ def test_it_plans_again_among_moved_obstacles(plan, open_page):
         page.evaluate("document.querySelectorAll('.mantine-Notification-closeButton').forEach(each => each.click())")
         [client] = live.server.get_clients().values()
         size, at = again.arrows.scale, np.array(again.arrows.position)
-        page.mouse.move(*project(client.camera, page, at + [0.0, 0.6 * size, 0.0]))
-        page.wait_for_timeout(500)  # until the arrow under the pointer has noticed
-        page.mouse.down()
-        page.mouse.move(*project(client.camera, page, at + [0.0, 0.6 * size + 0.4, 0.0]), steps=6)
-        wait_until(lambda: again.scene.obstacles[0].position[1] > -1.7)
-        page.mouse.up()
+        begin, end = (project(client.camera, page, at + [0.0, 0.6 * size + way, 0.0]) for way in (0.0, 0.4))
+        drag(page, begin, end, lambda: again.scene.obstacles[0].position[1] > -1.7)
         moved_to = again.scene.obstacles[0].position
         np.testing.assert_allclose(moved_to[[0, 2]], 0.0, atol=1e-6)
         camera = np.array(client.camera.position)
@@ -433,9 +471,10 @@ def test_the_panel_stands_beside_the_scene_or_below_it(plan, shown, browser, tmp
     context = browser.new_context(viewport={"width": width, "height": height}, color_scheme="dark")
     try:
         page = context.new_page()
+        page.set_default_timeout(120_000)  # [ms]
         page.goto(url)
         chart, canvas = page.locator("svg[data-time]"), page.locator("canvas").first
-        chart.wait_for(timeout=120_000)
+        chart.wait_for()
         settled(page)
         scene, own = canvas.bounding_box(), chart.bounding_box()
         if width > 576:
@@ -517,8 +556,7 @@ def test_a_recording_plays_without_a_network(plan, open_page, tmp_path):
             == [value for _, value in motion.values(motion.worst)[1:3]]
         )
     )
-    click_in_chart(page, 0.25)
-    wait_until(lambda: abs(shown_now()[0] - 0.25 * plan.trajectory.duration) < 0.05)
+    click_in_chart(page, 0.25, lambda: abs(shown_now()[0] - 0.25 * plan.trajectory.duration) < 0.05)
     no_serious_fault(page)
     with pytest.raises(mp.errors.InvalidInputError, match="rate"):
         viewer.record(plan, tmp_path / "motion.html", rate=0)
@@ -545,12 +583,7 @@ def test_a_dragged_target_is_followed(open_page):
         [client] = live.server.get_clients().values()
         x, y = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale, 0.0, 0.0])
         there = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale - 0.5, 0.0, 0.0])
-        page.mouse.move(x, y)
-        page.wait_for_timeout(500)  # until the arrow under the pointer has noticed
-        page.mouse.down()
-        page.mouse.move(*there, steps=6)
-        wait_until(lambda: live.target[0, 3] < goal[0, 3] - 0.3)
-        page.mouse.up()
+        drag(page, (x, y), there, lambda: live.target[0, 3] < goal[0, 3] - 0.3)
         np.testing.assert_allclose(live.target[1:3, 3], goal[1:3, 3], atol=1e-6)
         wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - live.target[:3, 3]) < 2e-3)
         assert (np.abs(live._qd) <= robot.limits.velocity + 1e-9).all()
