@@ -257,12 +257,13 @@ static double along(const Work *w, const double *v, const double *limit) {
     return multiple;
 }
 
-/* How far the joints can move along a direction inside their limits [rad]. */
+/* How far the joints can move along a direction inside their limits [rad]; a joint at its limit may move by what is rounding. */
 static double room(const Servo *servo, const Work *w, const double *e) {
     double far = INFINITY;
     for (long i = 0; i < w->n; i++) {
         long j = w->joint[i];
-        far = least(far, (e[i] > 0 ? servo->upper[j] - servo->q[j] : servo->q[j] - servo->lower[j]) / most(fabs(e[i]), 1e-6));
+        double left = e[i] > 0 ? servo->upper[j] - servo->q[j] : servo->q[j] - servo->lower[j];
+        far = least(far, (most(left, 0) + 1e-4) / most(fabs(e[i]), 1e-6));
     }
     return far;
 }
@@ -513,7 +514,7 @@ static void escape(const Servo *servo, Work *w) {
         for (long l = 0; l < w->m; l++) u[l] += w->b[k] / lost * w->U[k][l];
     second_order(servo, w, u, M);
     restricted(w, M, N, d, K);
-    double copy[MOST][MOST], ahead[MOST], now[MOST], memory[MOST];
+    double copy[MOST][MOST], ahead[MOST], now[MOST], memory[MOST], before[MOST] = {0}, weight = 1e-2;
     memcpy(copy, K, sizeof copy);
     eigen(d, copy, value, vector);
     /* the way that was taken in the last step, the side from which the arm came, or the last way */
@@ -526,7 +527,9 @@ static void escape(const Servo *servo, Work *w) {
             if (past) memory[a] += N[a][i] * past[i];
         }
         if (servo->side == OTHER && w->has_inside && !servo->leaves) memory[a] = -memory[a];
+        for (long i = 0; i < n; i++) before[i] += N[a][i] * memory[a];
     }
+    weight *= least(room(servo, w, before) / AHEAD, 1); /* a way that the limits end counts the less, the nearer its end */
     double best[MOST] = {0}, score = -INFINITY, way[MOST], length = sqrt(dot(d, ahead, ahead));
     for (int candidate = 0; candidate < (length > 1e-12 ? 3 : 2); candidate++) {
         double e[MOST], bent = 0, now_along = 0;
@@ -537,8 +540,9 @@ static void escape(const Servo *servo, Work *w) {
             for (long a = 0; a < d; a++) way[i] += N[a][i] * e[a];
         }
         now_along = dot(d, e, now);
-        double value_of = dot(d, ahead, e) * AHEAD + 0.5 * AHEAD * AHEAD * bent + 1e-2 * dot(d, e, memory)
-                        + 1e-4 * least(room(servo, w, way), 1) + 1e-6 * tanh(now_along / 0.05);
+        double left = room(servo, w, way), far = least(left, AHEAD);
+        double value_of = far * dot(d, ahead, e) + 0.5 * far * far * bent + weight * dot(d, e, memory)
+                        + 1e-4 * least(left, 1) + 1e-6 * tanh(now_along / 0.05);
         if (value_of > score) score = value_of, memcpy(best, e, sizeof best);
     }
     double bent = 0, rise = dot(d, ahead, best);

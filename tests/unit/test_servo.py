@@ -516,7 +516,11 @@ def test_exact_zeros_of_the_catalogue_are_left(name):
         direction = SCALE * twist / np.linalg.norm(SCALE * twist)
         servo.reset()
         path, _ = drive(
-            servo, zero * zero_sign, twist, 1.5, after=lambda x, d=direction: d @ moved(start, kinematics(robot, x)[0]) > 0.02
+            servo,
+            np.where(zero == 0, 0.0 * zero_sign, zero),
+            twist,
+            1.5,
+            after=lambda x, d=direction: d @ moved(start, kinematics(robot, x)[0]) > 0.02,
         )
         if direction @ moved(start, kinematics(robot, path[-1])[0]) > 0.005:
             continue
