@@ -2,8 +2,8 @@
 
 Run with `.venv/bin/python benchmarks/servo.py`; --count is the number of random streams, and environments of the peers are made
 on the first run. Writes docs/benchmarks/servo.md. The streams are those of servo_streams.py, the judge is servo_judge.py: 17
-designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular postures, and random streams that begin at or near random singular postures of six arms, for
-`mp.Servo` alone. Arms have no jerk limits here.
+designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular postures, and random streams that
+begin at or near random singular postures of six arms, for `mp.Servo` alone. Arms have no jerk limits here.
 
 - share near: tool speed along the command over the largest that joint speeds and braking allow with at most 0.3 of it across,
   within 1 s of a smallest singular value below 0.05 m (0.3 m per radian)
