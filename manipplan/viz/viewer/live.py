@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
+from manipplan.goals.read import read_configuration
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix
 from manipplan.symbolic.task import Task
@@ -36,7 +37,7 @@ def follow_target(
     robot: Robot,
     formulation: Formulation | None = None,
     *,
-    start: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
     dt: float = 0.01,
     task: Task | None = None,
     scene: Scene | None = None,
@@ -49,7 +50,7 @@ def follow_target(
     Args:
         robot: the arm.
         formulation: of the controller; default LogDrive().
-        start: initial configuration (n,); default `robot.neutral`.
+        start: initial configuration (n,), or the name of one of `robot.states`; default `robot.neutral`.
         dt: time step of the controller [s].
         task: rows that are followed; default `robot.default_task`.
         scene: obstacles that the arm avoids; not with Classical.
@@ -65,7 +66,7 @@ def follow_target(
     instance("robot", robot, Robot)
     flag("open_browser", open_browser)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    q = robot.configuration("start", robot.neutral if start is None else start)
+    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
     avoidance = Avoidance(scene=scene) if scene.obstacles else None
     controller = Controller(robot, formulation or LogDrive(), dt=dt, task=task, avoidance=avoidance)
     viewer = LiveViewer(controller, q, scene, port=port, host=host)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.collision.scene import Scene
+from manipplan.goals.read import read_configuration
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, array_of_shape, flag, instance, one_of
 from manipplan.symbolic.task import Task
@@ -42,7 +43,7 @@ FRAMES = ("world", "tool")
 def teleoperate(
     robot: Robot,
     *,
-    start: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
     dt: float = 0.005,
     task: Task | None = None,
     side: str = "same",
@@ -55,7 +56,7 @@ def teleoperate(
 
     Args:
         robot: the arm.
-        start: initial configuration (n,); default `robot.neutral`.
+        start: initial configuration (n,), or the name of one of `robot.states`; default `robot.neutral`.
         dt: time step of the servo [s].
         task, side: as for `Servo`.
         scene: obstacles that the arm avoids.
@@ -72,7 +73,7 @@ def teleoperate(
     instance("robot", robot, Robot)
     flag("open_browser", open_browser)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    q = robot.configuration("start", robot.neutral if start is None else start)
+    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
     avoidance = Avoidance(scene=scene) if scene.obstacles else None
     servo = Servo(robot, dt=dt, task=task, side=side, avoidance=avoidance)
     viewer = ServoViewer(servo, q, scene, port=port, host=host)
