@@ -29,8 +29,6 @@ RATE, EVERY = 25.0, 3
 PAST = 10.0
 #: Delay of the steps beyond which the clock is reset instead of catching up [s].
 LATE = 0.1
-#: Margin of the view on each side of the arm's initial posture, as a share of its diagonal.
-ROOM = 0.3
 
 
 def follow_target(
@@ -83,6 +81,9 @@ class LiveArm(Page):
         dt: time step [s].
     """
 
+    #: Margin of the view on each side of the arm's initial posture, as a share of its diagonal.
+    room = 0.3
+
     def __init__(
         self, robot: Robot, task: Task, dt: float, start: Array, scene: Scene, *, title: str, port: int, host: str
     ) -> None:
@@ -127,7 +128,7 @@ class LiveArm(Page):
         box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
         scale = ellipsoid_scale(robot, [self._position], self._first[None])
-        box[:, :2] += [[-ROOM * size], [ROOM * size]]
+        box[:, :2] += [[-self.room * size], [self.room * size]]
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
         self._add_handles(size)

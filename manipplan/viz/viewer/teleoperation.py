@@ -91,6 +91,8 @@ class ServoViewer(LiveArm):
         speed: of keys and buttons [m/s]; turns take four radians per metre.
     """
 
+    room = 0.6  # keys take the arm to the edge of its reach
+
     def __init__(self, servo: Servo, start: Array, scene: Scene, *, port: int, host: str) -> None:
         self.servo, self.speed = servo, SPEED
         self._frame = "world"
