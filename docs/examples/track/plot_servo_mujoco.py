@@ -11,7 +11,7 @@ A servo in a closed loop with MuJoCo
 
 A real arm does not do at once what it is commanded: its motors have torque limits, its
 state arrives late, and so does the command. Here ``mp.Servo`` drives a Panda in MuJoCo
-with all three, out to the edge of its reach, along it, and back. Damped least squares,
+with all three, out to the edge of its reach, sideways, and back. Damped least squares,
 the usual remedy at singularities, does the same for comparison.
 """
 
@@ -75,7 +75,7 @@ def simulated(start):
 
 
 # %%
-# What the operator does: forward until the arm is stretched and 1 s longer, sideways,
+# What the operator does: forward until the arm is stretched and 2 s longer, sideways,
 # and back.
 FORWARD, SIDE = np.array([0.15, 0.0, 0.06]), np.array([0.0, 0.15, 0.0])
 
@@ -140,9 +140,9 @@ runs = {
 }
 
 # %%
-# Speed of the tool along the command. Both arms stop at the edge of the reach. When the
-# operator pulls back, the servo leaves it at once, and damped least squares after half a
-# second, because its damping is largest exactly there.
+# Speed of the tool along the command. At the edge of the reach both arms only slide
+# along it. When the operator pulls back, at 5 s, the servo leaves it at once, and damped
+# least squares about a second later, because its damping is largest exactly there.
 times = DT * np.arange(len(runs["mp.Servo"]["q"]))
 twists = np.array([command(t) for t in times])[:, :3]
 size = np.linalg.norm(twists, axis=1)
@@ -175,8 +175,8 @@ above.plot(times, size, color="0.5", linestyle="--", label="command")
 for (name, log), colour in zip(runs.items(), ("#0072B2", "#D55E00"), strict=True):
     above.plot(times, speeds[name], color=colour, label=name)
     below.plot(times, 100 * log["torque"].max(axis=1), color=colour, label=name)
-above.set(ylabel="speed along the command [m/s]", ylim=(-0.02, 0.2))
-above.legend(frameon=False, ncols=3, loc="lower center")
+above.set(ylabel="speed along the command [m/s]", ylim=(-0.01, 0.27))
+above.legend(frameon=False, ncols=3, loc="upper right")
 below.set(xlabel="time [s]", ylabel="torque [% of the limit]", ylim=(0, 100))
 for ax in (above, below):
     ax.spines[["top", "right"]].set_visible(False)
