@@ -57,6 +57,13 @@ SHOWN = {
     "xarm7 zero start": "xArm7: from its zeros",
     "ur5 wrist past": "UR5: past a straight wrist, 8 times",
 }
+#: The worse settings of peers.
+NOT_SHOWN = (
+    "pink 4.4, as it comes",
+    "placo 0.10, less regularization",
+    "roboplan-oink 0.7, as it comes",
+    "EmbodiK 0.23, as it comes",
+)
 Figures = dict[str, float]
 
 
@@ -222,7 +229,7 @@ def draw(motions: dict[str, list[Run]], models: dict[str, Arm], file: Path) -> N
     """How much of the command each law follows over time, on the streams of SHOWN."""
     streams = designed(models)
     places = [list(streams).index(name) for name in SHOWN]
-    laws = [name for name in motions if "as it comes" not in name]
+    laws = [name for name in motions if name not in NOT_SHOWN]
     figure, panels = plt.subplots(
         len(laws),
         len(SHOWN),

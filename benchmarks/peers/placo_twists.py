@@ -34,6 +34,6 @@ class Placo:
 run(
     {
         "placo 0.10, as it comes": lambda arm: Placo(arm, orientation=1.0, regularization=1e-4),
-        "placo 0.10, tuned": lambda arm: Placo(arm, orientation=0.3, regularization=1e-5),
+        "placo 0.10, less regularization": lambda arm: Placo(arm, orientation=0.3, regularization=1e-5),
     }
 )
