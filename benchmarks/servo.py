@@ -1,9 +1,10 @@
 """`mp.Servo` on twist streams through, along and out of singularities, beside our controller and rules of the literature.
 
-Run with `.venv/bin/python benchmarks/servo.py` [number of random streams, 1000]. Writes docs/benchmarks/servo.md. The streams
-are those of servo_streams.py, the judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12
-directions out of five singular postures, and random streams that begin at or near random singular postures of six arms, for
-`mp.Servo` alone. Arms have no jerk limits here.
+Run with `.venv/bin/python benchmarks/servo.py`; --count is the number of random streams, and environments of the peers are made
+on the first run. Writes docs/benchmarks/servo.md and docs/pictures/servo_laws.png. Streams are those of servo_streams.py, the
+judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular
+postures, and random streams that begin at or near random singular postures of six arms, for `mp.Servo` alone. Arms have no jerk
+limits here.
 
 - share near: tool speed along the command over the largest that joint speeds and braking allow with at most 0.3 of it across,
   within 1 s of a smallest singular value below 0.05 m (0.3 m per radian)
@@ -11,6 +12,8 @@ directions out of five singular postures, and random streams that begin at or ne
 - stalled: time in windows of 0.25 s with less than 5 % followed, although a pose 5 mm ahead is reachable
 - backward: share of samples that move backward by more than 2 % of the command
 - chatter: changes of sign of joint accelerations above 2 % of their limits, per second and joint
+- over limits: of the raw command; -0.6 is 40 % of a limit
+- exceptions, step: number of calls that raised, after which the command is zero, and median time of a call from Python
 - leaving: of 45 cases that a posture exists for, and time over a lower bound joint by joint
 """
 
@@ -18,25 +21,49 @@ import os
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
+import argparse
 import json
 import platform
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import example_robot_data as erd
+import matplotlib.pyplot as plt
 import numpy as np
-import pinocchio as pin
 from rich.progress import track
-from servo_judge import DT, LENGTH, Arm, Array, Law, arms, judge, leaving_bound, simulate
+from servo_judge import DT, LENGTH, Arm, Array, Law, Run, arms, arrival, judge, leaving_bound, simulate
 from servo_laws import LAWS, Ours, robot_of
-from servo_streams import POSTURES, designed, is_walk, steady, touching
+from servo_streams import POSTURES, Stream, designed, is_walk, steady, touching
 
-OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "servo.md"
+from manipplan.viz.style import OPTIMUM
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
+from run import run_peer  # noqa: E402
+
+OUT = ROOT / "docs" / "benchmarks" / "servo.md"
+PICTURE = ROOT / "docs" / "pictures" / "servo_laws.png"
+PEERS = ("pink", "placo", "roboplan", "embodik")
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
-DISTANCE = 0.02
+#: Way of the leaving test [m], and the time for it [s].
+DISTANCE, LEAVING = 0.02, 4.0
+#: Streams of the picture, and what they do.
+SHOWN = {
+    "ur5 elbow in and out": "UR5: to the edge and back, 5 times",
+    "xarm7 zero start": "xArm7: from its zeros",
+    "ur5 wrist past": "UR5: past a straight wrist, 8 times",
+}
+#: The worse settings of peers.
+NOT_SHOWN = (
+    "pink 4.4, as it comes",
+    "placo 0.10, less regularization",
+    "roboplan-oink 0.7, as it comes",
+    "EmbodiK 0.23, as it comes",
+)
 Figures = dict[str, float]
 
 
@@ -60,29 +87,68 @@ def described() -> dict[str, Arm]:
         return arms(path)
 
 
-def leave(make: Callable[[Arm], Law], models: dict[str, Arm], bounds: dict[str, float | None]) -> list[float | None]:
-    """Time over its bound of each case that has one; None where the arm does not get there within 4 s."""
-    found: list[float | None] = []
-    for name, (arm_name, posture) in POSTURES.items():
-        arm, start = models[arm_name], np.array(posture)
-        law: Law = make(arm)
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """DISTANCE along a twist (6,) from rest at a singular posture; `bound` is a lower bound of its time [s]."""
+
+    arm: str
+    start: Array
+    twist: Array
+    bound: float
+
+
+def leaving_cases(models: dict[str, Arm]) -> list[Case]:
+    """The cases that a posture exists for."""
+    found = []
+    for name, posture in POSTURES.values():
         for i in range(12):
             twist = np.zeros(6)
             twist[i // 2] = (0.1 if i < 6 else 0.1 / LENGTH) * (1 - 2 * (i % 2))
-            key = f"{name} {i}"
-            if key not in bounds:
-                bounds[key] = leaving_bound(arm, start, twist, DISTANCE, i)
-            bound = bounds[key]
-            if bound is None:
-                continue
-            begin, direction = arm.pose(start), arm.scaled(twist) / np.linalg.norm(arm.scaled(twist))
-
-            def left(q: Array, arm: Arm = arm, begin: pin.SE3 = begin, direction: Array = direction) -> bool:
-                return bool(direction @ arm.error(arm.pose(q), begin) >= DISTANCE)
-
-            run = simulate(law, arm, start, steady(twist), 4.0, left)
-            found.append(len(run.raw) * DT / bound if left(run.q[-1]) else None)
+            bound = leaving_bound(models[name], np.array(posture), twist, DISTANCE, i)
+            if bound is not None:
+                found.append(Case(arm=name, start=np.array(posture), twist=twist, bound=bound))
     return found
+
+
+def leave(law: Law, arm: Arm, case: Case) -> Run:
+    return simulate(law, arm, case.start, steady(case.twist), LEAVING, arrival(arm, case.start, case.twist, DISTANCE))
+
+
+def over_bound(arm: Arm, run: Run, case: Case) -> float | None:
+    """Time over the bound of a case; None where the arm does not get there."""
+    there = arrival(arm, case.start, case.twist, DISTANCE)(run.q[-1])
+    return len(run.raw) * DT / case.bound if there else None
+
+
+def own_runs(make: Callable[[Arm], Law], models: dict[str, Arm], streams: dict[str, Stream], cases: list[Case]) -> list[Run]:
+    """What a law does on all streams, then in all cases."""
+    laws = {name: make(models[name]) for name in {each.arm for each in [*streams.values(), *cases]}}
+    found = [simulate(laws[each.arm], models[each.arm], each.start, each.twist, each.seconds) for each in streams.values()]
+    return found + [leave(laws[each.arm], models[each.arm], each) for each in cases]
+
+
+def peer_runs(
+    peer: str, models: dict[str, Arm], streams: dict[str, Stream], cases: list[Case], folder: Path
+) -> dict[str, list[Run]]:
+    """The same of each law of a peer, in the peer's own environment."""
+    whole = [
+        (each.arm, each.start, [each.twist(k * DT) for k in range(round(each.seconds / DT))], 0.0) for each in streams.values()
+    ]
+    short = [(each.arm, each.start, [each.twist] * round(LEAVING / DT), DISTANCE) for each in cases]
+    runs = [{"arm": arm, "start": list(start), "distance": distance} for arm, start, _, distance in whole + short]
+    twists = [np.array(each) for _, _, each, _ in whole + short]
+    problem = {f"twists {k}": each for k, each in enumerate(twists)} | {
+        "arms": json.dumps({name: each.description for name, each in models.items()}),
+        "runs": json.dumps(runs),
+    }
+    answer = run_peer(peer, problem, folder, "twists")
+
+    def run(i: int, k: int) -> Run:
+        raw = answer[f"{i} {k} raw"]
+        parts = {key: answer[f"{i} {k} {key}"] for key in ("q", "qd", "seconds")}
+        return Run(raw=raw, twist=twists[k][: len(raw)], errors=int(answer[f"{i} {k} errors"]), halts=0, **parts)
+
+    return {str(name): [run(i, k) for k in range(len(runs))] for i, name in enumerate(answer["laws"])}
 
 
 def row(name: str, figures: Sequence[Figures], walks: Sequence[bool], leaving: Sequence[float | None]) -> str:
@@ -98,6 +164,8 @@ def row(name: str, figures: Sequence[Figures], walks: Sequence[bool], leaving: S
         f"{values['angle'].mean():.0f}°, {values['slip'].mean():.2f}",
         f"{np.median(chatter[~walk]):.1f}, {chatter[~walk].max():.1f}; {chatter[walk].mean():.1f}",
         f"{values['over_velocity'].max():.1e}, {values['over_acceleration'].max():.1e}, {values['over_position'].max():.1e}",
+        f"{values['errors'].sum():.0f}",
+        f"{1e6 * np.median(values['step']):.0f} µs",
         f"{len(times)} of {len(leaving)}; {np.median(times):.2f}, {max(times):.2f}" if times else f"0 of {len(leaving)}",
     ]
     return "| " + " | ".join(cells) + " |"
@@ -123,27 +191,78 @@ def steps_from_python(models: dict[str, Arm]) -> list[str]:
     return lines
 
 
-def main() -> None:
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    models = described()
-    streams, bounds = designed(models), dict[str, float | None]()
-    head = "| law | share near: median, worst | followed | stalled | backward | angle, slip "
-    head += "| chatter: designed median, worst; walks "
-    head += (
-        "| over limits: velocity, acceleration (shares), position (rad) | leaving: cases; time over its bound: median, worst |"
-    )
-    lines = ["## Designed streams", "", head, "|" + "---|" * 9]
-    walks = ["walk" in name for name in streams]
-    for name, make in LAWS.items():
+#: Head of the tables; random streams have no last column.
+HEAD = (
+    "| law | share near: median, worst | followed | stalled | backward | angle, slip "
+    "| chatter: designed median, worst; walks | over limits: velocity, acceleration (shares), position (rad) "
+    "| exceptions | step | leaving: cases; time over its bound: median, worst |"
+)
+
+
+def designed_streams(models: dict[str, Arm], environments: Path) -> tuple[list[str], dict[str, list[Run]]]:
+    """The table of all laws, and what each did on all streams and in all cases."""
+    streams, cases = designed(models), leaving_cases(models)
+    lines = ["## Designed streams", "", HEAD, "|" + "---|" * 11]
+    walks, count = ["walk" in name for name in streams], len(streams)
+    arms = [models[each.arm] for each in [*streams.values(), *cases]]
+    motions: dict[str, list[Run]] = {}
+
+    def add(name: str, runs: list[Run]) -> None:
         found = []
-        for key, stream in track(streams.items(), description=name):
-            arm = models[stream.arm]
-            found.append(judge(arm, simulate(make(arm), arm, stream.start, stream.twist, stream.seconds)))
+        for key, arm, run in zip(streams, arms, runs, strict=False):
+            found.append(judge(arm, run))
             print(name, key, {k: round(v, 3) for k, v in found[-1].items()}, flush=True)
-        lines.append(row(name, found, walks, leave(make, models, bounds)))
+        leaving = [over_bound(*each) for each in zip(arms[count:], runs[count:], cases, strict=True)]
+        lines.append(row(name, found, walks, leaving))
         print(lines[-1], flush=True)
-    lines += ["", f"## {count} random streams from singular postures", ""]
-    lines += [head.rpartition("| leaving")[0] + "|", "|" + "---|" * 8]
+        motions[name] = runs
+
+    for name, make in LAWS.items():
+        add(name, own_runs(make, models, streams, cases))
+    for peer in PEERS:
+        for name, runs in peer_runs(peer, models, streams, cases, environments).items():
+            add(name, runs)
+    return lines, motions
+
+
+def draw(motions: dict[str, list[Run]], models: dict[str, Arm], file: Path) -> None:
+    """How much of the command each law follows over time, on the streams of SHOWN."""
+    streams = designed(models)
+    places = [list(streams).index(name) for name in SHOWN]
+    laws = [name for name in motions if name not in NOT_SHOWN]
+    figure, panels = plt.subplots(
+        len(laws),
+        len(SHOWN),
+        figsize=(9.5, 0.72 * len(laws) + 0.8),
+        sharex=True,
+        sharey=True,
+        layout="constrained",
+        squeeze=False,
+    )
+    for line, law in zip(panels, laws, strict=True):
+        for ax, k, name in zip(line, places, SHOWN, strict=True):
+            arm, run = models[streams[name].arm], motions[law][k]
+            at = np.arange(0, len(run.raw), 10)
+            commands = [arm.scaled(run.twist[i]) for i in at]
+            moves = [arm.jacobian(run.q[i]) @ run.qd[i + 1] for i in at]
+            share = np.array([c @ v / max(float(c @ c), 1e-6) for c, v in zip(commands, moves, strict=True)])
+            ax.fill_between(at * DT, 0, np.clip(share, 0, 1.2), color=OPTIMUM, linewidth=0)
+            ax.fill_between(at * DT, 0, np.clip(share, -1.2, 0), color="#D55E00", linewidth=0)
+            ax.axhline(0, color="0.6", linewidth=0.6)
+            ax.set(ylim=(-0.5, 1.25), xlim=(0, 20), yticks=[0, 1], yticklabels=["0", "1"])
+            ax.spines[["top", "right"]].set_visible(False)
+        line[0].set_ylabel(law.replace("`", "").partition(",")[0], rotation=0, ha="right", va="center")
+    for ax, title in zip(panels[0], SHOWN.values(), strict=True):
+        ax.set_title(title, fontsize=10)
+    for ax in panels[-1]:
+        ax.set_xlabel("time [s]")
+    figure.savefig(file, dpi=100)
+
+
+def random_streams(models: dict[str, Arm], count: int) -> list[str]:
+    """The table of `mp.Servo` on random streams, one row per arm."""
+    lines = [f"## {count} random streams from singular postures", ""]
+    lines += [HEAD.rpartition("| leaving")[0] + "|", "|" + "---|" * 10]
     laws = {name: Ours(arm) for name, arm in models.items()}
     by_arm: dict[str, list[Figures]] = {name: [] for name in NAMES}
     halts, walking = 0, {name: list[bool]() for name in NAMES}
@@ -160,20 +279,36 @@ def main() -> None:
         if each:
             lines.append(row(name, each, walking[name], []).rpartition("| 0 of 0")[0] + "|")
     every = [each for part in by_arm.values() for each in part]
-    lines += [
+    return [
+        *lines,
         "",
         f"Of {len(every)} streams of 20 s, {sum(each['stalled'] > 0 for each in every)} have a stall, "
         f"{sum(each['backward'] > 0 for each in every)} a sample that moves backward, and {halts} steps halted or raised.",
+    ]
+
+
+def main() -> dict[str, list[Run]]:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=1000, help="number of random streams")
+    parser.add_argument("--environments", type=Path, default=ROOT / ".peers", help="folder of the peers' environments")
+    given = parser.parse_args()
+    models = described()
+    lines, motions = designed_streams(models, given.environments)
+    draw(motions, models, PICTURE)
+    if given.count:
+        lines += ["", *random_streams(models, given.count)]
+    lines += [
         "",
         "## Time of a step",
         "",
         *steps_from_python(models),
         "",
         f"Called from Python {platform.python_version()}, {platform.machine()}; "
-        "command: `.venv/bin/python benchmarks/servo.py`.",
+        f"command: `.venv/bin/python benchmarks/servo.py --count {given.count}`.",
     ]
     OUT.write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
+    return motions
 
 
 if __name__ == "__main__":

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-import daqp
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -45,7 +44,7 @@ class Arm:
     """An arm by Pinocchio alone. `rows` are those of the six directions of its tool that count."""
 
     def __init__(self, description: dict[str, object]) -> None:
-        d = description
+        self.description = d = description
         self.name, self.tool, self.urdf = str(d["name"]), str(d["tool"]), str(d["urdf"])
         self.model = pin.buildModelFromUrdf(self.urdf)
         self.data, self.frame = self.model.createData(), self.model.getFrameId(self.tool, pin.FrameType.BODY)
@@ -157,6 +156,12 @@ def simulate(
     )  # fmt: skip
 
 
+def arrival(arm: Arm, start: Array, twist: Array, distance: float) -> Callable[[Array], bool]:
+    """Whether the tool at q (n,) is `distance` [m] along a twist from where it was at `start`."""
+    begin, direction = arm.pose(start), arm.scaled(twist) / np.linalg.norm(arm.scaled(twist))
+    return lambda q: bool(direction @ arm.error(arm.pose(q), begin) >= distance)
+
+
 def judge(arm: Arm, run: Run) -> dict[str, float]:
     """The figures of one stream, see servo.py."""
     raw, before = np.nan_to_num(run.raw), run.qd[:-1]
@@ -220,6 +225,8 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
 
 def _possible(jacobian: Array, command: Array, low: Array, high: Array) -> float:
     """Largest share of a command (m,) that joint velocities make with at most CONE of motion across it."""
+    import daqp  # not in every peer's environment, which simulates but does not judge
+
     m, n = jacobian.shape
     size = float(np.linalg.norm(command))
     along = command / size

@@ -56,7 +56,10 @@ autodoc_inherit_docstrings = False  # a method that a class has from another is 
 autodoc_typehints_format = "short"
 autosummary_context = {
     "with_all_members": {f"manipplan.results.{name}" for name in ("Completeness", "StepStatus")},
-    "with_inherited_members": {"manipplan.Plan", "manipplan.viz.viewer.PlanViewer", "manipplan.viz.viewer.LiveViewer"},
+    "with_inherited_members": {
+        "manipplan.Plan",
+        *(f"manipplan.viz.viewer.{name}" for name in ("PlanViewer", "LiveViewer", "ServoViewer")),
+    },
 }
 python_maximum_signature_line_length = 130  # of the names in full; one argument per line beyond that
 python_use_unqualified_type_names = True

@@ -1,11 +1,12 @@
-"""Draw docs/_static/viewer.png, viewer_checked.png and viewer_program.png: what a browser shows of the viewer.
+"""Draw docs/_static/viewer.png, viewer_checked.png, viewer_program.png and viewer_servo.png: what a browser shows.
 
-Run: python docs/make_viewer_picture.py [viewer] [viewer_checked] [viewer_program]
+Run: python docs/make_viewer_picture.py [viewer] [viewer_checked] [viewer_program] [viewer_servo]
 """
 
 import io
 import shutil
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 import manipplan as mp
+from manipplan.viz import viewer
 
 FOLDER = Path(__file__).parent / "_static"
 FLAGS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
@@ -54,6 +56,17 @@ def carrying():
     return mp.sequence(robot, "default", steps, scene, blend=0.05)
 
 
+def stretched():
+    """A page of the servo, on which a held key has stretched the arm and goes on."""
+    page = viewer.teleoperate(mp.load_robot("panda"), start="default", port=0, open_browser=False)
+    page.press(0, 1, seconds=1e4)
+    end = time.monotonic() + 60.0
+    while page.gauge is None or page.gauge.wall < 0.5:
+        assert time.monotonic() < end, "the arm did not come to the edge of its reach"
+        time.sleep(0.02)
+    return page
+
+
 #: Each picture: its plan or program, the switches that are on and off, and the size of the window.
 PICTURES = {
     "viewer": (demo, (), (), (1200, 760)),
@@ -64,6 +77,7 @@ PICTURES = {
         (1200, 830),
     ),
     "viewer_program": (carrying, (), (), (1200, 760)),
+    "viewer_servo": (stretched, (), (), (1200, 900)),
 }
 
 
@@ -71,22 +85,24 @@ def main(names) -> None:
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))))
     for name in names or PICTURES:
         make, on, off, (width, height) = PICTURES[name]
-        plan, file = make(), FOLDER / f"{name}.png"
-        with plan.show(port=0, open_browser=False) as viewer, sync_playwright() as playwright:
+        made, file = make(), FOLDER / f"{name}.png"
+        live = isinstance(made, viewer.ServoViewer)
+        with made if live else made.show(port=0, open_browser=False) as shown, sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
             page = browser.new_page(viewport={"width": width, "height": height})
             page.set_default_timeout(PATIENCE)
-            page.goto(viewer.url)
+            page.goto(shown.url)
             page.locator(".mantine-Notification-closeButton").click()  # it tells that there is no graphics card
-            viewer.time = PLACE * plan.trajectory.duration
-            labels = list(viewer.stage.layers)
+            if not live:
+                shown.time = PLACE * made.trajectory.duration
+            labels = [] if live else list(shown.stage.layers)
             for switch in (*on, *off):
                 page.get_by_role("checkbox").nth(labels.index(switch)).click(force=True)
-            before, after = b"", page.screenshot()
-            while after != before:  # without a graphics card the scene appears slowly
+            before, after, count = b"", page.screenshot(), 0
+            while after != before and not (live and count > 4):  # without a graphics card the scene appears slowly
                 page.wait_for_timeout(4000)
-                before, after = after, page.screenshot()
-            assert all(viewer.stage.layers[switch].visible for switch in on), "the click came to nothing"
+                before, after, count = after, page.screenshot(), count + 1
+            assert live or all(shown.stage.layers[switch].visible for switch in on), "the click came to nothing"
             shot = Image.open(io.BytesIO(after)).convert("RGB")
             browser.close()
         shot.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(file, optimize=True)

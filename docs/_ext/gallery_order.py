@@ -7,7 +7,7 @@ ORDER = {
     "first_steps": ("first_plan", "own_robot", "trajectory_files"),
     "plan": ("shelf", "cell", "rivals", "power_and_degree", "singular", "home", "timing"),
     "follow": ("all_solutions", "weld_seam", "talos_circle", "interruptions", "no_motion"),
-    "track": ("tracking", "improve_recording", "avoidance", "live_follow"),
+    "track": ("tracking", "improve_recording", "avoidance", "servo_mujoco", "lerobot", "live_follow", "live_gamepad"),
     "measure": ("measures", "workspace_map", "own_measure", "planar_postures", "pictures"),
     "deploy": ("certificate", "export_c", "mujoco_playback", "cluster"),
 }

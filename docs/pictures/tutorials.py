@@ -70,13 +70,10 @@ def weld(names: dict[str, Any]) -> None:
 
 def teleoperation(names: dict[str, Any]) -> None:
     figure, (above, below) = plt.subplots(2, 1, figsize=(8.0, 4.4), sharex=True, layout="constrained")
-    for name, colour in (("plain", SEED), ("drive", OPTIMUM)):
-        log = names[name]
-        t = names["DT"] * np.arange(len(log["m"]))
-        label = {"plain": "General: only follows", "drive": "LogDrive: also raises manipulability"}[name]
-        above.plot(t, log["m"], color=colour, label=label)
-        below.plot(t, 100 * log["speed"], color=colour)
-    above.set(ylabel="manipulability [m⁶]", ylim=(0, None), xlim=(0, t[-1]))
+    for log, label, colour in (("usual", "damped least squares", SEED), ("smooth", "mp.Servo", OPTIMUM)):
+        above.plot(names["t"], 100 * names[log]["followed"], color=colour, label=label)
+        below.plot(names["t"], 100 * names[log]["speed"], color=colour)
+    above.set(ylabel="followed [%]", ylim=(-5, 105), xlim=(0, names["t"][-1]))
     below.set(ylabel="fastest joint [% of its limit]", xlabel="time [s]", ylim=(0, 105))
     above.legend(frameon=False)
     for ax in (above, below):

@@ -607,6 +607,66 @@ def project(camera, page, point):
     ] / view[2]
 
 
+def test_keys_and_buttons_move_the_tool_through_the_edge_of_its_reach(open_page):
+    robot = mp.planar_arm([1.0, 0.8, 0.6])
+    with viewer.teleoperate(robot, start=[0.3, 0.8, 0.9], dt=0.01, port=0, open_browser=False) as live:
+        page = open_page(live.url)
+        drawn(page)
+        page.locator(".mantine-Notification-closeButton").click()  # it tells that there is no graphics card
+        live.speed = 0.4
+        before = live.pose[:3, 3]
+        page.keyboard.press("j")
+        wait_until(lambda: live.pose[1, 3] > before[1] + 0.1)
+        wait_until(lambda: not live.twist.any())  # a key that is not repeated ends by itself
+        np.testing.assert_allclose(live.pose[0, 3], before[0], atol=0.02)
+        end = time.monotonic() + 60.0
+        while live.gauge.wall < 0.5:  # a held key is repeated by the keyboard
+            page.keyboard.down("j")
+            page.keyboard.down("i")
+            assert time.monotonic() < end, live.gauge
+        assert live.gauge.kind.name == "FOLD" and live.gauge.status == 0
+        stretched = np.linalg.norm(live.pose[:2, 3])
+        assert 2.35 < stretched <= 2.4
+        page.keyboard.up("i")
+        page.keyboard.up("j")
+        wait_until(lambda: "edge of the reach" in page.locator("body").inner_text())
+        button = page.get_by_role("button", name="K: backward, -x")
+        button.scroll_into_view_if_needed()
+        place = button.bounding_box()
+        page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+        page.mouse.down()
+        wait_until(lambda: np.linalg.norm(live.pose[:2, 3]) < stretched - 0.2)
+        page.mouse.up()
+        wait_until(lambda: not live.twist.any())
+        wait_until(lambda: abs(tool_of(live.robot) - last_joint(robot, live.q)).max() < 1e-6)
+        assert (np.abs(live._qd) <= robot.limits.velocity + 1e-9).all()
+        page.get_by_role("button", name="Back to the start").click()
+        wait_until(lambda: np.abs(live.q - [0.3, 0.8, 0.9]).max() < 1e-9)
+    assert not live.running
+
+
+def test_a_program_moves_the_tool_until_its_command_is_stale():
+    with viewer.teleoperate(mp.planar_arm([1.0, 0.8, 0.6]), start=[0.3, 0.8, 0.9], port=0, open_browser=False) as live:
+        before, end = live.pose[0, 3], time.monotonic() + 30.0
+        while live.pose[0, 3] > before - 0.1:
+            live.twist = [-0.3, 0.0, 0.0, 0.0, 0.0, 0.0]
+            assert time.monotonic() < end
+            time.sleep(0.02)
+        wait_until(lambda: live.gauge.status.name == "STALE")
+        wait_until(lambda: not live._qd.any())
+        live.press(0, 1, seconds=0.2)  # a key takes over
+        wait_until(lambda: live.gauge.status.name == "FOLLOWING")
+        live.frame = "tool"
+        live.twist = np.full(6, np.nan)
+        wait_until(lambda: live.gauge.status.name in ("BAD_COMMAND", "STALE"))
+        for argument, value in (("twist", [1.0, 0.0]), ("twist", "fast"), ("frame", "camera"), ("frame", 3)):
+            with pytest.raises(mp.errors.InvalidInputError, match=argument):
+                setattr(live, argument, value)
+    for argument, value in (("robot", "panda"), ("start", [0.0]), ("dt", 0.0), ("side", "left"), ("scene", 3), ("port", -1)):
+        with pytest.raises(mp.errors.InvalidInputError, match=argument):
+            viewer.teleoperate(**{"robot": mp.planar_arm([1.0, 1.0]), "port": 0, "open_browser": False} | {argument: value})
+
+
 @pytest.mark.slow
 def test_the_arm_follows_among_obstacles_with_a_prismatic_joint():
     robot = mp.load_robot("tiago")

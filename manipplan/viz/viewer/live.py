@@ -1,4 +1,4 @@
-"""follow_target: drag a target in the browser, and a controller follows it in real time."""
+"""An arm that moves in real time in the browser; follow_target: drag a target, and a controller follows it."""
 
 import threading
 import time
@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
+from manipplan.goals.read import read_configuration
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix
 from manipplan.symbolic.task import Task
@@ -28,15 +29,13 @@ RATE, EVERY = 25.0, 3
 PAST = 10.0
 #: Delay of the steps beyond which the clock is reset instead of catching up [s].
 LATE = 0.1
-#: Margin of the view on each side of the arm's initial posture, as a share of its diagonal.
-ROOM = 0.3
 
 
 def follow_target(
     robot: Robot,
     formulation: Formulation | None = None,
     *,
-    start: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
     dt: float = 0.01,
     task: Task | None = None,
     scene: Scene | None = None,
@@ -49,7 +48,7 @@ def follow_target(
     Args:
         robot: the arm.
         formulation: of the controller; default LogDrive().
-        start: initial configuration (n,); default `robot.neutral`.
+        start: initial configuration (n,), or the name of one of `robot.states`; default `robot.neutral`.
         dt: time step of the controller [s].
         task: rows that are followed; default `robot.default_task`.
         scene: obstacles that the arm avoids; not with Classical.
@@ -65,7 +64,7 @@ def follow_target(
     instance("robot", robot, Robot)
     flag("open_browser", open_browser)
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    q = robot.configuration("start", robot.neutral if start is None else start)
+    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
     avoidance = Avoidance(scene=scene) if scene.obstacles else None
     controller = Controller(robot, formulation or LogDrive(), dt=dt, task=task, avoidance=avoidance)
     viewer = LiveViewer(controller, q, scene, port=port, host=host)
@@ -74,39 +73,31 @@ def follow_target(
     return viewer
 
 
-class LiveViewer(Page):
-    """A page on which a controller follows a target.
+class LiveArm(Page):
+    """A page on which an arm moves: what `_step` returns is its velocity for the next time step.
 
     Attributes:
-        controller: computes the steps.
-        drive: factor >= 0 on the formulation's drive; 0: the arm only follows the target.
+        arm: the robot.
+        dt: time step [s].
     """
 
-    def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
-        robot = controller.robot
-        super().__init__(port, host, f"{robot.name}: drag the target")
-        self.controller = controller
-        self._drive = 1.0
+    #: Margin of the view on each side of the arm's initial posture, as a share of its diagonal.
+    room = 0.3
+
+    def __init__(
+        self, robot: Robot, task: Task, dt: float, start: Array, scene: Scene, *, title: str, port: int, host: str
+    ) -> None:
+        super().__init__(port, host, title)
+        self.arm, self.dt = robot, dt
         self._first, self._q, self._qd = start, start.copy(), np.zeros(robot.n)
-        self._kinematics = robot.kinematics(controller.task)
+        self._kinematics = robot.kinematics(task)
         self._position = drawn_tools(robot)[0]
-        self._target = np.array(self._position.pose(start))
-        self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
         self._lock = threading.RLock()
         self._past: deque[tuple[float, float]] = deque(maxlen=int(PAST * RATE))
         with self._furnishing():
             self._furnish(scene)
             self._fill_panel()
         self._start(self._run)
-
-    @property
-    def drive(self) -> float:
-        """Factor on the formulation's drive."""
-        return self._drive
-
-    @drive.setter
-    def drive(self, value: float) -> None:
-        self._drive = number("drive", value, least=0.0)
 
     @property
     def q(self) -> Array:
@@ -119,76 +110,54 @@ class LiveViewer(Page):
         """Current pose of the tool, (4, 4)."""
         return np.asarray(self._position.pose(self.q))
 
-    @property
-    def target(self) -> Array:
-        """The target pose (4, 4); a (4, 4) array or a pin.SE3 can be assigned."""
-        with self._lock:
-            return self._target.copy()
-
-    @target.setter
-    def target(self, value: Any) -> None:
-        pose = pose_matrix("target", value)
-        with self._lock:
-            self._target = np.array(pose)
-        put(self.handle, pin.SE3(pose[:3, :3] if self._turns else np.eye(3), pose[:3, 3]))
-
     def restart(self) -> None:
-        """Move arm and target back to the start."""
+        """Move the arm back to the start."""
         with self._lock:
-            self._q, self._qd = self._first.copy(), np.zeros(self.controller.robot.n)
-            self.controller.reset()
-        self.target = self._position.pose(self._first)
+            self._q, self._qd = self._first.copy(), np.zeros(self.arm.n)
+
+    def _step(self) -> Array:
+        """Velocities (n,) for the next time step; the lock is held."""
+        raise NotImplementedError
+
+    def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
+        """Names and values in the panel at q (n,) with the measure m."""
+        return [("measure now", f"{m:.4g}"), *limits_now(self.arm, q, self._qd)]
 
     def _furnish(self, scene: Scene) -> None:
-        robot = self.controller.robot
+        robot = self.arm
         box = corners(robot, self._first, moving=True)
         size = float(np.linalg.norm(box[1] - box[0]))
         scale = ellipsoid_scale(robot, [self._position], self._first[None])
-        box[:, :2] += [[-ROOM * size], [ROOM * size]]
+        box[:, :2] += [[-self.room * size], [self.room * size]]
         self.robot = RobotFigure(self.server.scene, "/robot", robot)
         self.ellipsoid = EllipsoidFigure(self.server.scene, "/ellipsoid", self._position, scale, opacity=0.5)
-        self.handle = self.server.scene.add_transform_controls(
-            "/target",
-            scale=0.18 * size,
-            active_axes=(True, True, not robot.planar),
-            disable_rotations=not self._turns,
-            depth_test=False,
-        )
-        self.target = self._target
+        self._add_handles(size)
         self._layers = {"ellipsoid, tool": self.ellipsoid.mesh}
         self._layers |= Backdrop(self.server, robot, self._first, scene, box).layers
         self._layers |= draw_checked_layers(self.server.scene, self.robot)
-        self.handle.on_update(self._drag)
 
-    def _drag(self, event: Any) -> None:
-        dragged = self.target
-        w, x, y, z = event.target.wxyz
-        if self._turns:  # otherwise the arrows are aligned with the world
-            dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
-        dragged[:3, 3] = event.target.position
-        with self._lock:
-            self._target = dragged
+    def _add_handles(self, size: float) -> None:
+        """Add what can be dragged, for an arm of this size [m]."""
 
     def _fill_panel(self) -> None:
-        gui, drives = self.server.gui, self.controller.formulation.solves_qp
-        gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
-        back = gui.add_button("Back to the start", icon="player-skip-back")
-        raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
+        gui = self.server.gui
+        self._add_controls(gui)
+        gui.add_button("Back to the start", icon="player-skip-back").on_click(lambda _: self.restart())
         self._picture = gui.add_html("")
         self._values = gui.add_html("")
         switches(gui, self._layers)
-        back.on_click(lambda _: self.restart())
-        raises.on_update(lambda _: setattr(self, "drive", float(raises.value)))
+
+    def _add_controls(self, gui: Any) -> None:
+        """Add the controls of the panel."""
 
     def _run(self) -> None:
-        dt = self.controller.dt
         began = due = time.monotonic()
         drawn, count = 0.0, 0
         while self.running:
             with self._lock:
-                self._qd = self.controller.step(self._q, self._qd, self._target, drive=self.drive)
-                self._q = self._q + dt * self._qd
-            due += dt
+                self._qd = self._step()
+                self._q = self._q + self.dt * self._qd
+            due += self.dt
             now = time.monotonic()
             if now - drawn >= 1.0 / RATE:
                 drawn, count = now, count + 1
@@ -210,13 +179,89 @@ class LiveViewer(Page):
                 self._picture.content = Chart(t=t, curves=[curve], label=style.measure_label(self._kinematics)).html(now)
                 self._values.content = table(self._rows(q, m[-1]))
 
+
+class LiveViewer(LiveArm):
+    """A page on which a controller follows a target.
+
+    Attributes:
+        controller: computes the steps.
+        drive: factor >= 0 on the formulation's drive; 0: the arm only follows the target.
+    """
+
+    def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
+        robot = controller.robot
+        self.controller = controller
+        self._drive = 1.0
+        self._target = np.array(drawn_tools(robot)[0].pose(start))
+        self._turns = bool(np.any([row[3:] for row in (*controller.task.world_rows, *controller.task.tool_rows)]))
+        title = f"{robot.name}: drag the target"
+        super().__init__(robot, controller.task, controller.dt, start, scene, title=title, port=port, host=host)
+
+    @property
+    def drive(self) -> float:
+        """Factor on the formulation's drive."""
+        return self._drive
+
+    @drive.setter
+    def drive(self, value: float) -> None:
+        self._drive = number("drive", value, least=0.0)
+
+    @property
+    def target(self) -> Array:
+        """The target pose (4, 4); a (4, 4) array or a pin.SE3 can be assigned."""
+        with self._lock:
+            return self._target.copy()
+
+    @target.setter
+    def target(self, value: Any) -> None:
+        pose = pose_matrix("target", value)
+        with self._lock:
+            self._target = np.array(pose)
+        put(self.handle, pin.SE3(pose[:3, :3] if self._turns else np.eye(3), pose[:3, 3]))
+
+    def restart(self) -> None:
+        """Move arm and target back to the start."""
+        with self._lock:
+            super().restart()
+            self.controller.reset()
+        self.target = self._position.pose(self._first)
+
+    def _step(self) -> Array:
+        return self.controller.step(self._q, self._qd, self._target, drive=self.drive)
+
+    def _add_handles(self, size: float) -> None:
+        self.handle = self.server.scene.add_transform_controls(
+            "/target",
+            scale=0.18 * size,
+            active_axes=(True, True, not self.arm.planar),
+            disable_rotations=not self._turns,
+            depth_test=False,
+        )
+        self.target = self._target
+        self.handle.on_update(self._drag)
+
+    def _drag(self, event: Any) -> None:
+        dragged = self.target
+        w, x, y, z = event.target.wxyz
+        if self._turns:  # otherwise the arrows are aligned with the world
+            dragged[:3, :3] = pin.Quaternion(w, x, y, z).normalized().toRotationMatrix()
+        dragged[:3, 3] = event.target.position
+        with self._lock:
+            self._target = dragged
+
+    def _add_controls(self, gui: Any) -> None:
+        gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
+        drives = self.controller.formulation.solves_qp
+        raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
+        raises.on_update(lambda _: setattr(self, "drive", float(raises.value)))
+
     def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
         pose, status = self._position.pose(q), self.controller.report.status
         distance = float(np.linalg.norm(pose[:3, 3] - self._target[:3, 3]))
         turned = np.rad2deg(np.linalg.norm(pin.log3(pose[:3, :3].T @ self._target[:3, :3])))
         away = f"{1e3 * distance:.1f} mm" + (f", {turned:.1f}°" if self._turns else "")
-        rows = [("measure now", f"{m:.4g}"), ("tool to target", away)]
-        rows += limits_now(self.controller.robot, q, self._qd)
+        first, *others = super()._rows(q, m)
+        rows = [first, ("tool to target", away), *others]
         if status is StepStatus.STALLED:
             rows.append(("step", "stalled: the arm comes no closer to its target"))
         elif status.brakes:
