@@ -216,9 +216,7 @@ def recorded(found: Mapping[tuple[str, float, str], tuple[float, float]]) -> lis
     return claims
 
 
-def chaotic(
-    convexity: Table, hessians: Mapping[tuple[str, str, float], Run], chatter: Mapping[float, Array]
-) -> list[Claim]:
+def chaotic(convexity: Table, hessians: Mapping[tuple[str, str, float], Run], chatter: Mapping[float, Array]) -> list[Claim]:
     """Claims that change with the last bit of a sum, and so with the type of processor: they have wide tolerances."""
     last = dict(zip(convexity.head, convexity.rows[-1], strict=True))
     return [

@@ -98,6 +98,7 @@ def stiffness(file: Path) -> None:
             ax.axhline(value, color="black", linestyle=":", linewidth=0.9)
             ax.text(0.5, 1.15 * value, label, ha="center", va="bottom", fontsize=8)
         ax.set(xlabel="share of the duration t / t_f", ylabel="stiffness of the task", yscale="log", ylim=(5, 4e4), xlim=(0, 1))
+        ax.set_yticks((10, 100, 1000, 10_000), ("10", "100", "1000", "10000"))
         save(figure, file)
 
 
@@ -118,7 +119,7 @@ def postures(arm: Arm, first: Scenario, second: Scenario, sphere: Obstacle, file
         for ax, (title, run, k, scene) in zip(axes, shown, strict=True):
             way = run.targets[:: max(len(run.targets) // 60, 1), :3, 3]
             chain = np.array([place.translation for place in _placements(arm, run.q[k])])
-            points = np.concatenate([way, chain, [[0.0, 0.0, -0.3], [0.3, 0.0, 0.9]]])
+            points = np.concatenate([way, chain, [[0.0, 0.0, -0.3], [0.4, 0.3, 1.2]]])
             with Renderer(arm.robot, scene, points, (520, 540), direction=(150.0, -15.0)) as renderer:
                 ax.imshow(renderer.draw(run.q[k], [DrawnWay(points=way, colour="#D55E00")]))
             ax.set_title(f"{title}, m = {run.manipulability[k]:.2f}", loc="left", fontsize=9)

@@ -264,7 +264,9 @@ def recorded(arm: Arm) -> tuple[Table, dict[tuple[str, float, str], tuple[float,
             rows.append((demonstration.name, 1e3 * tremor, *shown, 100 * (shown[5] / shown[3] - 1)))
     motions = ("recorded", "(2)", "(14)")
     head = ("path", "tremor [mrad]", *(f"rms acceleration, {each} [rad/s²]" for each in motions))
-    return Table.of("recorded", (*head, *(f"rms torque, {each} [N m]" for each in motions), "(14) by recorded [%]"), rows), found
+    return Table.of(
+        "recorded", (*head, *(f"rms torque, {each} [N m]" for each in motions), "(14) by recorded [%]"), rows
+    ), found
 
 
 def shaken(arm: Arm, demonstration: config.Demonstration, tremor: float) -> Array:

@@ -83,4 +83,8 @@ POSTS = (
 
 # The global optimum by fast marching: grid steps [rad] without posts and among them; the pairs of postures are random.
 MARCH_STEPS, POST_STEPS, PAIR_STEP, SHIFT_STEP = (0.1, 0.05, 0.035), (0.1, 0.07), 0.07, 0.1
-PAIR_STARTS, PAIR_GOALS = 5, 40
+PAIR_STARTS, PAIR_GOALS = 5, 20
+#: The optimiser's path counts as the global optimum up to this share; with posts, whose outlines are those of the grid.
+NEAR, POST_ERROR = 1e-3, 0.02
+#: Curves count as approximately the same up to this distance [rad].
+ALIKE = 0.1

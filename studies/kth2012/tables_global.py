@@ -75,6 +75,8 @@ def pairs_table(results: Results) -> Table:
     for power in (TABLE_POWER, TEXT_POWER):
         excess = 100 * (results.pairs(power)[:, 1] / results.pairs(power)[:, 0] - 1)
         counts = [str(int((excess > each).sum())) for each in ABOVE]
-        rows.append((f"{power:g}", str(len(excess)), *(f"{np.percentile(excess, each):.2f}" for each in (0, 50, 90, 100)), *counts))
+        rows.append(
+            (f"{power:g}", str(len(excess)), *(f"{np.percentile(excess, each):.2f}" for each in (0, 50, 90, 100)), *counts)
+        )
     head = ("p", "pairs", "least [%]", "median [%]", "90 % of pairs [%]", "most [%]")
     return Table.of("pairs", (*head, *(f"above by more than {each:g} %" for each in ABOVE)), rows)
