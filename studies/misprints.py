@@ -293,7 +293,7 @@ MISPRINTS = (
         printed="-θ ≤ -π/2",
         corrected="-θ ≤ π/2",
         how="whether θ = 0 is allowed",
-        check=lambda: (float(-0.0 <= -np.pi / 2), float(-0.0 <= np.pi / 2), 1.0),
+        check=lambda: (float(-np.pi / 2 >= 0.0), float(np.pi / 2 >= 0.0), 1.0),
     ),
     Misprint(
         paper="kth2012",

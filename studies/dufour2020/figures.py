@@ -103,7 +103,7 @@ def stiffness(file: Path) -> None:
 
 
 def postures(arm: Arm, first: Scenario, second: Scenario, sphere: Obstacle, file: Path) -> None:
-    """Fig. 2, 5 and 7: the arm at the start and end of scenario 1, at the ends of (7) and (10) on S2, and next to the sphere."""
+    """Fig. 2, 5 and 7: the arm at the ends of scenario 1, at the end of S2 by (7) and by (10), and next to the sphere."""
     place = mp.Scene([config.SPHERE])
     shown = [
         ("S1, start", first.plain, 0, mp.Scene([])),

@@ -270,7 +270,7 @@ def recorded(arm: Arm) -> tuple[Table, dict[tuple[str, float, str], tuple[float,
 
 
 def shaken(arm: Arm, demonstration: config.Demonstration, tremor: float) -> Array:
-    """The recorded posture at every step (N, n) [rad], with a tremor of this amplitude in each joint that fades at both ends."""
+    """The recorded posture at every step (N, n) [rad], with this tremor in each joint, fading at both ends."""
     table = np.loadtxt(config.PATHS / f"{demonstration.name}.csv", delimiter=",", skiprows=1)
     t = np.arange(round(table[-1, 0] / config.DT) + 1) * config.DT
     phases = np.random.default_rng(demonstration.seed).uniform(0, 2 * np.pi, arm.robot.n)

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import map_coordinates
 
 import manipplan as mp
@@ -77,8 +77,8 @@ class Field:
 
 def solve(
     arm: PlanarArm,
-    start: Sequence[float],
-    goals: Sequence[Sequence[float]],
+    start: ArrayLike,
+    goals: ArrayLike,
     power: float,
     step: float,
     *,

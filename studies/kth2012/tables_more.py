@@ -62,7 +62,7 @@ def apart(first: mp.JointPath, second: mp.JointPath) -> tuple[float, float]:
     a, b = first(s), second(s)
 
     def distance(a: Array, b: Array) -> float:
-        return max(directed_hausdorff(a, b)[0], directed_hausdorff(b, a)[0])
+        return float(max(directed_hausdorff(a, b)[0], directed_hausdorff(b, a)[0]))
 
     return distance(a[:, 1:], b[:, 1:]), distance(a, b)
 
