@@ -1,7 +1,7 @@
 """Every item of the papers with its verdict, as a page: `python -m studies.checklist`.
 
-checklist.csv has a row per item: what is printed, our value and its class (exact, converged, chaotic) where a claim of the study has
-them, the verdict, a file and a text in it that shows the item, and a note.
+checklist.csv has a row per item: what is printed, our value and its class (exact, converged, chaotic) where a claim of a study
+has them, the verdict, a file and a text in it that shows the item, and a note.
 """
 
 import csv
@@ -57,6 +57,39 @@ def paper_table(paper: str) -> Table:
 def tables() -> list[Table]:
     """All tables of the page."""
     return [summary_table(), *(paper_table(paper) for paper in PAPERS)]
+
+
+def faults(rows: list[dict[str, str]]) -> list[str]:
+    """Rows whose verdict, class, number or page is not what it says."""
+    kept = {paper: _expected(paper) for paper in PAPERS}
+    wrong = []
+    for number, row in enumerate(rows, start=2):
+        name = f"line {number}, {row['paper']}, {row['item']}"
+        if row["verdict"] not in VERDICTS or row["class"] not in CLASSES:
+            wrong.append(f"{name}: verdict {row['verdict']!r}, class {row['class']!r}")
+        if row["claim"]:
+            claim = kept[row["paper"]].get(row["claim"])
+            if claim is None:
+                wrong.append(f"{name}: no claim {row['claim']!r}")
+            elif abs(float(row["ours"]) - claim[0]) > claim[1] or row["class"] != claim[2]:
+                wrong.append(f"{name}: {row['ours']}, {row['class']}; expected {claim[0]:g}, {claim[2]}")
+        if row["verdict"] == "nothing to compute":
+            continue
+        page = ROOT / row["page"]
+        if not row["page"] or not row["shows"] or not page.is_file():
+            wrong.append(f"{name}: no page or no text {row['page']!r}, {row['shows']!r}")
+        elif row["shows"] not in " ".join(page.read_text(encoding="utf-8").split()):
+            wrong.append(f"{name}: {row['page']} does not show {row['shows']!r}")
+    return wrong
+
+
+def _expected(paper: str) -> dict[str, tuple[float, float, str]]:
+    """Value, tolerance and class of each claim of a study."""
+    with (HERE / paper / "expected.csv").open(newline="", encoding="utf-8") as file:
+        return {
+            row.get("figure") or row["claim"]: (float(row["ours"]), float(row["tolerance"]), row["class"])
+            for row in csv.DictReader(file)
+        }
 
 
 def _safe(text: str) -> str:
