@@ -102,6 +102,7 @@ def march(results: Results, file: Path) -> None:
             second, third = (field.low[k] + field.step * np.arange(values.shape[k - 1]) for k in (1, 2))
             top = 2 * float(field(goals[0])[0])
             filled = ax.contourf(second, third, values.T, levels=np.linspace(0, top, 25), cmap="viridis_r", extend="max")
+            filled.set_rasterized(True)
             for shifted, colour in ((False, STRAIGHT), (True, OPTIMUM)):
                 path = results.global_optimum(FIRST, power, shifted=shifted).path
                 q = path.q[::EVERY]

@@ -31,7 +31,7 @@ def test_every_item_has_a_verdict_that_its_page_shows():
 )
 def test_a_wrong_row_is_told(column, value):
     rows = checklist.items()
-    row = next(row for row in rows if row["verdict"] == "reproduced")
+    row = next(row for row in rows if row["verdict"] == "reproduced" and not row["claim"])
     row[column] = value
     [line] = checklist.faults(rows)
     assert row["item"] in line
