@@ -46,7 +46,7 @@ class Study(Generic[Claims]):
             pages = Path(before) / self.pages.name
             shutil.copytree(self.pages, pages)  # the run may write over them
             expected = self.differences(self.make(out, quick, progress), quick)
-            found = printed.compare(out, pages)
+            found = printed.compare(out, pages, quick=quick)
         found.differences = [*expected, *found.differences]
         return found
 

@@ -166,3 +166,13 @@ def test_postures_at_a_post_are_left_out():
         distance = np.linalg.norm(points - post, axis=1).min()
         assert abs(distance - reach) < 1e-3 or kept[index] == (distance >= reach)
     assert 0 < kept.sum() < kept.size
+
+
+def test_an_empty_cell_is_told_unless_the_run_is_quick(tmp_path):
+    made = tmp_path / "kth2012"
+    shutil.copytree(kth.PAGES, made)
+    text = (made / "table6_1.csv").read_text()
+    assert text.count("2.222248") == 2
+    (made / "table6_1.csv").write_text(text.replace(",2.222248,3.5", ",,3.5"))
+    assert [line.split(",")[0] for line in printed.compare(made, kth.PAGES).differences] == ["table6_1"]
+    assert printed.compare(made, kth.PAGES, quick=True).differences == []
